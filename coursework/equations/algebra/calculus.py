@@ -6,11 +6,11 @@ Enters: expressions.  Leaves: expressions; a value.  Used by whoever reduces equ
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 
-from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression, add, multiply, node, number, power
+from coursework.equations.algebra.expression import ONE, ZERO, Expression, add, multiply, node, number, power
 from coursework.equations.algebra.functions import call, cosine, sine
 
 
@@ -22,7 +22,7 @@ def rebuilt(part: Expression, args: tuple[Expression, ...]) -> Expression:
         case "*":
             return multiply(*args)
         case "^":
-            return power(*args)
+            return power(args[0], args[1].value)
         case "piecewise":
             return piecewise(*args)
     return call(part.op, *args)
@@ -65,7 +65,7 @@ def derivative(part: Expression, by: Expression) -> Expression:
             return add(*[multiply(*part.args[:k], slope, *part.args[k + 1 :]) for k, slope in slopes if slope is not ZERO])
         case "^":
             base, exponent = part.args
-            return multiply(part, derivative(base, by) * exponent / base)
+            return multiply(exponent, power(base, exponent.value - 1), derivative(base, by))
         case "piecewise":
             time, *parts = part.args
             return piecewise(time, *[one if k % 2 else derivative(one, by) for k, one in enumerate(parts)])
@@ -83,8 +83,6 @@ def _slope(part: Expression, place: int) -> Expression:
             return -sine(first)
         case "tan":
             return part**2 + 1
-        case "cot":
-            return -1 - part**2
         case "asin" | "acos":
             slope = 1 / call("sqrt", 1 - first**2)
             return slope if part.op == "asin" else -slope
@@ -120,131 +118,51 @@ def expand(part: Expression) -> Expression:
 
 def _expanded(part: Expression) -> Expression:
     args = tuple(map(_expanded, part.args))
-    part = part if args == part.args else rebuilt(part, args)
-    match part.op:
-        case "^":
-            return _expanded_power(*part.args)
-        case "*":
-            return _expanded_product(part)
-        case "exp" if part.args[0].op == "+":
-            return multiply(*[call("exp", term) for term in part.args[0].args])
-    return part
-
-
-def _expanded_power(base: Expression, exponent: Expression) -> Expression:
-    by = exponent.value
-    if base.op != "+" or abs(by) <= 1:
-        return power(base, exponent)
-    if by < 0:
-        return 1 / _expanded_power(base, -exponent)
+    if part.op == "^" and args[0].op == "+" and abs(args[1].value) > 1 == args[1].value.denominator:
+        factors = [args[0]] * abs(args[1].value.numerator)
+    elif part.op == "*":
+        factors = list(args)
+    else:
+        return part if args == part.args else rebuilt(part, args)
     total: Expression = ONE
-    for _ in range(int(by)):
-        total = add(*[multiply(one, other) for one in total.terms for other in base.args])
-    left = power(base, number(by - int(by)))
-    return add(*[multiply(term, left) for term in total.terms])
-
-
-def _expanded_product(part: Expression) -> Expression:
-    above, below = fraction(part)
-    if below.op == "*":
-        above, below = (_expanded_product(one) if one.op == "*" else one for one in (above, below))
-    part = above / below
-    sums = [factor for factor in part.factors if factor.op == "+"]
-    if part.op != "*" or not sums:
-        return part
-    terms = [multiply(*[factor for factor in part.args if factor.op != "+"])]
-    for one in sums:
-        terms = [multiply(term, other) for term in terms for other in one.args]
-    return add(*[_expanded_product(term) if any(f.op == "+" for f in term.args) and term.op == "*" else term for term in terms])
-
-
-def fraction(part: Expression) -> tuple[Expression, Expression]:
-    """Return what stands above and below in a product."""
-    above, below = [], []
-    for factor in part.factors:
-        if factor.op == "^" and factor.args[1].is_negative:
-            below.append(power(factor.args[0], -factor.args[1]))
-        elif factor.op == "exp" and factor.args[0].factors[0].is_negative:
-            below.append(call("exp", -factor.args[0]))
-        elif factor.op == "number":
-            above.append(number(factor.value.numerator))
-            below.append(number(factor.value.denominator))
-        else:
-            above.append(factor)
-    return multiply(*above), multiply(*below)
+    for factor in factors:
+        total = add(*[multiply(one, other) for one in total.terms for other in factor.terms])
+    return 1 / total if part.op == "^" and part.args[1].is_negative else total
 
 
 def together(part: Expression) -> tuple[Expression, Expression]:
     """Return what stands above and below when all terms are brought to one denominator."""
-    if part.op == "*":
-        sides = [together(factor) for factor in part.args]
-        return fraction(multiply(*[above for above, _ in sides], *[power(below, MINUS) for _, below in sides]))
-    if part.op == "^":
-        (above, below), exponent = together(part.args[0]), part.args[1]
-        if exponent.value.denominator > 1 and below.op != "number":
-            return fraction(power(above / below, exponent))
-        return fraction(multiply(power(above, exponent), power(below, -exponent)))
-    if part.op != "+":
-        return fraction(part)
-    sides = [together(term) for term in part.args]
-    number_below, divisors = 1, dict[Expression, Fraction]()
-    for _, below in sides:
-        content, factors = _whole(below)
-        number_below = math.lcm(number_below, content.numerator)
-        for base, times in factors.items():
-            divisors[base] = max(divisors.get(base, times), times)
-    common = [number(number_below), *[power(base, number(times)) for base, times in divisors.items()]]
-    above = add(*[multiply(over, *common, *_below_one(below)) for over, below in sides])
-    both = number(math.gcd(number_below, _content(above).numerator))
-    return above / both, multiply(1 / both, *common)
+    above, below = _sides(part)
+    return above, multiply(*[power(base, by) for base, by in below.items()])
 
 
-def _whole(product: Expression) -> tuple[Fraction, dict[Expression, Fraction]]:
-    """Return the number in a product and the powers of its factors, sums without a common divisor of their numbers."""
-    total, powers = Fraction(1), dict[Expression, Fraction]()
-    for factor in product.factors:
-        base, exponent = factor.base_and_power
-        if base.op == "number" and exponent is ONE:
-            total *= base.value
-            continue
-        if base.op == "+" and exponent.value.denominator == 1:
-            content = _content(base)
-            base, total = base / number(content), total * content**exponent.value.numerator
-        powers[base] = powers.get(base, Fraction(0)) + exponent.value
-    return total, powers
+def _sides(part: Expression) -> tuple[Expression, dict[Expression, Fraction]]:
+    """Return what stands above, and what stands below as powers, none of them of numbers."""
+    if part.op == "+":
+        sides = [_sides(term) for term in part.args]
+        common: dict[Expression, Fraction] = {}
+        for _, below in sides:
+            common |= {base: max(by, common.get(base, by)) for base, by in below.items()}
+        lacking = [[power(base, by - below.get(base, 0)) for base, by in common.items()] for _, below in sides]
+        return add(*[multiply(above, *more) for (above, _), more in zip(sides, lacking, strict=True)]), common
+    above, powers = list[Expression](), dict[Expression, Fraction]()
+    for factor in part.factors:
+        base, by = factor.base_and_power
+        over, under = _sides(base) if base.op == "+" and by.denominator == 1 else (base, {})
+        if by > 0:
+            above.append(power(over, by))
+        else:  # 2 a + 2 b below is a + b
+            whole = content(term.split()[0] for term in over.terms)
+            above.append(power(number(whole), by))
+            parts = [one.base_and_power for one in (over / number(whole)).factors]
+            powers |= {one: powers.get(one, Fraction(0)) - by * times for one, times in parts}
+        for one, times in under.items():
+            powers[one] = powers.get(one, Fraction(0)) + by * times
+    upward = [power(one, -times) for one, times in powers.items() if times < 0]
+    return multiply(*above, *upward), {one: times for one, times in powers.items() if times > 0}
 
 
-def _content(part: Expression) -> Fraction:
-    """Return the largest number that divides every term."""
-    sizes = [abs(_whole(term)[0]) for term in part.terms]
-    return Fraction(math.gcd(*(size.numerator for size in sizes)), math.lcm(*(size.denominator for size in sizes)))
-
-
-def _below_one(below: Expression) -> list[Expression]:
-    """Return the factors of 1/below, as `_whole` takes it apart."""
-    content, factors = _whole(below)
-    return [number(1 / content), *[power(base, number(-exponent)) for base, exponent in factors.items()]]
-
-
-def operations(part: Expression) -> int:
-    """Return how many operations an expression has, written out; a minus within a sum is none of its own."""
-    counted: dict[Expression, int] = {}
-
-    def count(one: Expression) -> int:
-        if one not in counted:
-            inside, times = sum(map(count, one.args)), one.split()[0]
-            match one.op:
-                case "number":
-                    counted[one] = (times < 0) + (times.denominator > 1)
-                case "+":
-                    minus = sum(term.split()[0] < 0 for term in one.args)
-                    counted[one] = inside + len(one.args) - 1 - minus + (minus == len(one.args))
-                case "*":
-                    counted[one] = inside + len(one.args) - 1 - (abs(times.numerator) == 1 != times)
-                case "^":
-                    counted[one] = inside + 1 - one.args[1].is_negative - (one.args[1] is MINUS)
-                case _:
-                    counted[one] = inside + bool(one.args)
-        return counted[one]
-
-    return count(part)
+def content(numbers: Iterable[Fraction]) -> Fraction:
+    """Return the largest number that divides all of some."""
+    found = list(numbers)
+    return Fraction(math.gcd(*(one.numerator for one in found)), math.lcm(*(one.denominator for one in found)))

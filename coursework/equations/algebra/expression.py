@@ -4,29 +4,97 @@ Enters: parts, by `number`, `variable`, `add`, `multiply`, `power` and `node`.  
 Used by `functions.py`, `calculus.py`, `symbolic_objects.py` and whoever reads the kind of an expression.
 
 A sum has its number first and no two terms alike; a product has its number first, no two factors with the same base, and a
-number times a sum alone is multiplied out.  Order, and what is done at once, are SymPy's: it is the judge in the tests.
+number times a sum alone is multiplied out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 from weakref import WeakValueDictionary
 
-from coursework.equations.algebra.roots import Primes, gather, roots
-from coursework.equations.algebra.tree import Tree, has_minus, is_nonnegative, value
-
 Number = int | Fraction
+# What comes first in sums and products; functions follow by name.
+_KINDS = {"pi": 11, "symbol": 13, "^": 15, "*": 16, "+": 17, "abs": 20}
+_NUMBERS = {Fraction(0): 0, Fraction(1): 1, Fraction(1, 2): 2, Fraction(-1): 5}
 
 
-class Expression(Tree):
-    """A tree that one can calculate with."""
+class Expression:
+    """`op` is number, symbol, pi, + * ^, piecewise or the name of a function; `value` that of a number, `name` that of a symbol.
 
-    __slots__ = ()
+    `depth` counts its levels, `size` its parts, written out.  The arguments of "piecewise" are t, then each piece and the time
+    at which it ends, last the piece that has no end.
+    """
+
+    __slots__ = ("__weakref__", "_free", "_key", "args", "depth", "name", "op", "size", "value")
+
+    def __init__(self, op: str, args: tuple[Expression, ...], name: str, value: Fraction) -> None:
+        self.op, self.args, self.name, self.value = op, args, name, value
+        self.depth: int = 1 + max([arg.depth for arg in args], default=0)
+        self.size: int = 1 + sum([arg.size for arg in args])
+        self._free: frozenset[Expression] | None = None
+        kind = _KINDS.get(op, 99) if op != "number" else _NUMBERS.get(value, 7 + (value.denominator > 1))
+        self._key: tuple[Any, ...] = (
+            kind, op, len(args), name, value.numerator, value.denominator, *[arg._key for arg in args],
+        )  # fmt: skip
+
+    def __repr__(self) -> str:
+        own = self.name or (str(self.value) if self.op == "number" else self.op)
+        return f"{own}({', '.join(map(repr, self.args))})" if self.args else own
 
     def __reduce__(self) -> tuple[Callable[..., Expression], tuple[Any, ...]]:
         return node, (self.op, self.args, self.name, self.value)
+
+    @property
+    def free_symbols(self) -> frozenset[Expression]:
+        """Return every symbol inside."""
+        if self._free is None:
+            own = (self,) if self.op == "symbol" else ()
+            self._free = frozenset(own).union(*(arg.free_symbols for arg in self.args))
+        return self._free
+
+    def __lt__(self, other: Expression) -> bool:
+        return self._key < other._key
+
+    def walk(self) -> Iterator[Expression]:
+        """Yield every different part, this one first."""
+        found, met = [self], {self}
+        for part in found:  # grows
+            yield part
+            fresh = [arg for arg in part.args if arg not in met]
+            met.update(fresh)
+            found += fresh
+
+    def has(self, symbol: Expression) -> bool:
+        """Return whether a symbol stands inside."""
+        return symbol in self.free_symbols
+
+    @property
+    def terms(self) -> tuple[Expression, ...]:
+        """Return the terms of a sum, an expression of another kind as its only one."""
+        return self.args if self.op == "+" else (self,)
+
+    @property
+    def factors(self) -> tuple[Expression, ...]:
+        """Return the factors of a product, an expression of another kind as its only one."""
+        return self.args if self.op == "*" else (self,)
+
+    @property
+    def is_negative(self) -> bool:
+        """Return whether the expression is a number below zero."""
+        return self.op == "number" and self.value < 0
+
+    @property
+    def has_minus(self) -> bool:
+        """Return whether an expression is written with a minus: -x, or a sum of which most terms, or the leading one, are."""
+        parts = [term.split() for term in self.terms]
+        negative = sum(factor < 0 for factor, _ in parts)
+        if 2 * negative != len(parts):
+            return 2 * negative > len(parts)
+        moving = [part for part in parts if part[1].free_symbols] or parts
+        return min(moving, key=lambda part: part[1]._key)[0] < 0
 
     def split(self) -> tuple[Fraction, Expression]:
         """Return the number before an expression and the rest."""
@@ -38,9 +106,9 @@ class Expression(Tree):
         return _ONE, self
 
     @property
-    def base_and_power(self) -> tuple[Expression, Expression]:
+    def base_and_power(self) -> tuple[Expression, Fraction]:
         """Return base and exponent, the exponent 1 of what is no power."""
-        return (self.args[0], self.args[1]) if self.op == "^" else (self, ONE)
+        return (self.args[0], self.args[1].value) if self.op == "^" else (self, _ONE)
 
     def __add__(self, other: Expression | Number) -> Expression:
         return add(self, as_expression(other))
@@ -62,13 +130,13 @@ class Expression(Tree):
     __rmul__ = __mul__
 
     def __truediv__(self, other: Expression | Number) -> Expression:
-        return multiply(self, power(as_expression(other), MINUS))
+        return multiply(self, power(as_expression(other), -1))
 
     def __rtruediv__(self, other: Number) -> Expression:
-        return multiply(number(other), power(self, MINUS))
+        return multiply(number(other), power(self, -1))
 
-    def __pow__(self, other: Expression | Number) -> Expression:
-        return power(self, as_expression(other))
+    def __pow__(self, exponent: Number) -> Expression:
+        return power(self, exponent)
 
 
 _ONE, _ZERO = Fraction(1), Fraction(0)
@@ -98,142 +166,129 @@ def as_expression(value: Expression | Number) -> Expression:
 
 
 ZERO, ONE, MINUS, HALF, PI = number(0), number(1), number(-1), number(Fraction(1, 2)), node("pi")
-_E = node("e")
 POLE = node("^", (ZERO, MINUS))  # what has no value, whatever the motion
 
 
 def add(*terms: Expression) -> Expression:
     """Return a sum."""
-    total, found, waiting = _ZERO, dict[Expression, Fraction](), list(terms)
-    for term in waiting:  # grows
-        if term.op == "+":
-            waiting.extend(term.args)
-        elif term.op == "number":
-            total += term.value
-        else:
-            factor, rest = term.split()
-            found[rest] = found.get(rest, _ZERO) + factor
-    parts = [rest if factor == 1 else _times(factor, rest) for rest, factor in found.items() if factor]
-    parts.sort()
-    if total:
-        parts.insert(0, number(total))
-    return node("+", tuple(parts)) if len(parts) > 1 else parts[0] if parts else ZERO
+    found: dict[Expression, Fraction] = {}
+    for term in [part for one in terms for part in one.terms]:
+        factor, rest = term.split()
+        found[rest] = found[rest] + factor if rest in found else factor
+    total = found.pop(ONE, _ZERO)
+    parts = sorted(rest if by == 1 else node("*", (number(by), *rest.factors)) for rest, by in found.items() if by)
+    return _joined("+", [number(total), *parts] if total else parts, ZERO)
 
 
-def _times(factor: Fraction, rest: Expression) -> Expression:
-    return node("*", (number(factor), *rest.factors))
+def _joined(op: str, parts: list[Expression], nothing: Expression) -> Expression:
+    return node(op, tuple(parts)) if len(parts) > 1 else parts[0] if parts else nothing
 
 
 def multiply(*factors: Expression) -> Expression:
     """Return a product."""
-    total, waiting = _ONE, list(factors)
-    powers: dict[tuple[Expression, Expression], Fraction] = {}
-    primes: Primes = {}
-    for factor in waiting:  # grows
-        if factor.op == "*":
-            waiting.extend(factor.args)
-        elif factor.op == "number":
+    total, powers = _ONE, dict[Expression, Fraction]()
+    for factor in [part for one in factors for part in one.factors]:
+        base, by = factor.base_and_power
+        if factor.op == "number":
             total *= factor.value
-        elif factor.op == "^" and factor.args[0].value > 0:
-            gather(primes, factor.args[0].value, factor.args[1].value)
         else:
-            # exp(2 x) exp(x) is exp(3 x), as of any other base.
-            base, exponent = (_E, factor.args[0]) if factor.op == "exp" else factor.base_and_power
-            times, tail = exponent.split()
-            powers[base, tail] = powers.get((base, tail), _ZERO) + times
+            powers[base] = powers[base] + by if base in powers else by
     if not total:
         return ZERO
-    total, parts = _with_roots(total, primes)
-    changed = False
-    for (base, tail), times in powers.items():
-        part = power(base, multiply(number(times), tail)) if times != 1 or tail is not ONE or base is _E else base
+    parts = [base if by == 1 else power(base, by) for base, by in powers.items()]
+    if any(part.op in {"*", "number"} or part.base_and_power[0] not in powers for part in parts):
         # What is a power no more, or one of another base, may meet its like.
-        changed |= part.op in {"*", "number"} or (base is not _E and len(powers) > 1 and part.base_and_power[0] != base)
-        parts.append(part)
-    if changed:
         return multiply(number(total), *parts)
     parts.sort()
-    if total != 1:
-        if len(parts) == 1 and parts[0].op == "+":
-            return add(*[multiply(number(total), term) for term in parts[0].args])
-        parts.insert(0, number(total))
-    return node("*", tuple(parts)) if len(parts) > 1 else parts[0] if parts else ONE
+    if total != 1 and len(parts) == 1 and parts[0].op == "+":
+        return add(*[multiply(number(total), term) for term in parts[0].args])
+    return _joined("*", [number(total), *parts] if total != 1 else parts, ONE)
 
 
-def _with_roots(total: Fraction, primes: Primes) -> tuple[Fraction, list[Expression]]:
-    """Return a number times what is rational of a product of powers of primes, and the roots that are left."""
-    whole, left = roots(primes)
-    return total * whole, [node("^", (number(base), number(exponent))) for exponent, base in left.items()]
-
-
-def power(base: Expression, exponent: Expression) -> Expression:
-    """Return a power; its exponent is a number, or its base e."""
-    if base is _E:
-        return node("exp", (exponent,)) if exponent is not ZERO else ONE
-    by = exponent.value
+def power(base: Expression, exponent: Number) -> Expression:
+    """Return a power."""
+    by = Fraction(exponent)
+    whole = by.denominator == 1
     if by == 0 or base is ONE:
         return ONE
     if by == 1:
         return base
     match base.op:
-        case "number":
-            return _power_of_number(base, by)
+        case "number" if base is ZERO:
+            return ZERO if by > 0 else POLE
+        case "number" if whole:
+            return number(base.value**by.numerator)
+        case "number" if base.value > 0:
+            return _root(base.value, by)
         case "*":
-            return _power_of_product(base, by)
+            outside = [factor for factor in base.args if whole or is_nonnegative(factor)]  # of a root only these come out
+            if outside:
+                inside = multiply(*[factor for factor in base.args if factor not in outside])
+                return multiply(*[power(factor, by) for factor in outside], power(inside, by))
         case "^":
-            inner, first = base.args[0], base.args[1].value
+            inner, first = base.base_and_power
             even = first.denominator == 1 and first.numerator % 2 == 0
-            if by.denominator == 1 or even or abs(first) < 1 or is_nonnegative(inner):
-                return power(absolute(inner) if even and by.denominator > 1 else inner, number(first * by))
-        case "abs" if by.denominator == 1 and by != -1:
-            return power(base.args[0], exponent) if by % 2 == 0 else multiply(power(base.args[0], number(by - 1)), base)
-        case "exp":
-            return node("exp", (multiply(base.args[0], exponent),))
-    return node("^", (base, exponent))
+            if whole or even or is_nonnegative(inner):
+                return power(absolute(inner) if even and not whole else inner, first * by)
+        case "abs" if whole and by % 2 == 0:
+            return power(base.args[0], by)
+    return node("^", (base, number(by)))
 
 
-def _power_of_number(base: Expression, by: Fraction) -> Expression:
-    if by.denominator == 1 and (base.value or by > 0):
-        return number(base.value**by.numerator)
-    if base.value <= 0:
-        return ZERO if not base.value and by > 0 else POLE if not base.value else node("^", (base, number(by)))
-    primes: Primes = {}
-    gather(primes, base.value, by)
-    total, left = _with_roots(_ONE, primes)
-    return left[0] if total == 1 and len(left) == 1 else multiply(number(total), *left)
-
-
-def _power_of_product(base: Expression, by: Fraction) -> Expression:
-    exponent = number(by)
-    if by.denominator == 1:
-        return multiply(*[power(factor, exponent) for factor in base.args])
-    # Of a root only what is not negative comes out.
-    outside = [factor for factor in base.args if is_nonnegative(factor)]
-    inside = [factor for factor in base.args if not is_nonnegative(factor)]
-    if base.args[0].is_negative and base.args[0] is not MINUS:
-        outside.append(-base.args[0])
-        inside[0] = MINUS
-    if not outside:
-        return node("^", (base, exponent))
-    rest = multiply(*inside)
-    left = [node("^", (rest, exponent))] if rest.op in {"*", "number"} and rest is not ONE else [power(rest, exponent)]
-    return multiply(*[power(factor, exponent) for factor in outside], *left)
+def _root(value: Fraction, by: Fraction) -> Expression:
+    """Return a number to a power that is no whole one, as what is rational of it and roots of whole numbers."""
+    if value.denominator > 1:
+        return multiply(power(number(value.numerator), by), power(number(value.denominator), -by))
+    exact = round(value.numerator ** (1 / by.denominator))
+    if exact**by.denominator == value:
+        return number(Fraction(exact) ** by.numerator)
+    left = node("^", (number(value), number(by % 1)))
+    return multiply(number(value ** math.floor(by)), left) if by != by % 1 else left
 
 
 def absolute(part: Expression) -> Expression:
     """Return the absolute value of an expression."""
-    if is_nonnegative(part) or (not part.free_symbols and value(part) < 0):
-        return part if is_nonnegative(part) else -part
-    if part.op == "*":
-        # x/y stays together below the bars, as x y does; what is known of a factor comes out.
-        inside = [one for one in part.args if absolute(power(*_upright(one))).op == "abs"]
-        known = [absolute(one) for one in part.args if one not in inside]
-        return multiply(*known, node("abs", (multiply(*inside),))) if inside else multiply(*known)
-    if part.op == "^" and part.args[1].value.denominator == 1:
-        return power(absolute(part.args[0]), part.args[1])
-    return node("abs", (-part if part.op == "+" and has_minus(part) else part,))
+    if is_nonnegative(part):
+        return part
+    if (not part.free_symbols and value(part) < 0) or (part.op == "+" and part.has_minus):
+        return absolute(-part)
+    known = [factor for factor in part.args if not factor.free_symbols or is_nonnegative(factor)] if part.op == "*" else []
+    if known:
+        unknown = [factor for factor in part.args if factor not in known]
+        return multiply(*map(absolute, known), absolute(multiply(*unknown)))
+    return node("abs", (part,))
 
 
-def _upright(part: Expression) -> tuple[Expression, Expression]:
-    base, exponent = part.base_and_power
-    return base, -exponent if exponent.is_negative else exponent
+def is_nonnegative(part: Expression) -> bool:
+    """Return whether an expression is seen to be zero or more."""
+    if not part.free_symbols:
+        return value(part) >= 0
+    match part.op:
+        case "abs" | "exp":
+            return True
+        case "^":
+            base, by = part.base_and_power
+            return (by.denominator == 1 and by % 2 == 0) or is_nonnegative(base)
+    return part.op in {"+", "*"} and all(map(is_nonnegative, part.args))
+
+
+def value(part: Expression) -> float:
+    """Return the value of an expression of numbers alone, nan where it has none."""
+    if part.op == "number":
+        return part.value.numerator / part.value.denominator
+    args = [value(arg) for arg in part.args]
+    try:
+        match part.op:
+            case "pi":
+                return math.pi
+            case "+":
+                return math.fsum(args)
+            case "*":
+                return math.prod(args)
+            case "^":
+                return math.pow(*args)
+            case "abs":
+                return abs(args[0])
+        return float(getattr(math, part.op)(*args))
+    except (ArithmeticError, ValueError):
+        return math.nan

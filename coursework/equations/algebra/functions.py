@@ -5,27 +5,11 @@ Enters: the name of a function and its arguments.  Leaves: an `Expression`.  Use
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 
-from coursework.equations.algebra.expression import (
-    HALF,
-    ONE,
-    PI,
-    POLE,
-    ZERO,
-    Expression,
-    absolute,
-    add,
-    multiply,
-    node,
-    number,
-    power,
-)
-from coursework.equations.algebra.tree import has_minus
+from coursework.equations.algebra.expression import HALF, ONE, PI, ZERO, Expression, absolute, node, number, power, value
 
-_ODD = {"sin", "tan", "cot", "asin", "atan", "sign"}
-_TRIGONOMETRIC = {"sin", "cos", "tan", "cot"}
+_ODD = {"sin", "tan", "asin", "atan", "sign"}
 # Sines of parts of pi that are roots of one whole number, by (the angle, its sine squared).
 _SINES = {Fraction(part, 12): Fraction(square, 4) for part, square in ((0, 0), (2, 1), (3, 2), (4, 3), (6, 4))}
 
@@ -35,25 +19,26 @@ def call(name: str, *args: Expression) -> Expression:
     first = args[0]
     match name:
         case "sqrt":
-            return power(first, HALF)
+            return power(first, HALF.value)
         case "abs":
             return absolute(first)
-        case "exp" if first is ZERO or first.op == "log":
-            return ONE if first is ZERO else first.args[0]
-        case "log" if first is ONE or first.op == "exp":
-            return ZERO if first is ONE else first.args[0]
-    if name in _ODD and has_minus(first):
-        return -call(name, -first)
-    if name == "cos" and has_minus(first):
-        return call(name, -first)
+        case "exp" | "log" if first.op == {"exp": "log", "log": "exp"}[name]:
+            return first.args[0]
+        case "exp" if first is ZERO:
+            return ONE
+        case "log" if first is ONE:
+            return ZERO
+        case "sign" if not first.free_symbols:
+            size = value(first)
+            return number((size > 0) - (size < 0))
+        case "sign" if first.op == "*":
+            times, rest = first.split()
+            return node(name, (rest,)) if times > 0 else -node(name, (rest,))
     if first is ZERO and name in _ODD:
         return ZERO
-    found = None
-    if name in _TRIGONOMETRIC:
-        found = _of_angle(name, first)
-    elif name == "sign":
-        outside = [factor for factor in first.factors if factor.op == "number"]
-        found = ONE if first.op == "number" else call(name, multiply(*first.factors[1:])) if outside else None
+    if first.has_minus and (name in _ODD or name == "cos"):
+        return call(name, -first) if name == "cos" else -call(name, -first)
+    found = _of_angle(name, first) if name in {"sin", "cos", "tan"} else None
     return node(name, args) if found is None else found
 
 
@@ -69,62 +54,33 @@ def cosine(angle: Expression) -> Expression:
 
 def _of_angle(name: str, angle: Expression) -> Expression | None:
     """Return a trigonometric function where more is known of its argument."""
-    turned = sum(filter(None, map(_part_of_pi, angle.terms)), Fraction(0))
-    if angle is ZERO or _part_of_pi(angle) is not None:
-        return _of_part(name, turned)
-    quarters = turned // HALF.value
-    if angle.op == "+" and quarters:
-        rest = add(angle, multiply(number(Fraction(-quarters, 2)), PI))
-        return _quarter_turns(name, int(quarters) % 4, rest)
-    return _of_inverse(name, angle.op, angle.args)
+    part = sum((factor for factor, rest in map(Expression.split, angle.terms) if rest is PI), Fraction(0))
+    quarters = part // HALF.value
+    if quarters:
+        rest = angle - PI * Fraction(quarters, 2)
+        other = {"sin": cosine, "cos": sine}.get(name)
+        if other is None:
+            return call(name, rest) if quarters % 2 == 0 else -1 / call(name, rest)
+        sign = -1 if quarters % 4 in ({2, 3} if name == "sin" else {1, 2}) else 1
+        return sign * (other(rest) if quarters % 2 else call(name, rest))
+    if angle == PI * part:
+        square = _SINES.get(HALF.value - part if name == "cos" else part)
+        return None if square is None else power(number(square / (1 - square) if name == "tan" else square), HALF.value)
+    return _of_inverse(name, angle)
 
 
-def _part_of_pi(angle: Expression) -> Fraction | None:
-    """Return which part of pi an angle is."""
-    factor, rest = angle.split()
-    return factor if rest is PI else None
-
-
-def _quarter_turns(name: str, quarters: int, rest: Expression) -> Expression:
-    """Return a function of an angle and a number of right angles."""
-    if name in {"tan", "cot"}:
-        return call(name, rest) if quarters % 2 == 0 else -call("cot" if name == "tan" else "tan", rest)
-    sign = -1 if quarters in ({2, 3} if name == "sin" else {1, 2}) else 1
-    other = {"sin": "cos", "cos": "sin"}[name] if quarters % 2 else name
-    return sign * call(other, rest)
-
-
-def _of_part(name: str, part: Fraction) -> Expression | None:
-    """Return a function of a part of pi: exactly, or of the smallest angle that gives it, None for that angle itself."""
-    if name == "cot":
-        return call("tan", multiply(number(HALF.value - part), PI))
-    least = part % (1 if name == "tan" else 2)
-    if least > 1:
-        return -call(name, multiply(number(least - 1), PI))
-    if least > HALF.value:
-        other = call(name, multiply(number(1 - least), PI))
-        return other if name == "sin" else -other
-    square = _SINES.get(HALF.value - least if name == "cos" else least)
-    if name == "tan" and square is not None:
-        return POLE if square == 1 else power(number(square / (1 - square)), HALF)
-    if square is not None:
-        return power(number(square), HALF)
-    return None if least == part else call(name, multiply(number(least), PI))
-
-
-def _of_inverse(name: str, op: str, args: Sequence[Expression]) -> Expression | None:
+def _of_inverse(name: str, angle: Expression) -> Expression | None:
     """Return a trigonometric function of an inverse one: of the angle of a right triangle, from its sides."""
-    if op == "atan2":
-        opposite, adjacent = args
-        long = power(opposite**2 + adjacent**2, HALF)
-    elif op == "atan":
-        opposite, adjacent = args[0], ONE
-        long = power(1 + args[0] ** 2, HALF)
-    elif op in {"asin", "acos"}:
-        other = power(1 - args[0] ** 2, HALF)
-        opposite, adjacent = (args[0], other) if op == "asin" else (other, args[0])
-        long = ONE
-    else:
-        return None
-    sides = {"sin": (opposite, long), "cos": (adjacent, long), "tan": (opposite, adjacent), "cot": (adjacent, opposite)}
-    return sides[name][0] / sides[name][1]
+    x = angle.args[0] if angle.args else ONE
+    match angle.op:
+        case "asin":
+            opposite, adjacent, long = x, call("sqrt", 1 - x**2), ONE
+        case "acos":
+            opposite, adjacent, long = call("sqrt", 1 - x**2), x, ONE
+        case "atan":
+            opposite, adjacent, long = x, ONE, call("sqrt", 1 + x**2)
+        case "atan2":
+            opposite, adjacent, long = x, angle.args[1], call("sqrt", x**2 + angle.args[1] ** 2)
+        case _:
+            return None
+    return {"sin": opposite, "cos": adjacent, "tan": opposite}[name] / (adjacent if name == "tan" else long)

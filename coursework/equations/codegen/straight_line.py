@@ -205,8 +205,6 @@ class StraightLine:
         return self._product(factors)
 
     def _function(self, name: str, values: list[int]) -> int:
-        if name == "cot":
-            return self._quotient(self._constant(1.0), self._function("tan", values))
         if name not in CALLS and not name.startswith("_table_"):
             raise FormulaRefused(say("fault.V515", name=name))
         known: Callable[..., float] | None = getattr(math, name, None)

@@ -36,7 +36,7 @@ class Speed:
         total = dict(self.coefficients)
         for name, slope in other.coefficients.items():
             total[name] = total.get(name, ZERO) + factor * slope
-        return Speed({name: slope for name, slope in total.items() if slope != 0}, self.rest + factor * other.rest)
+        return Speed({name: slope for name, slope in total.items() if slope is not ZERO}, self.rest + factor * other.rest)
 
 
 _STILL = Speed({}, ZERO)
@@ -109,7 +109,7 @@ class Geometry:
             speed = Speed({}, self._symbols.partial(part, TIME))
             for coordinate in self.variant.coordinates:
                 slope = self._symbols.partial(part, symbol(coordinate.name))
-                if slope != 0:
+                if slope is not ZERO:
                     speed = speed.plus(_of(coordinate.rate) if coordinate.rate in sought else _known(coordinate.rate), slope)
             parts.append(speed)
         return parts[0], parts[1]

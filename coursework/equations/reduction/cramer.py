@@ -9,8 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from coursework.equations.algebra.calculus import replaced
-from coursework.equations.algebra.expression import ONE, Expression
-from coursework.equations.algebra.tree import has_minus
+from coursework.equations.algebra.expression import ONE, ZERO, Expression
 from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol
@@ -67,7 +66,7 @@ def _moving(equations: VelocityEquations) -> set[Expression]:
 
 
 def _of_two(block: Block, before: dict[str, Expression], order: Order) -> Cramer:
-    signs = [-1 if has_minus(row[0]) or (row[0] == 0 and has_minus(row[1])) else 1
+    signs = [-1 if row[0].has_minus or (row[0] is ZERO and row[1].has_minus) else 1
              for row in block.coefficients]  # fmt: skip
     (a, b), (c, d) = ([sign * entry for entry in row] for sign, row in zip(signs, block.coefficients, strict=True))
     plain = [sign * side for sign, side in zip(signs, block.sides, strict=True)]
@@ -92,7 +91,7 @@ def _factored(expression: Expression, order: Order) -> Formula:
 
 
 def _side(expression: Expression, order: Order) -> Formula:
-    return as_sum(expression, order) if expression != 0 else number(0)
+    return as_sum(expression, order) if expression is not ZERO else number(0)
 
 
 def _size(expression: Expression, order: Order) -> int:

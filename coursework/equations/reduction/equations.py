@@ -201,7 +201,7 @@ def _derived(position: Position, because: str, variant: Variant, symbols: Symbol
     rest = symbols.partial(position.expression, TIME)
     for coordinate in variant.coordinates:
         slope = symbols.partial(position.expression, symbol(coordinate.name))
-        if slope == 0:
+        if slope is ZERO:
             continue
         if coordinate.rate in sought:
             coefficients[coordinate.rate] = slope
@@ -218,7 +218,7 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
     coefficients = {}
     for name in variant.sought:
         slope = left.get(name, ZERO) - right.get(name, ZERO)
-        if slope != 0:
+        if slope is not ZERO:
             coefficients[name] = slope
     written = constraint.left, constraint.right
     return VelocityEquation(constraint.name, constraint.because, coefficients, right_rest - left_rest, written, constraint.line)

@@ -13,9 +13,8 @@ from fractions import Fraction
 from math import comb, prod
 
 from coursework.equations.algebra.calculus import derivative, expand, piecewise, table
-from coursework.equations.algebra.expression import PI, POLE, ZERO, Expression, node, number, variable
+from coursework.equations.algebra.expression import PI, POLE, ZERO, Expression, node, number, value, variable
 from coursework.equations.algebra.functions import call, cosine, sine
-from coursework.equations.algebra.tree import value
 from coursework.equations.codegen.names import derivative as name_of_derivative
 from coursework.equations.codegen.names import private, public
 from coursework.mechanism.mechanism import Mechanism
@@ -208,7 +207,7 @@ class Symbols:
         names = [name for name in expr.free_symbols if name in self.definitions]
         for name in sorted(names, key=lambda symbol: symbol.name):
             inner = self._derivative(name, by)
-            if inner != 0:
+            if inner is not ZERO:
                 total += derivative(expr, name) * inner
         return total
 
@@ -238,7 +237,7 @@ class Symbols:
         total = self.partial(expr, TIME)
         for coordinate, rate in self.rates.items():
             slope = self.partial(expr, coordinate)
-            if slope != 0:
+            if slope is not ZERO:
                 total += slope * rate
         return total
 
@@ -254,7 +253,7 @@ def _combine(tree: Formula, args: list[Expression]) -> Expression:
         case "*":
             return args[0] * args[1]
         case "/":
-            if args[1] == 0:
+            if args[1] is ZERO:
                 raise division_by_zero(tree)
             return args[0] / args[1]
-    return args[0] ** args[1]
+    return args[0] ** args[1].value

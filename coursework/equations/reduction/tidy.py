@@ -10,9 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
-from math import gcd
 
-from coursework.equations.algebra.calculus import operations, together
+from coursework.equations.algebra.calculus import content, together
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression
 from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.addition_theorems import pair_angles
@@ -21,8 +20,8 @@ from coursework.equations.reduction.symbolic import expanded
 from coursework.variant.formula.tree import Formula, named, number, product_of
 from coursework.variant.record.variant import Variant
 
-# Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
-MAX_OPERATIONS = 400
+# A formula of more parts, some 400 operations, is shown as it is: nobody reads it, and expanding it costs.
+MOST_PARTS = 1000
 _ONE = Fraction(1)
 
 
@@ -75,9 +74,9 @@ class Product:
 
 def product(expr: Expression, order: Order) -> Product:
     """Return an expression as one product; a sum that cannot be taken apart becomes its terms."""
-    if expr == 0:
+    if expr is ZERO:
         return Product(Fraction(0), (), ())
-    if operations(expr) > MAX_OPERATIONS:
+    if expr.size > MOST_PARTS:
         return Product(Fraction(1), ((expr, 1),), ())
     terms = pair_angles(_terms(expanded(expr), order), order.rank)
     if not terms:
@@ -85,13 +84,9 @@ def product(expr: Expression, order: Order) -> Product:
     common = _common(terms)
     terms = [(factor, _divide(atoms, common)) for factor, atoms in terms]
     terms.sort(key=order.term)
-    content = reduce(
-        lambda a, b: Fraction(gcd(a.numerator, b.numerator), _lcm(a.denominator, b.denominator)), [abs(f) for f, _ in terms]
-    )
-    if terms[0][0] < 0:
-        content = -content
-    terms = [(factor / content, atoms) for factor, atoms in terms]
-    return Product(content, tuple(common.items()), () if len(terms) == 1 else tuple(terms))
+    whole = content(factor for factor, _ in terms) * (-1 if terms[0][0] < 0 else 1)
+    terms = [(factor / whole, atoms) for factor, atoms in terms]
+    return Product(whole, tuple(common.items()), () if len(terms) == 1 else tuple(terms))
 
 
 def quotient(above: Expression, bottom: Product, order: Order) -> Formula:
@@ -116,7 +111,7 @@ def _as_given(factor: Fraction, terms: tuple[Term, ...], order: Order) -> tuple[
 
 def as_formula(expr: Expression, order: Order) -> Formula:
     """Return an expression as a formula, tidied."""
-    if operations(expr) > MAX_OPERATIONS:
+    if expr.size > MOST_PARTS:
         return _plain(expr, order)
     # Bringing to one denominator costs more than all the rest; most expressions have none.
     divided = any(part.op == "^" and part.args[1].is_negative for part in expr.walk())
@@ -126,13 +121,9 @@ def as_formula(expr: Expression, order: Order) -> Formula:
 
 def as_sum(expr: Expression, order: Order) -> Formula:
     """Return an expression as the plain sum of its terms, as a velocity equation is written."""
-    if operations(expr) > MAX_OPERATIONS:
+    if expr.size > MOST_PARTS:
         return _plain(expr, order)
     return _sum(tuple(sorted(_terms(expanded(expr), order), key=order.term)), order)
-
-
-def _lcm(a: int, b: int) -> int:
-    return a * b // gcd(a, b)
 
 
 def _terms(expr: Expression, order: Order) -> list[Term]:
@@ -144,10 +135,10 @@ def _term(expr: Expression) -> Term:
     atoms: Atoms = {}
     for part in rest.factors:
         base, exponent = part.base_and_power
-        if exponent.value.denominator > 1:
-            base, exponent = part, ONE
+        if exponent.denominator > 1:
+            base, exponent = part, _ONE
         if base is not ONE:
-            atoms[base] = atoms.get(base, 0) + int(exponent.value)
+            atoms[base] = atoms.get(base, 0) + int(exponent)
     return factor, tuple(atoms.items())
 
 

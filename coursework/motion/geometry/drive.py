@@ -12,7 +12,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from coursework.equations.algebra.calculus import derivative, expand
-from coursework.equations.algebra.expression import Expression, multiply
+from coursework.equations.algebra.expression import ZERO, Expression, multiply
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.equations import VelocityEquations
@@ -191,7 +191,7 @@ def argument_slopes(equations: VelocityEquations) -> list[Expression]:
     slopes = (
         derivative(one.args[0], TIME) for definition in definitions for one in definition.walk() if one.op in {"sin", "cos"}
     )
-    return [slope for slope in slopes if slope != 0]
+    return [slope for slope in slopes if slope is not ZERO]
 
 
 def refuse_aliasing(equations: VelocityEquations, step: float, frequency: float) -> None:
@@ -252,9 +252,9 @@ def _slopes_of_sums(equations: VelocityEquations) -> list[Expression]:
             return []
         for term in expand(definition).terms:
             rest = multiply(*[factor for factor in term.factors if factor.has(TIME)])
-            if term == 0:
+            if term is ZERO:
                 continue
-            if rest.op not in {"sin", "cos"} or (slope := derivative(rest.args[0], TIME)).has(TIME) or slope == 0:
+            if rest.op not in {"sin", "cos"} or (slope := derivative(rest.args[0], TIME)).has(TIME) or slope is ZERO:
                 return []
             slopes.add(slope)
     return sorted(slopes)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coursework.equations.algebra.calculus import expand, operations, replaced
+from coursework.equations.algebra.calculus import expand, replaced
 from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.tidy import as_sum, product, quotient
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from coursework.results.kinematics.extra import ExtraTable
 
 MOST_EQUATIONS = 6  # of second derivatives on a page
-MOST_SIGNS = 40  # operations of an expression that is differentiated for a page
+MOST_PARTS = 100  # of an expression that is differentiated for a page
 LONGEST = 160  # letters of a formula that is written out
 DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
 SHOWN = 5  # digits of a result
@@ -49,7 +49,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     """The velocity equations once more differentiated, Coriolis's terms named, one equation of them in numbers."""
     equations, reduction = context.run.scene.equations, context.run.reduction
     used = [one for one in equations.equations if one.name in reduction.used]
-    if len(used) > MOST_EQUATIONS or any(operations(slope) > MOST_SIGNS for one in used for slope in one.coefficients.values()):
+    if len(used) > MOST_EQUATIONS or any(slope.size > MOST_PARTS for one in used for slope in one.coefficients.values()):
         return []
     rests = [expanded(acceleration_rest(equations, one)) for one in used]
     lines: list[tuple[Formula, Formula]] = []
@@ -62,7 +62,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     shown = [
         display(left, right, rates, context.equation(one.name) + "′") for one, (left, right) in zip(used, lines, strict=True)
     ]
-    sought = [name for name in context.run.motion.velocity_names if any(one.coefficients.get(name, 0) != 0 for one in used)]
+    sought = [name for name in context.run.motion.velocity_names if any(name in one.coefficients for one in used)]
     meant = [
         f"{context.lettering(f'd{name}')} = d{THIN}{context.lettering(name)}/d{THIN}{context.lettering('t')}" for name in sought
     ]
@@ -125,7 +125,7 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
     row = _row(context, rows)
     for point in reversed(named_points):
         place = equations.symbols.vectors[point][0]
-        if operations(place) > MOST_SIGNS:
+        if place.size > MOST_PARTS:
             continue
         place = expanded(place)
         rate = expanded(equations.symbols.rate(place))
@@ -134,7 +134,7 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
             dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
             levels.append(("ax", replaced(expanded(second_rate(equations, rate)), dots)))
         formulas = [(f"{point}.{key}", as_sum(expression, equations.order)) for key, expression in levels]
-        if rate == 0 or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
+        if rate is ZERO or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
             continue
         values = _values(context, row)
         shown = [display(named(name), formula, context.rates) for name, formula in formulas]

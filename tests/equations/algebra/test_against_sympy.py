@@ -1,7 +1,9 @@
-"""SymPy is the judge: what the house makes, differentiates and multiplies out is SymPy's, down to the order of parts."""
+"""SymPy is the judge: what the house makes, differentiates and multiplies out has its values; what is equal has one form."""
 
 import hashlib
 import json
+import math
+import operator
 import random
 from fractions import Fraction
 from pathlib import Path
@@ -11,11 +13,10 @@ import sympy as sp
 
 import coursework
 from coursework import InputError
-from coursework.equations.algebra.calculus import derivative, expand
-from coursework.equations.algebra.expression import PI, node, number, variable
+from coursework.equations.algebra.calculus import derivative, expand, replaced, together
+from coursework.equations.algebra.expression import HALF, PI, ZERO, absolute, node, number, power, value, variable
 from coursework.equations.algebra.functions import call
 from coursework.equations.algebra.symbolic_objects import symbolic, sympy_version
-from coursework.equations.algebra.tree import has_minus
 from coursework.equations.reduction.cramer import cramer
 from coursework.equations.reduction.solution import shown_equations, solutions
 from coursework.scene.model.model import model_of
@@ -26,8 +27,8 @@ from tests.equations.algebra.systems import chain, system
 
 NAMES = ("v_r1", "v_r2", "v_phi1", "v_phi2", "t", "v_s")
 MADE = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "exp": sp.exp, "atan": sp.atan}
-OPS = {"Add": "+", "Mul": "*", "Pow": "^"}
-# First 8 letters of the SHA-256 of what is printed where SymPy (1.14) reduces the equations.
+# First 8 letters of the SHA-256 of what is printed where SymPy (1.14) reduces the equations of the catalogue, and which random
+# systems it refuses, with the words that begin the fault.
 PRINTED = json.loads((Path(__file__).parents[2] / "reference" / "printed_formulas.json").read_text(encoding="utf-8"))
 
 
@@ -60,38 +61,60 @@ def pair(dice, depth):
     return a, one
 
 
-def shape(expr):
-    """Return a SymPy expression as nested tuples, its parts in their order."""
-    if not expr.args:
-        return str(expr)
-    name = type(expr).__name__
-    return OPS.get(name, name), *map(shape, expr.args)
+PLACE = {name: Fraction(4517 + 1739 * number**2 % 7919, 10007) for number, name in enumerate(NAMES)}
 
 
-def own_shape(expr):
-    """Return the house's expression in the same way."""
-    return (expr.op, *map(own_shape, expr.args)) if expr.args else expr.name or (expr.op if expr.op == "pi" else str(expr.value))
+def at_place(own):
+    """Return the value of the house's expression."""
+    return value(replaced(own, {variable(name): number(size) for name, size in PLACE.items()}))
+
+
+def judged(judge):
+    """Return the value of SymPy's."""
+    return float(judge.subs({sp.Symbol(name, real=True): sp.Rational(size) for name, size in PLACE.items()}).evalf())
+
+
+def is_expanded(own):
+    return not any(
+        (part.op == "*" and any(factor.op == "+" for factor in part.args))
+        or (part.op == "^" and part.args[0].op == "+" and abs(part.args[1].value) in {2, 3})
+        for part in own.walk()
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("seed", range(0, 600, 100))
-def test_expressions_are_those_of_sympy(seed):
+def test_expressions_mean_what_those_of_sympy_do(seed):
     for place in range(seed, seed + 100):
         own, judge = pair(random.Random(place), 4)
         if judge.has(sp.zoo, sp.nan, sp.oo, sp.E):
             continue
-        angle = sp.Symbol("v_phi1", real=True)
-        assert own_shape(own) == shape(judge), place
-        assert own_shape(derivative(own, variable("v_phi1"))) == shape(sp.diff(judge, angle)), place
-        assert own_shape(expand(own)) == shape(sp.expand(judge)), place
-        assert symbolic(own) == judge, place
+        wanted = pytest.approx(judged(judge), rel=1e-9, abs=1e-12)
+        assert at_place(own) == wanted, place
+        assert judged(symbolic(own)) == wanted, place
+        assert at_place(expand(own)) == wanted, place
+        assert is_expanded(expand(own)), place
+        above, below = together(own)
+        assert at_place(above) / at_place(below) == wanted, place
+        slope = judged(sp.diff(judge, sp.Symbol("v_phi1", real=True)))
+        assert at_place(derivative(own, variable("v_phi1"))) == pytest.approx(slope, rel=1e-9, abs=1e-12), place
+
+
+def test_what_is_equal_becomes_nothing_when_it_is_multiplied_out():
+    for seed in range(100):
+        (a, _), (b, _), (c, _) = (pair(random.Random(3 * seed + place), 2) for place in range(3))
+        assert expand(a * (b - c) ** 2 - a * b**2 + 2 * (a * b * c) - c * (a * c)) is ZERO, seed
+
+
+def test_one_denominator_below_and_none_above():
+    a, b, c = map(variable, "abc")
+    assert together(a / (2 * b + 2 * c) + a / (b + c)) == (Fraction(3, 2) * a, b + c)
+    assert together((1 / a + 1 / b) ** -1 + c / a) == (a**2 * b + (a + b) * c, a * (a + b))
 
 
 @pytest.mark.parametrize(
     ("own", "judge"),
-    [
-        ("sin", lambda x: sp.sin(x)), ("cos", lambda x: sp.cos(x)), ("tan", lambda x: sp.tan(x)), ("cot", lambda x: sp.cot(x)),
-    ],
-)  # fmt: skip
+    [("sin", lambda x: sp.sin(x)), ("cos", lambda x: sp.cos(x)), ("tan", lambda x: sp.tan(x).rewrite(sp.tan))],
+)
 def test_right_angles_and_usual_parts_of_pi(own, judge):
     x = variable("x")
     for twelfths in (part for part in range(-30, 31) if part % 2 == 0 or part % 3 == 0):
@@ -108,11 +131,26 @@ def test_functions_of_inverse_ones(name, inverse):
     assert symbolic(call(name, call(inverse, x))) == judge
 
 
-def test_a_minus_is_seen_where_sympy_sees_it():
+def test_of_an_expression_and_its_opposite_one_is_written_with_a_minus():
     for seed in range(300):
         own, judge = pair(random.Random(seed), 3)
-        if not judge.has(sp.zoo, sp.nan, sp.oo, sp.E):
-            assert has_minus(own) == judge.could_extract_minus_sign(), (seed, judge)
+        if own is not ZERO and not judge.has(sp.zoo, sp.nan, sp.oo, sp.E):
+            assert own.has_minus != (-own).has_minus, seed
+            assert call("sin", own) is -call("sin", -own), seed
+            assert call("cos", own) is call("cos", -own), seed
+
+
+def test_roots_and_absolute_values_take_out_what_is_known():
+    a, b = variable("a"), variable("b")
+    root = lambda part: power(part, HALF.value)  # noqa: E731
+    assert root(number(Fraction(9, 4))) is number(Fraction(3, 2))
+    assert root(number(2)) * root(number(2)) is number(2)
+    assert power(number(8), Fraction(-2, 3)) is number(Fraction(1, 4))
+    assert power(number(2), Fraction(-1, 2)) is HALF * root(number(2))
+    assert root(4 * a**2 * b) is 2 * absolute(a) * root(b)
+    assert absolute(-3 * a * b**2) is 3 * b**2 * absolute(a)
+    assert absolute(b - a) is absolute(a - b)
+    assert (absolute(a) ** 2, root(a) ** 4) == (a**2, a**2)
 
 
 def test_equal_expressions_are_one_object_and_stay_so_in_a_copy():
@@ -121,7 +159,7 @@ def test_equal_expressions_are_one_object_and_stay_so_in_a_copy():
     a, b = variable("a"), variable("b")
     assert a * b + 1 is 1 + b * a
     assert pickle.loads(pickle.dumps(call("sin", a) / b)) is call("sin", a) / b
-    assert (a == 0, number(3) == 3, a - a == 0) == (False, True, True)
+    assert (number(3) is number(3), a - a is ZERO) == (True, True)
     assert node("sin", (-a,)) is not call("sin", -a)
 
 
@@ -151,23 +189,45 @@ def test_the_formulas_of_a_file_are_those_that_sympy_gave(name):
     assert digest(printed(coursework.load(name))) == PRINTED["files"][name]
 
 
-# Not compared: what SymPy makes of atan(1) and of atan(tan(2)), and formulas that are zero, at which the tool stopped.
-OTHERWISE = {("system", 300), ("system", 309), ("chain", 125), ("chain", 360)}
+MEANING = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow, "neg": operator.neg}
+
+
+def evaluated(tree, values):
+    """Return the value of a formula, each name that has none yet a number of its own."""
+    if tree.op == "number":
+        return float(tree.name)
+    if tree.op == "name":
+        return math.pi if tree.name == "pi" else values.setdefault(tree.name, random.Random(tree.name).uniform(0.4, 1.3))
+    args = [evaluated(arg, values) for arg in tree.args]
+    if tree.op != "call":
+        return MEANING[tree.op](*args)
+    return {"abs": abs, "sign": lambda x: math.copysign(1, x)}.get(tree.name, getattr(math, tree.name, None))(*args)
 
 
 @pytest.mark.parametrize("make", [system, chain])
-@pytest.mark.parametrize("begin", range(0, 500, 100))
-def test_the_formulas_of_random_mechanisms_are_those_that_sympy_gave(make, begin):
-    wanted = PRINTED[make.__name__].split()
+@pytest.mark.parametrize("begin", [0, 100, 200, *(pytest.param(begin, marks=pytest.mark.long) for begin in (300, 400))])
+def test_the_formulas_of_random_mechanisms_solve_the_equations_shown(make, begin):
+    refused = {seed: told for told, seeds in PRINTED["faults"].items() for seed in seeds.get(make.__name__, ())}
     for seed in range(begin, begin + 100):
-        if (make.__name__, seed) not in OTHERWISE:
-            try:
-                variant = parse_variant(make(seed), "x.toml")
-            except InputError as fault:
-                found = str(fault).partition(" (")[0][:60]
-            else:
-                found = printed(variant)
-            assert digest(found) == wanted[seed], seed
+        try:
+            model = model_of(parse_variant(make(seed), "x.toml"))
+        except InputError as fault:
+            assert str(fault).partition(" (")[0][:60] == refused.get(seed), seed
+            continue
+        assert seed not in refused
+        equations, reduction, values = model.equations, model.reduction, dict[str, float]()
+        found = solutions(equations, reduction)
+        for name, formula in [one for solution in found for one in solution]:
+            values[name] = evaluated(formula, values)
+        for working in filter(None, cramer(equations, reduction, [True] * len(reduction.blocks))) if all(found) else ():
+            below = evaluated(working.determinant, values)
+            for name, above in zip(working.unknowns, working.numerators, strict=True):
+                assert evaluated(above, values) == pytest.approx(values[name] * below, rel=1e-9), (seed, name)
+        used = [one for one in shown_equations(equations, reduction) if one.used]
+        for one in used if all(found) else ():
+            left, right = evaluated(one.left, values), evaluated(one.right, values)
+            size = max(abs(left), abs(right), *(abs(values[name]) for solution in found for name, _ in solution))
+            assert left == pytest.approx(right, abs=1e-9 * size), (seed, one.name)
 
 
 def test_the_blocks_of_a_scene_are_sympy_when_asked_for():
