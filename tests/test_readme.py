@@ -21,6 +21,7 @@ from coursework.commands.cli import main
 from coursework.results.accuracy import round_off
 from coursework.results.accuracy.timing import seconds
 from coursework.variant.reading import schema
+from coursework.variant.reading.models import json_schema
 from coursework.words import errors
 from tests.grading.batch import classroom
 from tests.grading.marking import students
@@ -91,7 +92,7 @@ def test_every_key_of_the_format_is_explained_beside_a_file_that_has_it():
     told = [line.rsplit(maxsplit=1)[1] for line in schema.__doc__.splitlines() if re.match(r" {4}\S", line)]
     assert len(told) >= 11
     assert all((ROOT / name).is_file() for name in told)
-    sections = set(schema.json_schema()["properties"]) - {"format", "title", "source", "$schema"}
+    sections = set(json_schema()["properties"]) - {"format", "title", "source", "$schema"}
     assert {name for name in sections if name not in schema.__doc__} == set()
 
 

@@ -11,7 +11,7 @@ import jsonschema
 import pytest
 
 from coursework.variant.catalogue import names
-from coursework.variant.reading.schema import json_schema
+from coursework.variant.reading.models import json_schema
 from coursework.words.data_folders import folder
 
 ROOT = Path(__file__).parent.parent.parent

@@ -1,8 +1,7 @@
 """The shape of a variant file: which keys there are and what stands behind each.
 
-Enters: the plain data of a TOML file.  Leaves: a checked `VariantFile`, or pydantic's list of faults.
-The only room that knows pydantic; `variants/variant.schema.json` is made from it.
-Used by `variant/` and `grading/`.
+Enters: nothing.  Leaves: plain records, which `well_formed.py` fills and of which `models.py` makes pydantic's models for a
+file with faults, and `variants/variant.schema.json`.  Used by `variant/` and `grading/`.
 
 Beyond [given], [drive], [coordinates], [unknowns], [time] and one [[constraint]] for each velocity equation: a constraint may be
 a position equation (closure = "B + r2 @ phi2 = D + r3 @ phi3"), and a chain of Assur groups may stand for all of them ([[group]],
@@ -29,21 +28,23 @@ same in Cyrillic (мм, град, об/мин …); 1/s is rad/s, 1/min is rev/m
 not say which of the two is meant.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Annotated, Any, Literal
-
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
 
-Text = Annotated[str, StringConstraints(max_length=2000)]
-Short = Annotated[str, StringConstraints(max_length=300)]
-Name = Annotated[str, StringConstraints(max_length=40, min_length=1)]
-Value = Annotated[Text | int | float, Field(description='"value unit", such as "0.953 m", or a bare number in SI')]
+
+class Limits:
+    """What a value must keep beside its type, and what editors are told of it, by the names of pydantic's `Field`."""
+
+    def __init__(self, **limits: Any) -> None:
+        self.limits = limits
 
 
-Piece = Annotated[list[Value], Field(min_length=2, max_length=2, description="from this time on, this formula")]
+Text = Annotated[str, Limits(max_length=2000)]
+Short = Annotated[str, Limits(max_length=300)]
+Name = Annotated[str, Limits(max_length=40, min_length=1)]
+Value = Annotated[Text | int | float, Limits(description='"value unit", such as "0.953 m", or a bare number in SI')]
+Piece = Annotated[list[Value], Limits(min_length=2, max_length=2, description="from this time on, this formula")]
 
 if TYPE_CHECKING:
     KindName = str
@@ -51,24 +52,33 @@ else:
     KindName = Literal[tuple(GROUP_KINDS)]
 
 
-class _Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
+class Section:
+    """A table of the file; each annotation is a key, one without a default must be there."""
+
+    @classmethod
+    def keys(cls) -> dict[str, str]:
+        """Return the name of the field behind each key, in the order of the schema."""
+        return {_alias(kind) or name: name for name, kind in cls.__annotations__.items()}
 
 
-class Datum(_Section):
+def _alias(kind: Any) -> str | None:
+    return next((each.limits.get("alias") for each in get_args(kind)[1:] if isinstance(each, Limits)), None)
+
+
+class Datum(Section):
     """A datum of the task sheet with what it means: { value = "0.953 m", means = "DA" }."""
 
     value: Value
     means: Short = ""
 
 
-class Pieces(_Section):
+class Pieces(Section):
     """A drive or function given piece by piece; the integration is split at the times between them."""
 
-    pieces: Annotated[list[Piece], Field(min_length=1, max_length=200)]
+    pieces: Annotated[list[Piece], Limits(min_length=1, max_length=200)]
 
 
-class Table(_Section):
+class Table(Section):
     """A law given as a table of two columns, over a coordinate or over t, in a CSV file inside the variant's folder."""
 
     table: Short
@@ -76,7 +86,7 @@ class Table(_Section):
     method: Literal["five-point", "spline"] = "five-point"
 
 
-class Coordinate(_Section):
+class Coordinate(Section):
     """What the scheme integrates: value at t = 0 and the name of its rate."""
 
     start: Value | None = None
@@ -84,48 +94,48 @@ class Coordinate(_Section):
     unit: Literal["rad", "m"] | None = None
 
 
-class Unknown(_Section):
+class Unknown(Section):
     """A velocity that the equations determine, and which of the geometry it is: { unit = "m/s", of = "B", along = "0 deg" }.
 
     `of` is a point of [points], its velocity then taken `along` a direction, or "link 4", whose rate it is; `relative` is the
     link against which it is measured.
     """
 
-    unit: Annotated[Short, Field(description='such as "m/s" or "1/s"')]
-    of: Annotated[Name | None, Field(description='a point, or "link 4"')] = None
-    along: Annotated[Value | None, Field(description='the direction of a point\'s velocity: "0 deg", "phi3 + pi/2"')] = None
-    relative: Annotated[Name | int | None, Field(description="the link against which it is measured")] = None
+    unit: Annotated[Short, Limits(description='such as "m/s" or "1/s"')]
+    of: Annotated[Name | None, Limits(description='a point, or "link 4"')] = None
+    along: Annotated[Value | None, Limits(description='the direction of a point\'s velocity: "0 deg", "phi3 + pi/2"')] = None
+    relative: Annotated[Name | int | None, Limits(description="the link against which it is measured")] = None
 
 
-class Time(_Section):
+class Time(Section):
     """Step, end, period of the exact motion and the row of the graph-analytical check."""
 
     step: Value
     end: Value
     period: Value | None = None
-    check_row: Annotated[int, Field(ge=1)] | None = None
-    scheme: Annotated[Name, Field(json_schema_extra={"enum": list(scheme_names())})] | None = None
+    check_row: Annotated[int, Limits(ge=1)] | None = None
+    scheme: Annotated[Name, Limits(json_schema_extra={"enum": list(scheme_names())})] | None = None
 
 
-class Quote(_Section):
+class Quote(Section):
     """A number that the remarks quote from the table: which row (from 1) of which column, with the digits as printed."""
 
-    row: Annotated[int, Field(ge=1)]
+    row: Annotated[int, Limits(ge=1)]
     column: Name
-    value: Annotated[str, StringConstraints(max_length=30, pattern=r"^[-−+]?\d+(\.\d+)?$")]
-    scheme: Annotated[Name, Field(json_schema_extra={"enum": list(scheme_names())})] | None = None
+    value: Annotated[str, Limits(max_length=30, pattern=r"^[-−+]?\d+(\.\d+)?$")]
+    scheme: Annotated[Name, Limits(json_schema_extra={"enum": list(scheme_names())})] | None = None
 
 
-class Constraint(_Section):
+class Constraint(Section):
     """One constraint: a velocity `equation`, or a position `closure`, with the reason for it."""
 
-    name: Annotated[Name | int, Field(description="the number or name the equation is cited by")] = ""
+    name: Annotated[Name | int, Limits(description="the number or name the equation is cited by")] = ""
     because: Short = ""
     equation: Text | None = None
     closure: Text | None = None
 
 
-class Guide(_Section):
+class Guide(Section):
     """A straight guide: a point of it, its angle, the offset of the pin from it."""
 
     through: Text
@@ -133,46 +143,46 @@ class Guide(_Section):
     offset: Value = 0
 
 
-class Group(_Section):
+class Group(Section):
     """One Assur group of a chain, or its crank."""
 
     kind: KindName
-    start_points: Annotated[list[Text], Field(alias="from", max_length=2)] = []
+    start_points: Annotated[list[Text], Limits(alias="from", max_length=2)] = []
     meets: Name | None = None
-    lengths: Annotated[list[Value], Field(max_length=2)] = []
-    coordinates: Annotated[list[Name], Field(min_length=1, max_length=2)]
+    lengths: Annotated[list[Value], Limits(max_length=2)] = []
+    coordinates: Annotated[list[Name], Limits(min_length=1, max_length=2)]
     mode: Literal["+1", "-1", "1", 1, -1] | None = None
     guide: Guide | None = None
-    guides: Annotated[list[Guide], Field(max_length=2)] = []
+    guides: Annotated[list[Guide], Limits(max_length=2)] = []
     offset: Value | None = None
     angle: Value | None = None
 
 
-class Link(_Section):
+class Link(Section):
     """A rigid body: its points and angular velocity; or a wheel with its contact; it may slide in another link."""
 
     points: list[Name] = []
     rate: Name | None = None
     wheel: Name | None = None
     contact: Name | None = None
-    slides: Annotated[Name | int | None, Field(description="the link along which this one slides")] = None
+    slides: Annotated[Name | int | None, Limits(description="the link along which this one slides")] = None
 
 
-class Rail(_Section):
+class Rail(Section):
     """A straight guide fixed to the frame."""
 
     through: Text
     angle: Value
 
 
-class Circle(_Section):
+class Circle(Section):
     """A fixed cylinder that a wheel rolls on."""
 
     center: Text
     radius: Value
 
 
-class Frame(_Section):
+class Frame(Section):
     """The fixed link."""
 
     hinges: list[Name] = []
@@ -180,58 +190,52 @@ class Frame(_Section):
     circles: list[Circle] = []
 
 
-class Closure(_Section):
+class Closure(Section):
     """The position form of the same constraints: what the exact motion keeps."""
 
     driven: Name | None = None
-    holds: Annotated[list[Text], Field(max_length=200)] = []
+    holds: Annotated[list[Text], Limits(max_length=200)] = []
 
 
-class Ask(_Section):
+class Ask(Section):
     """What this scene calls for; nothing else is computed."""
 
-    quantities: Annotated[list[Name], Field(max_length=50)] = []
+    quantities: Annotated[list[Name], Limits(max_length=50)] = []
 
 
-class Texts(_Section):
+class Texts(Section):
     """What the file says about the variant, in another language; what is left out is said as the author wrote it."""
 
     title: Short = ""
     source: Short = ""
     teaches: Short = ""
-    remarks: Annotated[list[Text], Field(max_length=20)] = []
-    because: Annotated[dict[Name, Short], Field(description="the reason of a constraint, by its name")] = {}
-    means: Annotated[dict[Name, Short], Field(description="the meaning of a datum, by its name")] = {}
+    remarks: Annotated[list[Text], Limits(max_length=20)] = []
+    because: Annotated[dict[Name, Short], Limits(description="the reason of a constraint, by its name")] = {}
+    means: Annotated[dict[Name, Short], Limits(description="the meaning of a datum, by its name")] = {}
 
 
-class VariantFile(_Section):
+class VariantFile(Section):
     """A variant of the coursework: what the mechanism is, in the words of the task sheet."""
 
     format: Literal[1] = 1
     title: Short = ""
     source: Short = ""
     teaches: Short = ""
-    remarks: Annotated[list[Text], Field(max_length=20, description="paragraphs printed on the page of this variant")] = []
-    quote: Annotated[list[Quote], Field(max_length=100)] = []
+    remarks: Annotated[list[Text], Limits(max_length=20, description="paragraphs printed on the page of this variant")] = []
+    quote: Annotated[list[Quote], Limits(max_length=100)] = []
     given: dict[Name, Value | Datum] = {}
     drive: dict[Name, Value | Pieces | Table] = {}
-    coordinates: Annotated[dict[Name, Coordinate], Field(min_length=1, max_length=200)]
+    coordinates: Annotated[dict[Name, Coordinate], Limits(min_length=1, max_length=200)]
     unknowns: dict[Name, Short | Unknown] = {}
     functions: dict[Name, Text | Pieces | Table] = {}
     time: Time
-    constraint: Annotated[list[Constraint], Field(max_length=400)] = []
-    group: Annotated[list[Group], Field(max_length=50)] = []
-    points: Annotated[dict[Name, Text], Field(max_length=400)] = {}
+    constraint: Annotated[list[Constraint], Limits(max_length=400)] = []
+    group: Annotated[list[Group], Limits(max_length=50)] = []
+    points: Annotated[dict[Name, Text], Limits(max_length=400)] = {}
     links: dict[Name, Link] = {}
     frame: Frame = Frame()
     closure: Closure = Closure()
     ask: Ask = Ask()
-    text: Annotated[dict[Name, Texts], Field(max_length=20, description="texts in another language, by its code: [text.ru]")] = {}
-
-
-def json_schema() -> dict[str, Any]:
-    """Return the JSON schema that editors read from `variants/variant.schema.json`."""
-    schema = VariantFile.model_json_schema(by_alias=True)
-    schema["$schema"] = "https://json-schema.org/draft/2020-12/schema"
-    schema["title"] = "Variant of a mechanism coursework"
-    return schema
+    text: Annotated[
+        dict[Name, Texts], Limits(max_length=20, description="texts in another language, by its code: [text.ru]")
+    ] = {}

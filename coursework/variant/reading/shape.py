@@ -1,6 +1,6 @@
 """Whether a file has the shape of a variant, and what has not, in words of the file.
 
-Enters: a `Source`.  Leaves: `Shape`: the checked file with a stand-in in the place of each fault, so that the rest of it is
+Enters: a `Source`.  Leaves: `Shape`: the file's records with a stand-in in the place of each fault, so that the rest of it is
 read in the same go, and the faults.  Used by `reader.py` only.
 """
 
@@ -14,10 +14,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from pydantic import ValidationError
-
 from coursework.variant.reading import schema
 from coursework.variant.reading.stand_ins import Entry, at, stand_in
+from coursework.variant.reading.well_formed import Unfit, fitted
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -41,14 +40,26 @@ class Shape:
 
 def read_shape(source: Source) -> Shape:
     """Return the checked file.  Raises `InputError` only where no stand-in lets the rest be read."""
+    try:
+        return Shape(fitted(schema.VariantFile, source.data), [], frozenset(), frozenset())
+    except Unfit:
+        return _mended(source)
+
+
+def _mended(source: Source) -> Shape:
+    """Return a file that does not fit, with stand-ins; pydantic, which tells what is wrong, is imported for such a file only."""
+    from pydantic import ValidationError
+
+    from coursework.variant.reading.models import model_of
+
     data = source.data
     faults: list[Fault] = []
     repaired: set[KeyPath] = set()
     hidden: set[str] = set()
     while True:
         try:
-            file = schema.VariantFile.model_validate(data)
-            return Shape(file, faults, frozenset(hidden), frozenset(repaired))
+            model_of(schema.VariantFile).model_validate(data)
+            return Shape(fitted(schema.VariantFile, data), faults, frozenset(hidden), frozenset(repaired))
         except ValidationError as error:
             found = _entries(error.errors(include_url=False), data)
             faults += [_fault(path, entry, source) for path, entry in found.items() if path not in repaired]
@@ -65,7 +76,7 @@ def _hides(path: KeyPath, entry: Entry) -> set[str]:
     """Return the kinds of names that may have been declared where a fault is."""
     section = str(path[0])
     if len(path) == 1:
-        meant = difflib.get_close_matches(section, schema.VariantFile.model_fields, n=1)
+        meant = difflib.get_close_matches(section, schema.VariantFile.keys(), n=1)
         return _DECLARED.get(meant[0], set()) if meant else set().union(*_DECLARED.values())
     if path[-1] == "[key]":
         return _DECLARED.get(section, set())
@@ -226,7 +237,7 @@ def _keys_of(path: KeyPath, data: dict[str, Any]) -> list[str]:
         for place, part in enumerate(path):
             if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links", "text", "unknowns"})):
                 model = _MODELS.get(part, model)
-    return [field.alias or name for name, field in model.model_fields.items()]
+    return [*model.keys()]
 
 
 _MODELS: dict[str | int, Any] = {

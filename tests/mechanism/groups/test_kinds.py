@@ -22,7 +22,7 @@ groups.GROUPS = (*groups.GROUPS, replace(RRP, name="LIFT", meaning="determinant.
 import coursework
 from coursework.variant.catalogue import find
 from coursework.variant.reading.reader import parse_variant
-from coursework.variant.reading.schema import json_schema
+from coursework.variant.reading.models import json_schema
 
 def made(text):
     variant = parse_variant(text, "lift")

@@ -48,7 +48,7 @@ def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantF
         source = read_source(content, name, {})
     except InputError as error:
         return VariantFile(tuple(faults_as_lines(error, name)))
-    known = set(Schema.model_fields) | {field.alias for field in Schema.model_fields.values() if field.alias}
+    known = Schema.keys().keys()
     unknown = tuple(str(key)[:40] for key in source.data if key not in known)
     differing = _differing(source.data, expected)
     lines = tuple(read_constraints(source, name, expected))

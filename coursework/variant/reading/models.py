@@ -1,0 +1,50 @@
+"""pydantic's models of the records of the schema: what tells the faults of a file, and the JSON schema that editors read.
+
+Enters: `schema.py`.  Leaves: models, made when the first file with a fault is met.  Used by `shape.py`.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from types import UnionType
+from typing import Annotated, Any, Union, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, Field, create_model
+
+from coursework.variant.reading.schema import Section, VariantFile
+
+
+@cache
+def model_of(kind: Any) -> type[BaseModel]:
+    """Return the model of a record."""
+    fields = {name: (_type_of(told), _default_of(kind, name)) for name, told in kind.__annotations__.items()}
+    settings = ConfigDict(extra="forbid", frozen=True, strict=True)
+    made: type[BaseModel] = create_model(kind.__name__, __config__=settings, __doc__=kind.__doc__, **fields)  # type: ignore[call-overload]
+    return made
+
+
+def _type_of(kind: Any) -> Any:
+    """Return a type of the schema as pydantic takes it."""
+    origin, inner = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return Annotated[(_type_of(inner[0]), *(Field(**each.limits) for each in inner[1:]))]
+    if origin in {Union, UnionType}:
+        return Union[tuple(map(_type_of, inner))]  # noqa: UP007 (a union of as many types as there are)
+    if origin in {list, dict}:
+        return origin[tuple(map(_type_of, inner))]
+    is_table = isinstance(kind, type) and issubclass(kind, Section)
+    return model_of(kind) if is_table else kind
+
+
+def _default_of(kind: type[Section], name: str) -> Any:
+    value = getattr(kind, name, ...)
+    table: Any = type(value)
+    return model_of(table)() if issubclass(table, Section) else value
+
+
+def json_schema() -> dict[str, Any]:
+    """Return the JSON schema that editors read from `variants/variant.schema.json`."""
+    schema = model_of(VariantFile).model_json_schema(by_alias=True)
+    schema["$schema"] = "https://json-schema.org/draft/2020-12/schema"
+    schema["title"] = "Variant of a mechanism coursework"
+    return schema
