@@ -76,9 +76,9 @@ def _nearest_first(graph: PointGraph) -> list[str]:
     ways = {known.point: min(_between(graph, start, known.point), key=lambda path: len(path.segments), default=None)
             for known in graph.known[1:]}  # fmt: skip
     nearest: dict[str, int] = {}
-    for way in ways.values():
-        for place, segment in enumerate(way.segments if way else ()):
-            nearest[segment.end] = min(nearest.get(segment.end, 99), len(way.segments) - place if way else 99)
+    for way in filter(None, ways.values()):
+        for place, segment in enumerate(way.segments):
+            nearest[segment.end] = min(nearest.get(segment.end, 99), len(way.segments) - place)
     reached = [name for name, way in ways.items() if way is not None]
     reached.sort(key=lambda name: [(nearest[one.end], one.end) for one in ways[name].segments])  # type: ignore[union-attr]
     return [start, *reached]
