@@ -82,9 +82,7 @@ def _over(a: Moving, b: Moving) -> Moving:
 
 
 def _power(a: Moving, b: Moving) -> Moving:
-    value = np.power(a.value, b.value)
-    rising = _moved(b.value * np.power(a.value, b.value - 1), a.slope)
-    return Moving(value, rising + _moved(value * np.log(np.abs(a.value)), b.slope))
+    return Moving(np.power(a.value, b.value), _moved(b.value * np.power(a.value, b.value - 1), a.slope))  # exponents are numbers
 
 
 _ARITHMETIC: dict[str, Callable[[Moving, Moving], Moving]] = {
