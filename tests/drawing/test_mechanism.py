@@ -20,6 +20,7 @@ from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import spelled
 from tests.drawing import measured
 from tests.hard.scenes import scene
+from tests.report.own import STEPHENSON
 from tests.sample import sampled
 from tests.solved import solved
 
@@ -101,6 +102,12 @@ def test_links_follow_from_the_groups_where_none_are_listed() -> None:
     assert [(block.at, block.open) for block in lever.blocks] == [("B", True), ("E", True), ("D5", False)]
     assert [(slot.link, slot.at, slot.riders) for slot in lever.slots] == [("3", "D", ("B",)), ("5", "D5", ("E",))]
     assert [rail.rider for rail in lever.rails] == ["D5"]
+
+
+def test_a_point_of_a_coupler_is_drawn_from_the_joint_it_is_placed_from() -> None:
+    outline = read_outline(build(parse_variant(STEPHENSON)))
+    assert outline is not None
+    assert ("2", ("G", "B", "D")) in [(bar.link, bar.corners) for bar in outline.bars]
 
 
 def test_links_follow_from_the_points_where_a_file_has_neither_links_nor_groups() -> None:

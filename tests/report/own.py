@@ -146,3 +146,57 @@ C = "A + c @ phi"
 [frame]
 hinges = ["A", "B"]
 """
+
+# Stephenson's six-bar: the second dyad hangs on a point of the coupler, which is placed from its first hinge.
+STEPHENSON = """format = 1
+title = "Six-bar with a point of the coupler"
+[given]
+n1 = "60 rpm"
+r1 = "0.10 m"
+r2 = "0.30 m"
+r3 = "0.30 m"
+r4 = "0.45 m"
+r5 = "0.30 m"
+r6 = "0.25 m"
+delta = "40 deg"
+[drive]
+w1 = "n1"
+[coordinates]
+phi1 = { start = "30 deg", rate = "w1" }
+phi2 = { rate = "w2", unit = "rad" }
+phi3 = { rate = "w3", unit = "rad" }
+phi4 = { rate = "w4", unit = "rad" }
+phi5 = { rate = "w5", unit = "rad" }
+[time]
+step = "2*pi/(36*n1)"
+end = "2*pi/n1"
+period = "2*pi/n1"
+check_row = 5
+[points]
+A = "(0, 0)"
+C = "(0.35, 0)"
+E = "(0.60, 0.10)"
+G = "B + r6 @ (phi2 + delta)"
+[[group]]
+kind = "crank"
+from = ["A"]
+meets = "B"
+lengths = ["r1"]
+coordinates = ["phi1"]
+[[group]]
+kind = "RRR"
+from = ["B", "C"]
+meets = "D"
+lengths = ["r2", "r3"]
+coordinates = ["phi2", "phi3"]
+mode = "+1"
+[[group]]
+kind = "RRR"
+from = ["G", "E"]
+meets = "F"
+lengths = ["r4", "r5"]
+coordinates = ["phi4", "phi5"]
+mode = "-1"
+[frame]
+hinges = ["A", "C", "E"]
+"""

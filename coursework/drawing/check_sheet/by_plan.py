@@ -72,6 +72,10 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
         if first != slide.rider:
             part = dot(normal, arm)
             require({**vector(first, normal), **vector(slide.rider, normal, -1.0), turn[slide.link]: part / size})
+        if slide.speed is not None and first != slide.rider:
+            part = dot(slide.along, arm)
+            row = {**vector(slide.rider, slide.along), **vector(first, slide.along, -1.0), turn[slide.link]: -part / size}
+            require(row, slide.speed)
         if slide.block in turn:
             require({turn[slide.link]: 1.0, turn[slide.block]: -1.0})
     count = 2 * len(points) + len(pose.bodies)

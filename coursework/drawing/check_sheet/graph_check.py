@@ -25,6 +25,7 @@ from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.symbols import decimal
+from coursework.drawing.plans.driven_lengths import driven_lengths
 from coursework.drawing.plans.moving import kinematics_of
 from coursework.drawing.plans.vectors import UNITS, VELOCITY
 from coursework.equations.reduction.equations import VelocityEquations
@@ -116,7 +117,9 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     changing = stretching(mechanism)
     if sides := tuple("".join(sorted(pair)) for pair in changing if any(pair <= set(corners) for corners in _links(mechanism))):
         raise InputError(say("fault.V525", sides=sides))
-    read = read_sketch(mechanism, equations)
+    outline = read_outline(mechanism)
+    lengths = driven_lengths(outline, equations, exact) if outline is not None else {}
+    read = read_sketch(mechanism, equations, lengths)
     sketch = read(motion, row - 1)
     findings = construct(sketch.pose)
     measured = _measured(sketch, findings)

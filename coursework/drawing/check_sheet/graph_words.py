@@ -57,7 +57,8 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
     solved = plan.solved if plan is not None else set(sketch.pose.positions)
     bodies = [body for body in sketch.pose.bodies if not body.guide]
     links = [body.name for body in bodies if body.name in findings.planned and not solved & {*body.points}]
-    if asked := [body.name for body in bodies if body.name in links and len(body.points) > 1]:
+    bars = {slide.link for slide in sketch.pose.slides}
+    if asked := [body.name for body in bodies if body.name in links and (len(body.points) > 1 or body.name in bars)]:
         sentences.append(say("drawing.by_lines", links=tuple(asked)))
     for one in plan.steps if plan is not None else ():
         if one.rule == "special":

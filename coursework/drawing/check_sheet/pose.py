@@ -23,12 +23,16 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Slide:
-    """A point `rider` slides on a link in a unit direction; the `block` there, "" for a bare pin, turns with the link."""
+    """A point `rider` slides on a link in a unit direction; the `block` there, "" for a bare pin, turns with the link.
+
+    `speed` (m/s) is that along the link where it is driven.
+    """
 
     rider: str
     link: str
     along: complex
     block: str = ""
+    speed: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

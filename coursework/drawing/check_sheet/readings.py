@@ -205,7 +205,8 @@ class _Ruler:
         if one.rule == "rolls":
             return
         self.image(one)
-        if one.rule == "slide" and one.rider not in fixed:
+        under, slides = one.lines[-1].link if one.rule == "slide" else "", self.sketch.pose.slides
+        if under and one.rider not in fixed and all(s.speed is None for s in slides if (s.link, s.rider) == (under, one.rider)):
             self.vector(point, one.rider)
         for line in one.lines if one.rule == "lines" else ():
             if line.kind == "slot":
@@ -213,12 +214,12 @@ class _Ruler:
         for line in (line for found in self.plan.steps if found.rule == "special" for line in found.lines) if self.plan else ():
             if line.kind == "slot" and line.at == point:
                 self.vector(line.base, point)
-        under = one.lines[-1].link if one.rule == "slide" else ""
         for body in self.sketch.pose.bodies:
             if point in body.points or body.name == under:
                 there = self.images.setdefault(body.name, [name for name in body.points if name in fixed])
                 there.append(point)
-                if len(there) > 1 and body.name in self.by_plan and body.name not in self.omegas and self.asked(body):
+                asked = self.asked(body) or body.name == under
+                if len(there) > 1 and body.name in self.by_plan and body.name not in self.omegas and asked:
                     self.rotation(body, there[0], point)
 
     def image(self, one: Found) -> None:

@@ -17,6 +17,7 @@ from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses, read_poses
 from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.plans.driven_lengths import DrivenLengths
 from coursework.drawing.plans.given import given_points
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
@@ -57,8 +58,10 @@ class Sketch:
     row: int
 
 
-def read_sketch(mechanism: Mechanism, equations: VelocityEquations) -> Callable[[Motion, int], Sketch]:
-    """Return `read(motion, row)` (row from 0), compiled once for every row."""
+def read_sketch(
+    mechanism: Mechanism, equations: VelocityEquations, lengths: DrivenLengths
+) -> Callable[[Motion, int], Sketch]:  # fmt: skip
+    """Return `read(motion, row)` (row from 0), compiled once for every row; `lengths` are those that are driven."""
     outline = read_outline(mechanism)
     assert outline is not None
     posed = read_poses(outline, equations)
@@ -70,12 +73,14 @@ def read_sketch(mechanism: Mechanism, equations: VelocityEquations) -> Callable[
         columns = rates(motion.t, motion.coordinates, motion.velocities).T if rates else np.zeros((0, 1))
         parts = [_seen(column, row) for column in columns]
         given = {name: complex(x, y) for name, x, y in zip(pushed, parts[::2], parts[1::2], strict=True)}
-        return _sketch(outline, posed(motion.t, motion.coordinates), row, mechanism.variant, given)
+        return _sketch(outline, posed(motion.t, motion.coordinates), row, mechanism.variant, given, lengths)
 
     return read
 
 
-def _sketch(outline: Outline, poses: Poses, row: int, variant: Variant, given: Mapping[str, complex]) -> Sketch:
+def _sketch(
+    outline: Outline, poses: Poses, row: int, variant: Variant, given: Mapping[str, complex], lengths: DrivenLengths
+) -> Sketch:  # fmt: skip
     start, here = ({name: at for name, at in poses.pose(k).items() if not name.startswith("~")} for k in (0, row))
     wheels = {wheel.link: (wheel.centre, wheel.contact) for wheel in outline.wheels}
     contacts = {contact for _, contact in wheels.values()}
@@ -108,7 +113,8 @@ def _sketch(outline: Outline, poses: Poses, row: int, variant: Variant, given: M
     drive = {name: _seen(values, row) for name, values in poses.drive.items()}
     driven = {name: v for name in here if (v := _driven(name, drive, guided)) is not None and name not in fixed}
     driven.update(given)
-    slides = tuple(_slides(outline, poses, row))
+    speeds = {slide: drive[rate] for slide, rate in lengths.items()}
+    slides = tuple(_slides(outline, poses, row, speeds))
     gears = {contact: link for link, (_, contact) in wheels.items()}
     notes = (
         *(say("drawing.empty_rail", rail=k) for k, rail in enumerate(outline.rails, start=1) if variant.links and not rail.rider),
@@ -124,13 +130,14 @@ def _body(bar: Bar, wheels: Mapping[str, tuple[str, str]]) -> Body:
     return Body(bar.link, tuple(points), bar.rate or None)
 
 
-def _slides(outline: Outline, poses: Poses, row: int) -> Iterator[Slide]:
+def _slides(outline: Outline, poses: Poses, row: int, speeds: Mapping[tuple[str, str], float]) -> Iterator[Slide]:
     """Yield what slides on a link that moves, with the block that turns as the link does."""
     blocks = {(block.at, block.base, block.toward): block.link for block in outline.blocks if block.open}
     for slot in outline.slots:
         for rider in slot.riders:
             along = complex(poses.along(slot.base, slot.toward)[row])
-            yield Slide(rider, slot.link, along, blocks.get((rider, slot.base, slot.toward), ""))
+            block = blocks.get((rider, slot.base, slot.toward), "")
+            yield Slide(rider, slot.link, along, block, speeds.get((slot.link, rider)))
 
 
 def _off_tracks(outline: Outline, poses: Poses, row: int, near: float) -> Iterator[tuple[str, float]]:

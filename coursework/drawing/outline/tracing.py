@@ -96,7 +96,10 @@ class _Pencil:
             if joint.pins and FRAME in joint.bodies and at:
                 self.hinges.append(at)
         for body, names in linkage.holds.items():
-            corners[body] += names
+            for name in names:  # beside the point it is placed from, so that the arm given is the one drawn
+                others = [one for one in dict.fromkeys(corners[body]) if one != name]
+                ahead = len(others) > 1 and arm_base(self.points[name], linkage.coordinates[body]) == others[0]
+                corners[body] = [name, *others] if ahead else [*others, name]
         for body in sorted(linkage.bodies, key=int):
             coordinate = next(c for c in self.variant.coordinates if c.name == linkage.coordinates[body])
             self.drawn_rates.add(coordinate.rate)

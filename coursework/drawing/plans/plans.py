@@ -14,6 +14,7 @@ from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import all_rows
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
+from coursework.drawing.plans.driven_lengths import driven_lengths
 from coursework.drawing.plans.given import given_points
 from coursework.drawing.plans.moving import kinematics_of
 from coursework.drawing.plans.polygons import polygons
@@ -78,9 +79,10 @@ def make_plans(
         raise InputError([Fault(say("fault.V524"), variant.file)])
     pairs = stretching(mechanism)
     given, rates = given_points(outline, variant), variant.known_rates
+    driven = driven_lengths(outline, equations, exact[0])
     row = min(variant.time.row_of_check, max(1, min(len(table[0].t), len(exact[0].t))))
     rows, true = (
-        polygons(outline, kinematics_of(outline, equations, motion, second), given, rates, pairs, row - 1)
+        polygons(outline, kinematics_of(outline, equations, motion, second), given, rates, driven, pairs, row - 1)
         for motion, second in (table, exact)
     )
     return Plans(outline, row, rows, true, chain=bool(variant.groups))

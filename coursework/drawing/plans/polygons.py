@@ -11,7 +11,7 @@ Source: Ponomarev, coursework guide; theory of mechanisms, method of plans.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -25,16 +25,19 @@ from coursework.system.arrays import Complex
 
 def polygons(
     outline: Outline, kinematics: Kinematics, given: Sequence[str] = (), rates: Sequence[str] = (),
+    lengths: Collection[tuple[str, str]] = (),
     stretching: frozenset[frozenset[str]] = frozenset(), row: int = 0,
     on_sheet: Callable[[complex, tuple[str, ...]], bool] = lambda place, ends: True,
 ) -> Polygons:  # fmt: skip
     """Return the plans of every row of a motion: `given` points move as a drive says, links with known `rates` turn so.
 
+    Of the `lengths` (link, rider) that are driven it is known how the rider slides on the link.
+
     `stretching` are pairs of points of a link whose distance changes: there one slides on the link.  Of the special points of
     a link that is taken which lies nearest in `row` (from 0), the one on paper, and `on_sheet`: its place (m) and the points
     from which lines lead there.
     """
-    plan = _Plan(outline, kinematics, rates, stretching, row, on_sheet)
+    plan = _Plan(outline, kinematics, rates, lengths, stretching, row, on_sheet)
     plan.draw(given)
     return Polygons(kinematics.t, tuple(plan.paper.segments.values()), tuple(plan.paper.found))
 
@@ -43,10 +46,11 @@ class _Plan:
     """The polygons while they are drawn: which images there are, which links turn in a known way."""
 
     def __init__(
-        self, outline: Outline, kinematics: Kinematics, rates: Sequence[str], stretching: frozenset[frozenset[str]], row: int,
-        on_sheet: Callable[[complex, tuple[str, ...]], bool],
+        self, outline: Outline, kinematics: Kinematics, rates: Sequence[str], lengths: Collection[tuple[str, str]],
+        stretching: frozenset[frozenset[str]], row: int, on_sheet: Callable[[complex, tuple[str, ...]], bool],
     ) -> None:  # fmt: skip
         self.outline, self.kinematics, self.row, self.on_sheet = outline, kinematics, row, on_sheet
+        self.lengths = lengths
         self.paper = Vectors(kinematics, outline.hinges, stretching, images=[*outline.hinges])
         self.images = self.paper.images
         self.bars = [bar for bar in outline.bars if bar.corners]
@@ -204,6 +208,8 @@ class _Plan:
         for slot in self.outline.slots:
             if name in slot.riders and self.settled(slot.link):
                 yield Line("slot", name, slot.link)
+            elif (slot.link, name) in self.lengths and slot.at in self.images:
+                yield Line("driven", slot.at, slot.link)
         for wheel in self.outline.wheels:
             if name == wheel.centre and self.rests(wheel.contact):
                 yield Line("wheel", wheel.contact, wheel.link)

@@ -87,12 +87,26 @@ def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], fl
         return say("plans.line.coriolis", mm=size["coriolis", line.base, point] / unit, **values)
     if line.kind == "wheel":
         return say("plans.line.wheel", contact=lowered_name(line.base), point=lowered_name(point))
+    if line.kind == "driven":
+        return _driven_line(line, point, plan, size, unit)
     start = line.base if ("relative", line.base, point) in size else POLE
     normal = size.get(("normal", start, point))
     where = say("plans.line.pole") if start == POLE else image(line.base)
     if plan == ACCELERATION and normal is not None:
         return say("plans.line.normal", start=where, base=lowered_name(line.base), point=lowered_name(point), mm=normal / unit)
     return say("plans.line.across", start=where, base=lowered_name(line.base), point=lowered_name(point))
+
+
+def _driven_line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
+    """Return how a line is drawn to what a driven length leads to: the parts that are known first, then across it."""
+    under = next(start for kind, start, end in size if kind == "sliding" and end == point)
+    start = line.base if ("normal" if plan == ACCELERATION else "relative", line.base, under) in size else POLE
+    values: dict[str, object] = {"base": lowered_name(line.base), "point": lowered_name(point), "link": line.link}
+    values["start"] = say("plans.line.pole") if start == POLE else image(line.base)
+    values["mm"] = size["sliding", under, point] / unit
+    if plan == ACCELERATION:
+        values |= {"normal": size["normal", start, under] / unit, "coriolis": size["coriolis", under, point] / unit}
+    return say(f"plans.line.driven_{plan}", **values)
 
 
 def _line_to_special(line: Line, special: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:

@@ -38,11 +38,11 @@ class Segment:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line on which a point's image lies: `kind` "bar", "rail", "wheel", "slot" or "sleeve"; drawn from the image of `base`.
+    """A line on which a point's image lies, drawn from the image of `base`.
 
-    On a slot `base` is the point of its link under the one that slides, or that one where the former is sought; in a sleeve
-    it is what slides on the link itself; of a rail `link` is the point that runs in it.  A line that leads to a special point
-    is that of the point `at` of its link.
+    Its `kind` is "bar", "rail", "wheel", "slot", "sleeve", or "driven" for a length that begins at `base`.  On a slot `base` is
+    the point of its link under the one that slides, or that one where the former is sought; in a sleeve it is what slides on
+    the link itself; of a rail `link` is the point that runs in it.  A line to a special point is that of point `at` of its link.
     """
 
     kind: str

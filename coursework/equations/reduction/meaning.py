@@ -109,14 +109,15 @@ def _counted_alike(angles: list[str], argument: Formula, variant: Variant) -> bo
 
 
 def _axes(angle: str, variant: Variant) -> set[str]:
-    """Return how the points of a file count an angle: L @ phi from x, L @ (phi - pi/2) from the vertical."""
+    """Return how the points of a file count an angle: L @ phi from x, as groups do, L @ (phi - pi/2) from the vertical."""
     found = {
         re.sub(rf"\b{angle}\b", _FROM_X, spelled(part.args[1]))
         for _, formula in variant.points
         for part in _parts(formula)
         if part.op == "@" and angle in part.args[1].names()
     }
-    return found or {_FROM_X}
+    grouped = any(angle in group.coordinates for group in variant.groups)
+    return found | {_FROM_X} if grouped or not found else found
 
 
 def _parts(formula: Formula) -> Iterator[Formula]:

@@ -5,7 +5,6 @@ Enters: a `PageContext`.  Leaves: `figure#tangent`.  Used by `results.py`.
 
 from __future__ import annotations
 
-import math
 from html import escape
 
 import numpy as np
@@ -23,7 +22,7 @@ BESIDE = 0.35  # of a step, shown before it and, at least, behind it
 FINE = 32  # points of the curve a step
 SEEN = 0.6  # mm: a narrower gap is none to the eye, and a picture of it says nothing
 NARROW = 5.0  # mm: a gap too narrow for words between its ends
-ROOM = 0.25  # of the range of the values, for words beside it
+ROOM, ROOM_BELOW = 0.25, 0.45  # of the range of the values, for words above it, and below it, where the axis is
 CLEAR = 2.6  # mm from the middle of a word to a line that it must not touch
 TANGENT_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.42" stroke-dasharray="2.4 1.2"'
 GAP_PEN = 'class="gap" fill="none" stroke="#111" stroke-width="0.3"'
@@ -46,7 +45,8 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     times = [t, np.array([top[0] + _behind(gap) * h])]
     field = field_for(SIZE, times, [curve, np.array([foot[1], top[1]])], context.numbers)
     if abs(field.y(top[1]) - field.y(float(q[end]))) < NARROW:  # room for its words on the other side of the tangent
-        away = top[1] + math.copysign(ROOM * (field.high - field.low), top[1] - float(q[end]))
+        high = field.high - field.low
+        away = top[1] + ROOM * high if top[1] > q[end] else min(top[1], *curve[t >= top[0]]) - ROOM_BELOW * high
         field = field_for(SIZE, times, [curve, np.array([foot[1], top[1], away])], context.numbers)
     if abs(field.y(top[1]) - field.y(float(q[end]))) < SEEN:
         return None

@@ -97,7 +97,7 @@ def test_where_a_wheel_rolls_on_a_rail_it_rests(name: str, angle: float) -> None
 def test_centres_of_the_exact_row(name: str) -> None:
     reference = json.loads((REFERENCE / f"{name}.json").read_text())["icv_at_check_row_exact"]
     run = run_of(name.lower())
-    sketch = read_sketch(run.scene.mechanism, run.scene.equations)(run.exact, run.variant.time.check_row - 1)
+    sketch = read_sketch(run.scene.mechanism, run.scene.equations, {})(run.exact, run.variant.time.check_row - 1)
     findings = construct(sketch.pose)
     assert findings.missing == ()
     for link, expected in reference.items():

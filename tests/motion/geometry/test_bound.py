@@ -185,6 +185,8 @@ def turned(text):
         for place in [place for place, letter in enumerate(body) if letter in "+-"]:
             other = f"{body[:place]}{'-' if body[place] == '+' else '+'}{body[place + 1 :]}"
             yield found[1], f"{text[:begin]}{other}{text[begin + len(body) :]}"
+        if body[0].isalpha():
+            yield found[1], f"{text[:begin]}-{text[begin:]}"
         left, right = body.split(" = ")
         if right != "0":
             yield found[1], f"{text[:begin]}-({left}) = {right}{text[begin + len(body) :]}"

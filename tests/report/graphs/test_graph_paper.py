@@ -106,6 +106,7 @@ def test_the_words_of_the_gap_touch_no_line(name: str) -> None:
     left, bottom = float(label.get("x", "0")), float(label.get("y", "0"))
     middle = bottom - up / 2
     assert left + wide < figure.width
+    assert bottom < figure.height - 7, "the words stand above the axis"
     for drawn in (*paths(drawing, "exact"), *paths(drawing, "rows")):
         points = [complex(*map(float, pair.split())) for pair in re.split("[ML]", drawn) if pair]
         for a, b in pairwise(points):

@@ -11,6 +11,7 @@ from coursework.report.pages import build_model, render_pdf
 from tests.drawing.test_clearest import SHAPER
 from tests.drawing.test_turns import FIVE_BAR
 from tests.report.made import model_of, paper_of, solved
+from tests.report.own import STEPHENSON
 from tests.report.pages.test_paper import filled
 
 ASKED = ["table", "plots", "checks", "graph_check", "accelerations", "points", "plans", "trajectories"]
@@ -80,3 +81,8 @@ def test_a_page_goes_on_where_a_drawing_no_longer_fits(text: str) -> None:
 def test_what_belongs_to_a_turned_drawing_fills_an_upright_page_with_others(name: str) -> None:
     """The construction of these is wider than a column, and its table does not fit beside it."""
     assert min(filled(paper_of(model_of(solved(name, quantities=ASKED))))[:-1]) >= HALF
+
+
+def test_steps_of_a_plan_begin_no_page_of_their_own_before_a_turned_sheet() -> None:
+    run = solve(parse_variant(STEPHENSON), quantities=["table", "plots", "checks", "graph_check"])
+    assert min(filled(render_pdf(build_model(run)))[:-1]) >= HALF

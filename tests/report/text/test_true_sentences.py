@@ -13,6 +13,7 @@ from coursework.equations.reduction.meaning import meaning
 from coursework.variant.formula.reader import parse as parse_formula
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.test_change_points import past_the_pivot
+from tests.report.own import STEPHENSON
 from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, SLIDER
 
 EVERYTHING = ["table", "plots", "checks", "analogs", "invariants"]
@@ -139,6 +140,11 @@ def test_a_distance_that_no_point_shows_is_no_more_than_zero() -> None:
     assert meaning(parse_formula("s"), variant, ()) == "the distance s is zero"
     placed = parse_variant(past_the_pivot(0.1, 0.02) + '[points]\nO = "(0, 0)"\nQ = "O + s @ phi"\n')
     assert meaning(parse_formula("s"), placed, ()) == "the distance s is zero (Q lies on O)"
+
+
+def test_a_point_placed_at_an_angle_to_a_link_does_not_hide_how_its_group_counts_the_angle() -> None:
+    told = meaning(parse_formula("sin(phi2 - phi3)"), parse_variant(STEPHENSON), ())
+    assert told == "link 2 and link 3 lie on one line (stretched or folded)"
 
 
 def test_an_angle_counted_from_the_vertical_makes_no_link_vertical() -> None:
