@@ -106,7 +106,7 @@ class Walk:
                 if self._pass(event, goal):
                     continue
                 return event
-            if part or state[-1] >= goal:
+            if part or state[-1] >= goal - BEFORE_BREAK * self.end:
                 self._arrive(clock, part or reach, goal)
                 return None
             # What grows as a determinant vanishes ends at a dead point, which says more.
