@@ -36,6 +36,7 @@ from coursework.motion.integration.rates import Rates, compile_rates
 from coursework.motion.settings import Settings
 from coursework.motion.singular.event import NotFollowed
 from coursework.motion.singular.explain import explain, explain_passage
+from coursework.motion.singular.round_about import goes_round
 from coursework.motion.singular.scaled_flow import Flow, compile_flow
 from coursework.motion.singular.search import Search, search_event
 from coursework.system.arrays import Array
@@ -120,8 +121,9 @@ class WayToMotion:
             found = search_event(self.flow, start, horizon, breaks=breaks(self.variant))
             if found.passages and horizon < time.end:  # each of them must be known
                 found = search_event(self.flow, start, time.end, breaks=breaks(self.variant))
-            if found.given_up is not None:
-                refuse_endless(self.equations, found.given_up)
+            if (until := found.given_up) is not None:
+                found = replace(found, goes_round=goes_round(self.flow, start))
+                refuse_endless(self.equations, until, goes_round=found.goes_round)
             return found
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)
@@ -208,7 +210,8 @@ class WayToMotion:
             last = motion.coordinates[-1].tolist() if len(motion.t) else self.begin
             if told := self.charged(NoVelocities((motion.stop.time, motion.stop.time), last)):
                 raise told
-            if self.search.event is None and (self.search.given_up or np.inf) > motion.stop.time:
+            known = np.inf if self.search.goes_round else self.search.given_up or np.inf
+            if self.search.event is None and known > motion.stop.time:
                 return left_by_scheme(motion)
         return motion
 

@@ -1,18 +1,18 @@
 """What lengths far apart cost, how stiff equations are told, and a scheme that leaves the motion: against closed forms."""
 
 import math
+import re
 
 import mpmath as mp
 import pytest
 
 import coursework
 from coursework.motion.schemes import SCHEMES
-from coursework.results.checks import advice
 from coursework.results.checks.result import percent
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.drives import Law, four_bar
 from tests.hard.edges import of_four_bar
-from tests.hard.scenes import check
+from tests.hard.scenes import check, scene, solve
 
 ANSWERS = '[ask]\nquantities = ["table", "checks"]\n'
 
@@ -100,15 +100,31 @@ def test_how_far_a_scheme_damps():
     assert {name: scheme.damped for name, scheme in SCHEMES.items()} == pytest.approx(known)
 
 
-def test_a_step_that_does_by_luck_alone_is_not_advised(monkeypatch):
-    shares = {2: 1e-6, 4: 0.3}  # the half of the step that seems to do does not; what is finer does
-    glanced = advice._glanced
-    monkeypatch.setattr(advice, "_glanced", lambda evidence, motion, parts: shares.get(parts) or glanced(evidence, motion, parts))
-    run = coursework.solve(parse_variant(van_der_pol(10.0)))
-    found = check(run, "ACCURACY")
-    assert "with h/4 the table is off by 30 % again" in found.sentence.replace("\xa0", " ")
-    assert found.step is not None
-    assert found.step < 0.01 / 4
+@pytest.mark.parametrize("place", [0.5835, 1 / 12 + 1e-3])
+def test_a_refinement_that_jumps_about_is_noticed(place):
+    """A switch between two rows: Runge-Kutta is off by where it stands between its slopes, by nothing a sixth behind a row.
+
+    By order four half the step would do, and it does by chance; what is finer does not, and is told.
+    """
+    at = 0.9 + 0.1 * place
+    text = scene(
+        'x = { start = "0 rad", rate = "w" }', given=f'k = "1 1/s"\nat = "{at!r} s"\nT = "1e-6 s"', step=0.1, end=1.0,
+        equations=["w = k*(0.5 + atan((t - at)/T)/pi)"],
+    )  # fmt: skip
+
+    def share(parts):
+        """The error of Runge-Kutta 4 in the last row of (1 - at) rad: there the switch is sharp."""
+        h = 0.1 / parts
+        part = (at / h) % 1.0
+        return abs((part - 1 / 6 if part < 0.5 else part - 5 / 6) * h / (1 - at))
+
+    assert share(1) > 0.05 > 4 * share(2)
+    found = check(solve(text, "rk4", quantities=("table", "checks")), "ACCURACY")
+    assert found.value == pytest.approx(share(1), rel=1e-3)
+    told = re.search(r"Take --step h/(\d+) .*: with h/(\d+) the table is off by ([\d.]+)", found.sentence.replace("\xa0", " "))
+    advised, worse, told = (float(one) for one in told.groups())
+    assert share(advised) < 0.05 < share(worse) == pytest.approx(told / 100, rel=0.02)
+    assert advised > worse > 2
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,9 @@ import pytest
 
 import coursework
 from coursework.motion.integration.following import NotReached, follow_closure
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
+from tests.hard.drives import STEP, Law, four_bar
 from tests.hard.scenes import CASES, check, expected, scene, solve
 
 PERIOD = 2 * math.pi / 13.08
@@ -145,3 +147,37 @@ def test_a_closure_that_cannot_be_followed_gives_up_in_time():
     with pytest.raises(NotReached, match=r"beyond t = 0\.02 s"):
         follow_closure(replace(closure, function=counted), wrong_rates, np.arange(25) * 0.02)
     assert len(calls) < 30_000
+
+
+def uneven(
+    turns: float, *, lengths: tuple[float, ...] = (0.4, 1.0, 0.7, 1.2), swings: bool = False, scheme: str = "exact"
+) -> str:
+    """A crank that turns, or swings by half a radian, so many times in 100 s, and not evenly."""
+    law = "n*cos(2*n*t) + 0.1*k*sin(k*t)" if swings else "n + 0.3*n*sin(k*t)"
+    text = four_bar(
+        Law("uneven", law, {"n": f"{2 * math.pi * turns / 100!r} rad/s", "k": "1.7 1/s"}, float), scheme=scheme, end=100.0
+    )
+    for name, old, new in zip(("l1", "l2", "l3", "xC"), ("0.4", "1.0", "0.7", "1.2"), lengths, strict=True):
+        text = text.replace(f'{name} = "{old} m"', f'{name} = "{new!r} m"')
+    return text
+
+
+@pytest.mark.parametrize("turns", [1000, pytest.param(1e5, marks=pytest.mark.long)])
+def test_a_crank_that_can_be_turned_right_round_meets_no_dead_point_in_however_many_turns(turns):
+    run = coursework.solve(parse_variant(uneven(turns).replace(f"{STEP!r} s", "0.1 s")))
+    n = 2 * math.pi * turns / 100
+    assert run.scene.search.given_up < 50
+    assert check(run, "STOP").verdict == "PASS"
+    assert run.summary.startswith("The table is computed right")
+    angle = n * (100 + 0.3 * (1 - math.cos(170)) / 1.7)
+    assert run.motion.column("th1")[-1] == pytest.approx(angle, rel=1e-13)
+    assert check(run, "PEAK").verdict != "PASS"  # the fastest moment of all is not known
+    assert "V324" not in run.summary
+
+
+def test_where_it_cannot_be_turned_right_round_nothing_is_said_of_what_was_not_followed():
+    run = coursework.solve(parse_variant(uneven(1000, lengths=(0.9, 0.5, 0.6, 1.2), swings=True)))
+    assert run.scene.search.given_up < 100
+    assert not run.scene.search.goes_round
+    assert check(run, "STOP").verdict == "SKIP"
+    assert "Whether it meets one after that is not known" in run.summary

@@ -24,7 +24,7 @@ ENDS = [
 def test_a_rate_without_a_bound_is_told_with_its_time(rate, end):
     text = scene('x = { start = "1 rad", rate = "w" }', given='k = "1 1/s"', step=0.01, end=3.0, equations=[f"w = {rate}"])
     run = solve(text, "rk4")
-    with pytest.raises(InputError, match=r"^V526 .* grows beyond all bounds about t = ") as told:
+    with pytest.raises(InputError, match=r"^V526 .* grows beyond (all bounds|1e\+09 rad) about t = ") as told:
         _ = run.motion
     assert numbers(str(told.value).split("about t =")[1])[0] == pytest.approx(end, rel=1e-5)
     assert run.scene.flow.evaluations < 250_000

@@ -28,6 +28,8 @@ from coursework.system.arrays import Array
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
+# Between these quantiles lie most rows; a column that spans more than so many times theirs has a pulse.
+_MOST, _SUDDEN = 0.9, 20.0
 # A table that Euler makes without error shows no gap; its digits are then judged by this part of its largest range.
 _SMALLEST_GAP = 1e-3
 _NO_GAP = 1e-9
@@ -129,6 +131,12 @@ class Key:
     def ranges(self) -> Array:
         """Return the range of each column (m + r,)."""
         return np.asarray(np.ptp(self.table, axis=0))
+
+    @cached_property
+    def usual_ranges(self) -> Array:
+        """Return the ranges (m + r,) that tolerances are parts of: a sudden pulse in a few rows makes no other row's larger."""
+        spread = np.subtract(*np.quantile(self.table, (_MOST, 1 - _MOST), axis=0))
+        return np.asarray(np.minimum(self.ranges, _SUDDEN * spread))
 
     @cached_property
     def gap(self) -> float:

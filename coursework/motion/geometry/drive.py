@@ -208,8 +208,11 @@ def refuse_aliasing(equations: VelocityEquations, step: float, frequency: float)
         raise InputError([Fault(told, variant.file, line)])
 
 
-def refuse_endless(equations: VelocityEquations, time: float) -> None:
-    """Raise `InputError` where a drive has no finite value about `time` (s), or turns a crank by turns in one step."""
+def refuse_endless(equations: VelocityEquations, time: float, *, goes_round: bool = False) -> None:
+    """Raise `InputError` where a drive has no finite value about `time` (s), or turns a crank by turns in one step.
+
+    `goes_round`: it may, as the crank can be turned right round however fast.
+    """
     variant = equations.variant
     names = [law.name for law in variant.drive]
     if not names:
@@ -224,7 +227,7 @@ def refuse_endless(equations: VelocityEquations, time: float) -> None:
         told = None
         if not now <= _BEYOND * before:  # also where it is nan; a drive that stands still is 0 here and there
             told = say("fault.V323", name=name, time=time)
-        elif name in angles and now * variant.time.step > 2 * np.pi:
+        elif not goes_round and name in angles and now * variant.time.step > 2 * np.pi:
             told = say("fault.V324", name=name, turned=float(now * variant.time.step), most=float(0.1 / now))
         if told is not None:
             faults.append(Fault(told, variant.file, variant.line_of("drive", name)))

@@ -32,6 +32,7 @@ class Search:
     """The true motion followed up to `end` (s): the first `event`, if any, the `peaks` of the rates, and the
     `passages` on the way: singular positions through which one motion only goes on.  `given_up`: the time (s) up to which it
     was followed where that is not the end, because it moves too much.  `repeats`: it was followed as long as it is new.
+    `goes_round`: given up, but the only crank can be turned right round, so there is no event behind that time either.
     """
 
     event: Event | None
@@ -40,6 +41,7 @@ class Search:
     passages: tuple[Passage, ...] = ()
     given_up: float | None = None
     repeats: bool = False
+    goes_round: bool = False
 
     def fastest(self, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
         """Return per coordinate the largest |rate| with its time (s), None for a constant one; nothing for one that stops.
@@ -84,12 +86,12 @@ def search_event(
         except GivenUp as up:
             return Search(None, walk.peaks, end, tuple(walk.passages), up.time)
         repeats = event is None and not walk.passages and goal < end and goal in (turn, 2 * turn)
-        if repeats and _is_back(flow, walk.state[:-1], start):
+        if repeats and is_back(flow, walk.state[:-1], start):
             return Search(None, walk.peaks, goal, tuple(walk.passages), repeats=True)  # it moves on as it has moved
     return Search(event, walk.peaks, end, tuple(walk.passages))
 
 
-def _is_back(flow: Flow, position: Array, start: Sequence[float]) -> bool:
+def is_back(flow: Flow, position: Array, start: Sequence[float]) -> bool:
     """Return whether a position (m,) is that of the start but for whole turns of its angles."""
     gap = position - np.asarray(start)
     angles = np.array([coordinate.unit == "rad" for coordinate in flow.equations.variant.coordinates])

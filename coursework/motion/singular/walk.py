@@ -49,8 +49,7 @@ ROOT = 1e-13
 MAX_STEPS = 15_000
 # A coordinate (rad or m) that has got so far turns for ever, or has no end: a hundred million revolutions.
 BOUNDLESS = 1e9
-# So many steps that together are shorter than this part of the time until then are those before a rate without a bound; a
-# step shorter than the last part of the run makes no time pass.
+# So many steps together shorter than this part of the time until then: a rate without a bound; no step is below the last part.
 MANY, SHORT, NOTHING = 100, 1e-11, 1e-20
 _HALVINGS = 30
 # Of a step that reaches too far the part that does not: the pace of the clock changes on the way.
@@ -106,15 +105,13 @@ class Walk:
                 if self._pass(event, goal):
                     continue
                 return event
-            if part or state[-1] >= goal:
+            if part or state[-1] >= goal - BEFORE_BREAK * self.end:
                 self._arrive(clock, part or reach, goal)
                 return None
             # What grows as a determinant vanishes ends at a dead point, which says more.
-            regular = min(map(abs, after)) > TOGETHER
-            if regular and max(map(abs, state[:-1].tolist())) > BOUNDLESS:
-                raise self._boundless([one.name for one in self.flow.equations.variant.coordinates], state)
-            if regular and len(self.way) > MANY and state[-1] - self.way[-MANY][-1] < SHORT * state[-1]:
-                raise self._boundless(self.flow.equations.variant.rates, self.slope)
+            stalls = len(self.way) > MANY and state[-1] - self.way[-MANY][-1] < SHORT * state[-1]
+            if min(map(abs, after)) > TOGETHER and (stalls or max(map(abs, state[:-1].tolist())) > BOUNDLESS):
+                raise self._boundless(state)
             nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
             self.state, self.scaled, self.length = state, after, following
             self.way.append(self.state)
@@ -122,9 +119,14 @@ class Walk:
                 return event if event.time < latest else None
         raise GivenUp(float(self.state[-1]))
 
-    def _boundless(self, names: Sequence[str], sizes: Array) -> NotFollowed:
-        name, time = names[int(np.argmax(np.abs(sizes[:-1])))], float(self.state[-1])
-        return NotFollowed(say("fault.V526", name=name, time=time), time)
+    def _boundless(self, state: Array) -> NotFollowed:
+        """Return the fault of a coordinate that got too far, or else of the rate that grows where time stands still."""
+        variant, time, bound = self.flow.equations.variant, float(state[-1]), say("event.no_bound")
+        name = variant.rates[int(np.argmax(np.abs(self.slope[:-1])))]
+        if (far := np.abs(state[:-1])).max() > BOUNDLESS:
+            coordinate = variant.coordinates[int(np.argmax(far))]
+            name, bound = coordinate.name, say("amount.three", value=BOUNDLESS, unit=coordinate.unit)
+        return NotFollowed(say("fault.V526", name=name, bound=bound, time=time), time)
 
     def _pass(self, event: Event, goal: float) -> bool:
         """Go on behind a change point where one motion only does; return whether there is one."""
@@ -160,7 +162,7 @@ class Walk:
             try:
                 after, error = clock.step(self.state, slope, self.length)
             except (OutsideTable, ArithmeticError, ValueError) as fault:
-                # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
+                # A law need not exist beyond the end of the run.
                 self.length /= 4
                 if self.length * slope[-1] > AT_END * self.end:
                     continue
@@ -178,7 +180,7 @@ class Walk:
                 return after, self.length, next_length(self.length, ratio, 8)
             else:
                 self.length = next_length(self.length, min(ratio, 1e10), 8)
-        raise self._boundless(self.flow.equations.variant.rates, slope)
+        raise self._boundless(self.state)
 
     def _reached(self, clock: Clock, part: float) -> Array:
         return clock.step(self.state, self.slope, part)[0]

@@ -32,7 +32,7 @@ _TRIES = 12
 # An error of so many scales and more follows no order.
 _WILD = 10.0
 # So many times better than the order of the scheme says is luck.
-_LUCK = 6.0
+_LUCK = 4.0
 # Slopes that a step advised may take, counted as those of formulas: some three seconds.
 _MOST_WORK = 3e6
 
@@ -121,8 +121,8 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, few
     """Return the parts of the step, `fewest` or more, with which every motion check passes; 0 where that takes more rows than
     are computed.
 
-    A step that does better than the order of the scheme lets expect may do so by chance: then one half as long must do too, else
-    the search goes on from there, and that step is returned with its share.
+    A step that does better than the order of the scheme lets expect may do so by chance: then finer ones must do too, else the
+    search goes on from there, and that step is returned with its share.
     """
     assert evidence.rerun is not None
     order = SCHEMES[own].order if own in SCHEMES else 1  # exact rows have no error: what they lack they gain row by row
@@ -146,15 +146,25 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, few
         coarse = [one for one in judge(tried) if _curable(one)] if tried is not None else [Finding("COARSE", "")]
         if coarse:
             continue
-        if motion is None or share > expected / _LUCK or not _affordable(evidence, 2 * parts, order):
+        worse = None if motion is None or share > expected / _LUCK else _worse(evidence, own, parts, order)
+        if worse is None:
             return parts, jumped
-        option, step = _spelled(evidence, 2 * parts)
-        finer = evidence.rerun(own, step)
-        known = _glanced(evidence, finer, 2 * parts) if finer is not None else 0.0
-        if known <= LIMIT:
-            return parts, jumped
-        parts, jumped, coarse = 2 * parts, (option, known), [Finding("COARSE", "", known, LIMIT)]
+        parts, known = worse
+        jumped, coarse = (_spelled(evidence, parts)[0], known), [Finding("COARSE", "", known, LIMIT)]
     return 0, None
+
+
+def _worse(evidence: Evidence, own: str, parts: int, order: int) -> tuple[int, float] | None:
+    """Return a finer step (in parts of the run's own) that does not do although `parts` do, and its share; None where none is."""
+    assert evidence.rerun is not None
+    for more in (2 * parts, 3 * parts):
+        if not _affordable(evidence, more, order):
+            return None
+        motion = evidence.rerun(own, _spelled(evidence, more)[1])
+        share = _glanced(evidence, motion, more) if motion is not None else 0.0
+        if share > LIMIT:
+            return more, share
+    return None
 
 
 def _affordable(evidence: Evidence, parts: int, order: int) -> bool:

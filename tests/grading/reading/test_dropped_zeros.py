@@ -1,12 +1,16 @@
 """A spreadsheet drops zeros at the end of numbers: 6.5 all down a column is as fine as 6.283 beside it, and costs no points."""
 
+import itertools
+
 import numpy as np
 import pytest
 
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.grading.reading.table.digits import FINEST, last_places
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import SLIDER_CRANK
 from tests.grading.marking.test_equal_faults import Desk
@@ -56,3 +60,10 @@ def test_significant_digits_that_are_all_there_are_no_dropped_zeros():
     desk = Desk(parse_variant(STEADY.replace(b'"7 1/s"', b'"6.283185 1/s"'), "own.toml", {}))
     grade = graded(desk, lambda row, place, value: significant(value, 4))
     assert grade.table.cells.student.units[0, desk.key.names.index("w1")] == pytest.approx(1e-3)
+
+
+def test_all_digits_of_a_double_hide_no_zeros_that_were_dropped():
+    """Python writes 0.07 beside 0.060000000000000005: seventeen digits times a power of ten end with a zero by chance."""
+    angles = list(itertools.accumulate([0.01] * 100, initial=0.0))
+    assert {len(repr(angle)) for angle in angles} >= {4, 18, 20}
+    assert set(last_places([printed(repr(angle), ".") for angle in angles])[1]) == {FINEST}

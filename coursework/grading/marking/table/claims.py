@@ -101,7 +101,7 @@ class TableUnderTest:
         """Return coordinates (n, m) made from each row before by `increments` (n, m) in rad or m, and their tolerance."""
         h = self.key.step
         expected = self.shifted(self.q + increments, 1)
-        size = np.maximum(np.abs(self.w), LEAST * self.key.ranges[self.m : 2 * self.m])
+        size = np.maximum(np.abs(self.w), LEAST * self.key.usual_ranges[self.m : 2 * self.m])
         slack = SLACK * h * np.nan_to_num(size)
         tolerance = HALF * self.q_units + self.shifted(HALF * self.q_units + HALF * spread + slack, 1)
         return expected, tolerance

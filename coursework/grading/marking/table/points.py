@@ -141,7 +141,7 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
     with np.errstate(invalid="ignore"):
         largest = np.max(h / 2 * np.abs(np.diff(key.table[:, m : 2 * m], axis=0)), axis=0, initial=0.0)
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
-        spare = _SPARE * largest + SLACK * key.ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
+        spare = _SPARE * largest + SLACK * key.usual_ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
     steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~cells.wrong[:-1, m : 2 * m]
     steps |= cells.marks[1:, :m] == KEY

@@ -72,7 +72,8 @@ def near(values: Array, expected: Array, tolerance: Array) -> Flags:
 
 def as_printed(key: Key, units: Array) -> Array:
     """Return by how much cells with these last places may lie from what they stand for: their digits, and round-off."""
-    return HALF * units + SLACK * key.ranges
+    sudden = key.usual_ranges < key.ranges  # there a row of the pulse has its own size
+    return HALF * units + SLACK * np.where(sudden, np.maximum(key.usual_ranges, np.abs(key.table)), key.ranges)
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,7 @@ def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:
     expected = np.full(values.shape, np.nan)
     tolerance = np.full(values.shape, np.nan)
     rates = values[:-1, m : 2 * m]
-    size = np.maximum(np.abs(rates), LEAST * key.ranges[m : 2 * m])
+    size = np.maximum(np.abs(rates), LEAST * key.usual_ranges[m : 2 * m])
     expected[1:, :m] = values[:-1, :m] + h * rates
     tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + HALF * h * units[:-1, m : 2 * m] + SLACK * h * size
     off = np.abs(values - expected)[np.isfinite(expected) & np.isfinite(values)]
@@ -126,7 +127,7 @@ def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:
 def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
     """Return how far printed velocities (n, r) may lie from `expected`: own digits, those of what they came from, slack."""
     m = len(key.coordinates)
-    size = np.maximum(np.abs(expected), LEAST * key.ranges[m:])
+    size = np.maximum(np.abs(expected), LEAST * key.usual_ranges[m:])
     return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
 
 
@@ -159,7 +160,7 @@ def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
             return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m], cells[:, m:])
 
         found = at(student.values)
-        size = np.maximum(np.abs(found), LEAST * key.ranges[[m + place for place in places]])
+        size = np.maximum(np.abs(found), LEAST * key.usual_ranges[[m + place for place in places]])
         own = np.where(np.isnan(units), 0.0, units)[:, [m + place for place in places]]
         expected[:, places] = found
         tolerance[:, places] = HALF * own + HALF * sensitivity(at, student.values, units) + SLACK * size

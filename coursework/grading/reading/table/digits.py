@@ -13,6 +13,7 @@ from coursework.grading.reading.numbers import PrintedNumber
 
 FINEST = 1e-9  # a spreadsheet stores more digits than any coursework can mean
 _FIXED = 0.55  # least share of cells with the greatest number of decimals
+_DOUBLE = 15  # significant digits of which every one survives in a double
 _SIGNIFICANT = 0.60  # least share of cells with the same number of significant digits
 
 
@@ -45,8 +46,9 @@ def _own_decimals(cell: PrintedNumber, full: int) -> int:
 
 
 def _keeps_zeros(numbers: list[PrintedNumber]) -> bool:
-    """Return whether some number was printed with a zero at its end."""
-    return any(-300 < cell.place < 0 and round(cell.value * 10.0**-cell.place) % 10 == 0 for cell in numbers if cell.value)
+    """Return whether some number was printed with a zero at its end; what a double has beyond fifteen digits says nothing."""
+    told = [cell for cell in numbers if cell.value and cell.digits <= _DOUBLE]
+    return any(-300 < cell.place < 0 and round(cell.value * 10.0**-cell.place) % 10 == 0 for cell in told)
 
 
 def _significant_digits(numbers: list[PrintedNumber]) -> int:

@@ -21,7 +21,8 @@ START_LIMIT = 1e-6  # of the largest length: five digits in the start values are
 def stopped(evidence: Evidence) -> Finding:
     """The mechanism can make the whole motion, and the scheme does not step out of it."""
     stop = evidence.motion.stop
-    given_up = evidence.search.given_up if evidence.search is not None else None
+    search = evidence.search
+    given_up = search.given_up if search is not None and not search.goes_round else None
     if stop is None and given_up is not None:
         told = say("check.STOP.given_up", rows=len(evidence.motion.t), time=given_up)
         return replace(skipped(told), headline=told)
