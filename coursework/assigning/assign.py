@@ -1,6 +1,6 @@
 """A roster and an assignment -> every file that students and their instructor get.
 
-Enters: `Roster`, `Assignment`, the folder OUT.  Leaves: variant files, sheets, keys, roster.csv, class.html, and on request
+Enters: `Student`s, `Assignment`, the folder OUT.  Leaves: variant files, sheets, keys, roster.csv, class.html, and on request
 one PDF.  Used by `commands/assign.py`.
 
 What one student gets depends on that student alone; a further student adds files and a row and changes class.html.
@@ -21,7 +21,7 @@ from coursework.assigning.sheet import sheet, sheet_html
 from coursework.assigning.variants import Assignment
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.platforms.escapes import text_cell
-from coursework.grading.platforms.roster import ACCEPTED, Roster
+from coursework.grading.platforms.roster import ACCEPTED, Student
 from coursework.report.pages.pdf import pdf_of
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
@@ -45,7 +45,7 @@ class Wishes:
 
 
 def assign(
-    roster: Roster, assignment: Assignment, out: Path, wishes: Wishes, words: Words,
+    roster: Sequence[Student], assignment: Assignment, out: Path, wishes: Wishes, words: Words,
     drawn: Callable[[int], None] = lambda number: None, made: Callable[[int], None] = lambda number: None,
     missed: Callable[[str], None] = lambda letters: None,
 ) -> list[str]:  # fmt: skip
@@ -54,13 +54,13 @@ def assign(
     `drawn` and `made` are told how many students more have data and files, `missed` which letters the PDF shows as boxes.
     Raises `InputError`, `OutputError`.
     """
-    individuals = assignment.individuals([student.id for student in roster.students], drawn)
+    individuals = assignment.individuals([student.id for student in roster], drawn)
     equations = key_equations(Scene(assignment.template, assignment.settings), words)
     for name, content in assignment.tables.items():
         _write(out / name, content)
     handouts: list[Handout] = []
     pages: list[Plain] = []
-    for student, individual in zip(roster.students, individuals, strict=True):
+    for student, individual in zip(roster, individuals, strict=True):
         handout = make_handout(student, individual, assignment.accepted_decimals)
         page = sheet(handout, words, wishes.deadline, wishes.rubric)
         _write(out / f"{handout.stem}.toml", individual.content)

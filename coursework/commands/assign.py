@@ -27,14 +27,14 @@ def assign_class(
     """Return the exit status of giving a class its variants."""
     words = load_words(language)
     listed = read_roster(read_file(roster), str(roster))
-    if not listed.students:
+    if not listed:
         raise InputError(say("fault.A006", file=str(roster)))
     tell_own_file(template)
     chosen = load(template)
     assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
     marking = read_rubric(read_file(rubric).decode("utf-8-sig", errors="replace"), str(rubric)) if rubric else Rubric()
     check_rubric(marking, chosen, str(rubric))
-    centre, count = assignment.acceptance.centre, len(listed.students)
+    centre, count = assignment.acceptance.centre, len(listed)
     tell(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
     letters: list[str] = []
     with click.progressbar(length=2 * count, label=in_language(say("assign.progress")), width=30) as bar:

@@ -17,7 +17,7 @@ from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.matching import match
 from coursework.grading.collecting.sources import Source
 from coursework.grading.marking.late import LATE, UNKNOWN
-from coursework.grading.platforms.roster import ACCEPTED, Roster
+from coursework.grading.platforms.roster import ACCEPTED, Student
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.grading.reading.equations.variant_files import is_variant_file
 from coursework.grading.reading.submission import Submission
@@ -101,11 +101,11 @@ def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> C
     return ClassList(_by_id(places), {chosen[1].name: chosen[1]}, {chosen[1].name: chosen[0]}, ())
 
 
-def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Worksheet | None) -> ClassList:
+def class_of_roster(source: Source, roster: Sequence[Student], file: Path, worksheet: Worksheet | None) -> ClassList:
     """Return the class of a roster, each student with the variant that stands there.  Raises `InputError` with every fault."""
     faults: list[Fault] = []
     read: dict[str, tuple[Variant, VariantSource]] = {}
-    for student in roster.students:
+    for student in roster:
         if not _DECIMALS.fullmatch(student.more.get(ACCEPTED, "").strip()):
             message = say("fault.G070", column=ACCEPTED, text=student.more[ACCEPTED][:40])
             faults.append(Fault(message, str(file), student.line))
@@ -128,7 +128,7 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
             matched.file_lists.get(student.id, ()), matched.rows.get(student.id),
             int(decimals) if (decimals := student.more.get(ACCEPTED, "").strip()) else None,
         )
-        for student in roster.students
+        for student in roster
     ]  # fmt: skip
     sources = {found[1].name: found[1] for found in read.values()}
     variants = {found[1].name: found[0] for found in read.values()}

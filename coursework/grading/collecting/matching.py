@@ -1,6 +1,6 @@
 """File lists, a roster, perhaps Moodle's worksheet -> whose file list is whose.
 
-Enters: `Roster`, `FileList`s, `Worksheet`.  Leaves: `Matched`.
+Enters: `Student`s, `FileList`s, `Worksheet`.  Leaves: `Matched`.
 Used by whoever grades a class.
 """
 
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.platforms.names import name_key, same_key
-from coursework.grading.platforms.roster import Roster, Student
+from coursework.grading.platforms.roster import Student
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 
 
@@ -26,13 +26,15 @@ class Matched:
     rows: Mapping[str, WorksheetRow]
 
 
-def match(roster: Roster, file_lists: Iterable[FileList], platform: str, worksheet: Worksheet | None = None) -> Matched:
+def match(
+    roster: Sequence[Student], file_lists: Iterable[FileList], platform: str, worksheet: Worksheet | None = None
+) -> Matched:
     """Return whose file list is whose.  Several file lists of one student, or one that fits several, are the caller's to review.
 
     Moodle: number of the folder -> row of the worksheet -> e-mail, ID number or full name on the roster; without a worksheet
     the full name.  Canvas: user number or name.  Folders: the id.  What fits nobody, or two alike, is not on the roster.
     """
-    people = _People(roster.students)
+    people = _People(roster)
     rows = {row.number: row for row in worksheet.rows if row.number} if worksheet else {}
     of_row = {student.id: row for row in (worksheet.rows if worksheet else ()) if (student := people.of_row(row))}
     found: dict[str, list[FileList]] = {}

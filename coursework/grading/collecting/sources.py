@@ -68,11 +68,8 @@ class Source:
                 content = file.read(min(FILE_BYTES, left) + 1)
         except (zipfile.BadZipFile, RuntimeError, OSError, NotImplementedError, EOFError, ValueError, zlib.error):
             return submitted_file(name, b"", say("reading.trouble.damaged"))
-        return (
-            too_large(name, content[:HEAD], len(content))
-            if len(content) > min(FILE_BYTES, left)
-            else submitted_file(name, content)
-        )
+        is_whole = len(content) <= min(FILE_BYTES, left)
+        return submitted_file(name, content) if is_whole else too_large(name, content[:HEAD], len(content))
 
     def _names_in_zip(self) -> Names:
         assert self._zip is not None
@@ -136,24 +133,28 @@ def _zip_of(path: Path) -> zipfile.ZipFile:
     return zipfile.ZipFile(BytesIO(content))
 
 
-def collect_one(place: Path, student: str = "submission") -> Submission:
+def collect_one(place: Path) -> Submission:
     """Return the one submission whose files stand in a folder (or are one file), as autograders hand them over."""
     if not place.exists():
         raise InputError([Fault(say("fault.G004"), str(place))])
-    found = list(files_below(place)) if place.is_dir() else [(place.name, place)]
-    notes = [entry for _, entry in found if isinstance(entry, Note)]
-    paths = [(name, path) for name, path in found if isinstance(path, Path)]
-    files, more = _gathered((legible(name), partial(read_regular, path, legible(name))) for name, path in paths)
-    return Submission(student, None, files, (*notes, *more))
+    return _alone(files_below(place) if place.is_dir() else [(place.name, place)])
 
 
-def collect_files(paths: Iterable[Path], student: str = "submission") -> Submission:
+def collect_files(paths: Iterable[Path]) -> Submission:
     """Return a submission of some files.  Raises `InputError` for a file that is not there."""
     listed = list(paths)
     if missing := [path for path in listed if not path.is_file()]:
         raise InputError([Fault(say("fault.G005"), str(missing[0]))])
-    files, notes = _gathered((legible(path.name), partial(read_regular, path, legible(path.name))) for path in listed)
-    return Submission(student, None, files, notes)
+    return _alone((path.name, path) for path in listed)
+
+
+def _alone(found: Iterable[tuple[str, Path | Note]]) -> Submission:
+    """Return the submission of somebody who is not told."""
+    entries = list(found)
+    notes = [entry for _, entry in entries if isinstance(entry, Note)]
+    paths = [(legible(name), path) for name, path in entries if isinstance(path, Path)]
+    files, more = _gathered((name, partial(read_regular, path, name)) for name, path in paths)
+    return Submission("submission", None, files, (*notes, *more))
 
 
 def _gathered(

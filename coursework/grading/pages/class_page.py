@@ -10,7 +10,6 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from coursework.grading.marking.reasons.misconception import misconception_sentence
-from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import PARTS, ClassFacts
 from coursework.grading.pages.feedback import shown_points
 from coursework.report.text.symbols import symbol
@@ -41,8 +40,8 @@ def class_page(
         "mean": shown_points(statistics.fmean(facts.scores), words) if facts.scores else "–",
         "median": shown_points(statistics.median(facts.scores), words) if facts.scores else "–",
         "most": shown_points(facts.most, words),
-        "distribution": bars(_tenths(facts, words)),
-        "first_rows": bars([(str(row), facts.first_rows[row]) for row in range(first, last + 1)]),
+        "distribution": _tenths(facts, words),
+        "first_rows": [(str(row), facts.first_rows[row]) for row in range(first, last + 1)],
         "hardest": _symbol(facts.hardest_column or ""),
         "columns": [(_symbol(name), number) for name, number in facts.first_columns.most_common()],
         "misconceptions": [

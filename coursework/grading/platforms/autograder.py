@@ -6,7 +6,7 @@ Enters: `Outcome`.  Leaves: plain data for JSON.  Used with `--results`.
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,8 +41,6 @@ class Outcome:
 
 def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
     """Return `results.json` of Gradescope: one test a part, which sum to the score; without a number it is 0 and says so."""
-    scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
-    totals = _summing([part.max_score for part in outcome.parts], outcome.max_score)
     unmarked = outcome.score is None
     tests = [
         {
@@ -52,13 +50,12 @@ def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
             "status": "passed" if not unmarked and score >= total else "failed",
             "output": _text(part.output),
         }
-        for part, score, total in zip(outcome.parts, scores, totals, strict=True)
+        for part, score, total in _parts(outcome)
     ]
     lines = [_not_marked(outcome, language), outcome.output, *outcome.problems] if unmarked else [outcome.output]
-    output = _text("\n".join(lines))
     return {
         "score": 0.0 if unmarked else round(outcome.score or 0.0, 2),
-        "output": output,
+        "output": _text("\n".join(lines)),
         "output_format": "text",
         "tests": tests,
     }
@@ -67,8 +64,6 @@ def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
 def prairielearn(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
     """Return `results.json` of PrairieLearn: score from 0 to 1; what cannot be read is not gradable, and no attempt is lost."""
     gradable = outcome.status not in _NOT_GRADABLE
-    scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
-    totals = _summing([part.max_score for part in outcome.parts], outcome.max_score)
     share = (outcome.score or 0.0) / outcome.max_score if outcome.max_score > 0 else 0.0
     message = "" if outcome.score is not None else _not_marked(outcome, language)
     return {
@@ -85,7 +80,7 @@ def prairielearn(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
                 "message": "",
                 "output": _text(part.output),
             }
-            for part, score, total in zip(outcome.parts, scores, totals, strict=True)
+            for part, score, total in _parts(outcome)
         ],
         "format_errors": [] if gradable else [_text(text) for text in (outcome.problems or (outcome.output,))],
     }
@@ -102,6 +97,12 @@ def _not_marked(outcome: Outcome, language: str) -> str:
     if outcome.status in _NOT_GRADABLE:
         return load_phrases(language).said("platform.not_marked", status=say(f"feedback.state.{status}"))
     return load_phrases(language).said(f"feedback.status.{status}")
+
+
+def _parts(outcome: Outcome) -> Iterator[tuple[PartOutcome, float, float]]:
+    """Return the parts with their points and most points, which sum to those of the whole."""
+    scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
+    return zip(outcome.parts, scores, _summing([part.max_score for part in outcome.parts], outcome.max_score), strict=True)
 
 
 def _summing(values: Sequence[float], total: float) -> list[float]:

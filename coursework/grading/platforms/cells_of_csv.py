@@ -6,6 +6,7 @@ Used by `worksheet.py`, `canvas.py`, `roster.py` and `decisions.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -109,44 +110,17 @@ def _separator(text: str) -> str:
 
 def _records(text: str, separator: str) -> Iterator[tuple[CsvCell, ...]]:
     """Give the records; a quotation mark encloses separators and ends of lines, two are one."""
+    sign = re.escape(separator)
+    pattern = re.compile(rf'(?:"((?:[^"]++|"")*+)"?)?([^{sign}\r\n]*+)({sign}|\r\n|[\r\n]|\Z)')
     cells: list[CsvCell] = []
-    place, line = 0, 1
-    length = len(text)
-    while place <= length:
-        cell, end = _cell(text, place, separator, line)
-        cells.append(cell)
-        line += text.count("\n", place, end)
-        if end < length and text[end] == separator:
-            place = end + 1
-            continue
-        if len(cells) > 1 or cells[0].value:
-            yield tuple(cells)
-        cells = []
-        end += 2 if text[end : end + 2] == "\r\n" else 1
-        line += 1
-        if end >= length:
-            return
-        place = end
-
-
-def _cell(text: str, start: int, separator: str, line: int) -> tuple[CsvCell, int]:
-    if text[start : start + 1] != '"':
-        end = start
-        while end < len(text) and text[end] not in (separator, "\n", "\r"):
-            end += 1
-        return CsvCell(text[start:end], start, end, line), end
-    pieces: list[str] = []
-    place = start + 1
-    while True:
-        close = text.find('"', place)
-        if close < 0:
-            return CsvCell("".join([*pieces, text[place:]]), start, len(text), line), len(text)
-        pieces.append(text[place:close])
-        if text[close + 1 : close + 2] != '"':
-            break
-        pieces.append('"')
-        place = close + 2
-    end = close + 1
-    while end < len(text) and text[end] not in (separator, "\n", "\r"):
-        end += 1
-    return CsvCell("".join(pieces) + text[close + 1 : end], start, end, line), end
+    line = 1
+    for found in pattern.finditer(text):
+        quoted, rest, ending = found.groups()
+        value = rest if quoted is None else quoted.replace('""', '"') + rest
+        cells.append(CsvCell(value, found.start(), found.start(3), line))
+        line += text.count("\n", found.start(), found.start(3))
+        if ending != separator:
+            if len(cells) > 1 or cells[0].value:
+                yield tuple(cells)
+            cells = []
+            line += 1

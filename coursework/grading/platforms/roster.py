@@ -1,6 +1,6 @@
 """ROSTER.csv -> who is in the class and which variant each was given.
 
-Enters: the bytes of a roster.  Leaves: `Roster`.  Raises `InputError`.
+Enters: the bytes of a roster.  Leaves: `Student`s.  Raises `InputError`.
 Used by whoever grades a class.
 """
 
@@ -31,15 +31,11 @@ class Student:
     line: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Roster:
-    """Everyone in the class, in the order of the file."""
+def read_roster(content: bytes, file: str) -> tuple[Student, ...]:
+    """Return everyone in the class, in the order of the CSV file.
 
-    students: tuple[Student, ...]
-
-
-def read_roster(content: bytes, file: str) -> Roster:
-    """Return the roster in a CSV file.  Raises `InputError` with every fault: no column id, an id missing or twice."""
+    Raises `InputError` with every fault: no column id, an id missing or twice.
+    """
     cells = read_cells(content, file)
     if not cells.records:
         raise InputError([Fault(say("fault.G017"), file)])
@@ -65,4 +61,4 @@ def read_roster(content: bytes, file: str) -> Roster:
         students.append(Student(student, told["name"], told["email"], told["variant"], kept, line))
     if faults:
         raise InputError(faults)
-    return Roster(tuple(students))
+    return tuple(students)

@@ -59,11 +59,7 @@ class Reading:
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
-        return {
-            "file": self.file, "encoding": self.encoding, "separator": self.separator, "decimal": self.decimal,
-            "sheet": self.sheet, "transposed": self.transposed, "header": list(self.header),
-            "columns": {name: dict(column) for name, column in self.columns.items()}, "rows": self.rows, "order": self.order,
-        }  # fmt: skip
+        return asdict(self) | {"header": list(self.header)}
 
 
 @dataclass(frozen=True, slots=True)

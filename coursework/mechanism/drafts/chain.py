@@ -85,6 +85,16 @@ class Draft:
         return len(self.cranks) == 1 and not self.cranks[0].swings
 
     @property
+    def rails(self) -> list[GuideOf]:
+        """Return the guides that are fixed to the frame."""
+        return [guide for group in self.groups for guide in group.guides if guide.through in self.places]
+
+    @property
+    def hinges(self) -> list[str]:
+        """Return the points of the frame that links turn about."""
+        return [point for point in self.places if point not in {guide.through for guide in self.rails}]
+
+    @property
     def slides(self) -> bool:
         """Return whether a coordinate is a length."""
         return any(own.unit == "m" for group in self.groups for own in group.coordinates)

@@ -15,7 +15,7 @@ from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formula_tree import FormulaTree
 from coursework.grading.reading.documents.signs import symbol_font
 from coursework.grading.reading.files.archive import Archive
-from coursework.grading.reading.files.xml_events import stream
+from coursework.grading.reading.files.xml_events import stream, whole
 
 _MAIN = re.compile(r"word/document\d*\.xml")
 _SKIPPED = {"Fallback", "del", "moveFrom"}  # what stands there twice, and what was taken out
@@ -84,11 +84,11 @@ class _Reader:
         if name == "vertAlign":
             self.position = _POSITIONS.get(value, "")
         elif name == "gridSpan" and self.cells:
-            self.cells[-1] = _whole(value, 1), self.cells[-1][1]
+            self.cells[-1] = whole(value, 1), self.cells[-1][1]
         elif name == "vMerge" and self.cells:
             self.cells[-1] = self.cells[-1][0], value != "restart"
         elif name == "gridBefore":
-            self.builder.open_row(_whole(value, 0))
+            self.builder.open_row(whole(value, 0))
         elif name == "tab" and not attributes:  # with attributes it is where a tab would stop
             self.builder.text("\t")
         elif name in {"br", "cr"} and attributes.get("type") is None:
@@ -140,10 +140,6 @@ class _Reader:
     def _end_cell(self) -> None:
         if self.cells:
             self.builder.close_cell(*self.cells.pop())
-
-
-def _whole(text: str, otherwise: int) -> int:
-    return int(text) if re.fullmatch("[0-9]{1,4}", text) else otherwise
 
 
 def _symbol(attributes: dict[str, str]) -> str:

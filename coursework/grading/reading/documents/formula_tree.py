@@ -50,7 +50,7 @@ class FormulaTree:
         self._open[-1].inside.append(node)
         self._open.append(node)
 
-    def end(self) -> None:
+    def end(self, name: str = "") -> None:
         """Meet the end of the element that is open."""
         if self._too_deep:
             self._too_deep -= 1

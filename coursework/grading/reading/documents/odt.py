@@ -7,7 +7,6 @@ Used by `read_document.py`.
 from __future__ import annotations
 
 import posixpath
-import re
 
 from coursework.grading.reading.documents import mathml
 from coursework.grading.reading.documents.builder import DocumentBuilder
@@ -15,7 +14,7 @@ from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formula_tree import FormulaTree
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.ods import CONTENT, refuse_encrypted
-from coursework.grading.reading.files.xml_events import stream
+from coursework.grading.reading.files.xml_events import stream, whole
 
 _MOST_FORMULAS = 300
 _KIND = b"application/vnd.oasis.opendocument.text"
@@ -103,10 +102,10 @@ class _Reader:
         part = posixpath.normpath(posixpath.join(href.removeprefix("./"), CONTENT))
         self.formulas += 1
         if part in self.archive.parts and part != CONTENT and self.formulas <= _MOST_FORMULAS:
-            found = _Formula()
+            found = FormulaTree("")
             stream(self.archive.chunks(part), found, _FORMULA)
-            if found.tree is not None:
-                self.builder.formula(mathml.text_of_mathml(found.tree.top))
+            if found.top.inside:
+                self.builder.formula(mathml.text_of_mathml(found.top))
 
     def text(self, text: str) -> None:
         if self.formula is not None:
@@ -150,27 +149,5 @@ class _Reader:
         self.builder.close_cell(max(spanned, _times(cell, "number-columns-repeated")))
 
 
-class _Formula:
-    """The tree of a formula's own part."""
-
-    def __init__(self) -> None:
-        self.tree: FormulaTree | None = None
-
-    def begin(self, name: str, attributes: dict[str, str]) -> None:
-        if self.tree is None:
-            self.tree = FormulaTree(name)
-        else:
-            self.tree.begin(name, attributes)
-
-    def text(self, text: str) -> None:
-        if self.tree is not None and text.strip():
-            self.tree.text(text)
-
-    def end(self, name: str) -> None:
-        if self.tree is not None:
-            self.tree.end()
-
-
 def _times(attributes: dict[str, str], name: str) -> int:
-    text = attributes.get(name)
-    return min(int(text), 1000) if text and re.fullmatch("[0-9]{1,8}", text) else 1
+    return min(whole(attributes.get(name), 1), 1000)

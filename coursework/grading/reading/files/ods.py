@@ -6,11 +6,9 @@ Used by `tables_of_file.py` and, for what all OpenDocument files have, `odt.py`.
 
 from __future__ import annotations
 
-import re
-
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import BlankRows, Cell, Sheet
-from coursework.grading.reading.files.xml_events import Enough, stream
+from coursework.grading.reading.files.xml_events import Enough, stream, whole
 from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS, unreadable
 
 CONTENT = "content.xml"
@@ -53,7 +51,7 @@ class _Reader:
             if self.depth == 1:
                 self.name, self.rows, self.is_full, self.blank = attributes.get("name", ""), [], False, BlankRows()
         elif name == "table-row":
-            self.row, self.repeats = [], _times(attributes, "number-rows-repeated")
+            self.row, self.repeats = [], whole(attributes.get("number-rows-repeated"), 1)
         elif name in {"table-cell", "covered-table-cell"}:
             self.cell, self.text_of_cell, self.paragraphs, self.is_inside = attributes, [], 0, True
         elif name == "p" and self.is_inside:
@@ -70,7 +68,7 @@ class _Reader:
     def end(self, name: str) -> None:
         if name in {"table-cell", "covered-table-cell"}:
             self.is_inside = False
-            times = min(_times(self.cell, "number-columns-repeated"), self.most_columns - len(self.row))
+            times = min(whole(self.cell.get("number-columns-repeated"), 1), self.most_columns - len(self.row))
             self.row += [self._cell()] * max(times, 0)
         elif name == "annotation":
             self.is_inside = True
@@ -103,8 +101,3 @@ class _Reader:
         if self.cell.get("formula") and not kind and not text:
             return Cell("", "formula")
         return Cell(text)
-
-
-def _times(attributes: dict[str, str], name: str) -> int:
-    text = attributes.get(name, "1")
-    return int(text) if re.fullmatch("[0-9]{1,8}", text) else 1

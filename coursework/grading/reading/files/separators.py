@@ -1,7 +1,7 @@
 """Text -> rows of cells: which sign separates the cells of a file that does not say so.
 
 Enters: a decoded text.  Leaves: `Split`.  Looks at the shape of the numbers only, never at the key.
-Used by `text_table.py`; whether numbers rise in equal steps, by `layout.py` and `columns.py` too.
+Used by `tables_of_file.py`; whether numbers rise in equal steps, by `layout.py` and `columns.py` too.
 """
 
 from __future__ import annotations

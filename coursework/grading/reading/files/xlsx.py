@@ -14,10 +14,11 @@ from typing import Literal
 
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import BlankRows, Cell, Sheet
-from coursework.grading.reading.files.xml_events import Enough, stream
+from coursework.grading.reading.files.xml_events import Enough, stream, whole
 from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS
 
 WORKBOOK = "xl/workbook.xml"
+_MOST_ELEMENTS = 10_000
 _PLACE = re.compile(r"([A-Z]{1,3})([0-9]{1,7})")
 _DATES = {*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)}  # formats of dates that need no text of their own
 _KINDS: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "error", "d": "date"}
@@ -37,21 +38,14 @@ def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> Iterator[S
 
 def _names(archive: Archive) -> list[tuple[str, str]]:
     """Return names and keys of the sheets."""
-    reader = _Attributes("sheet")
-    stream(archive.chunks(WORKBOOK), reader)
-    return [(found.get("name", ""), found.get("id", "")) for found in reader.found]
+    return [(found.get("name", ""), found.get("id", "")) for _, found in _attributes(archive, WORKBOOK, {"sheet"})]
 
 
 def _targets(archive: Archive) -> dict[str, str]:
     """Return the part that each key of the workbook names."""
-    relations = "xl/_rels/workbook.xml.rels"
-    if relations not in archive.parts:
-        return {}
-    reader = _Attributes("Relationship")
-    stream(archive.chunks(relations), reader)
     return {
         found.get("Id", ""): posixpath.normpath(posixpath.join("/xl", found.get("Target", ""))).lstrip("/")
-        for found in reader.found
+        for _, found in _attributes(archive, "xl/_rels/workbook.xml.rels", {"Relationship"})
     }
 
 
@@ -78,17 +72,25 @@ def _resolved(archive: Archive, reader: _SheetReader) -> tuple[tuple[Cell, ...],
     return tuple(rows)
 
 
-class _Attributes:
-    """Collects the attributes of one kind of element."""
+def _attributes(archive: Archive, part: str, wanted: set[str]) -> list[tuple[str, dict[str, str]]]:
+    """Return names and attributes of the elements of some kinds in a part, nothing where there is no such part."""
+    reader = _Attributes(wanted)
+    if part in archive.parts:
+        stream(archive.chunks(part), reader)
+    return reader.found
 
-    def __init__(self, wanted: str) -> None:
+
+class _Attributes:
+    """Collects the attributes of some kinds of elements."""
+
+    def __init__(self, wanted: set[str]) -> None:
         self.wanted = wanted
-        self.found: list[dict[str, str]] = []
+        self.found: list[tuple[str, dict[str, str]]] = []
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
-        if name == self.wanted:
-            self.found.append(attributes)
-            if len(self.found) > 1000:
+        if name in self.wanted:
+            self.found.append((name, attributes))
+            if len(self.found) > _MOST_ELEMENTS:
                 raise Enough
 
     def end(self, name: str) -> None:
@@ -113,14 +115,14 @@ class _SheetReader:
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
         if name == "row":
-            self.row = _whole(attributes.get("r"), self.row + 1)
+            self.row = whole(attributes.get("r"), self.row + 1)
             self.column = 0
             if self.row > self.most_rows:
                 raise Enough
         elif name == "c":
             place = _PLACE.fullmatch(attributes.get("r", ""))
             self.column = _column(place[1]) if place else self.column + 1
-            self.type, self.style = attributes.get("t", "n"), _whole(attributes.get("s"), 0)
+            self.type, self.style = attributes.get("t", "n"), whole(attributes.get("s"), 0)
             self.is_formula, self.value, self.length = False, [], 0
         elif name == "f":
             self.is_formula = True
@@ -147,10 +149,6 @@ def _cell(text: str, kind: str, is_formula: bool) -> Cell:
     if not text and is_formula and kind != "str":
         return Cell("", "formula")
     return Cell(text, _KINDS.get(kind, "text"))
-
-
-def _whole(text: str | None, otherwise: int) -> int:
-    return int(text) if text and len(text) <= 7 and text.isascii() and text.isdigit() else otherwise
 
 
 @lru_cache(maxsize=64)
@@ -198,39 +196,17 @@ def _shared(archive: Archive, wanted: set[int]) -> dict[int, str]:
     return reader.found
 
 
-class _Styles:
-    """Which styles of cells print a number as a date."""
-
-    def __init__(self) -> None:
-        self.own: set[int] = set()
-        self.formats: list[int] = []
-        self.is_inside = False
-
-    def begin(self, name: str, attributes: dict[str, str]) -> None:
-        if name == "numFmt":
-            # Colours, quoted words and currencies are no letters of a date.
-            code = re.sub(r'"[^"]*"|\[[^\]]*\]|\\.', "", attributes.get("formatCode", "")[:500]).lower()
-            if re.search("[dmyh]", code) and "general" not in code:
-                self.own.add(_whole(attributes.get("numFmtId"), -1))
-        elif name == "cellXfs":
-            self.is_inside = True
-        elif name == "xf" and self.is_inside:
-            self.formats.append(_whole(attributes.get("numFmtId"), 0))
-            if len(self.formats) > 5000:
-                raise Enough
-
-    def text(self, text: str) -> None:
-        pass
-
-    def end(self, name: str) -> None:
-        if name == "cellXfs":
-            raise Enough
-
-
 def _date_styles(archive: Archive) -> set[int]:
-    if "xl/styles.xml" not in archive.parts:
-        return set()
-    reader = _Styles()
-    stream(archive.chunks("xl/styles.xml"), reader)
-    dates = _DATES | reader.own
-    return {style for style, number in enumerate(reader.formats) if number in dates}
+    """Return the styles of cells that print a number as a date."""
+    dates, formats, is_inside = {*_DATES}, list[int](), False
+    for name, found in _attributes(archive, "xl/styles.xml", {"numFmt", "cellXfs", "xf", "cellStyles"}):
+        number = whole(found.get("numFmtId"), -1)
+        # Colours, quoted words and currencies are no letters of a date.
+        code = re.sub(r'"[^"]*"|\[[^\]]*\]|\\.', "", found.get("formatCode", "")[:500]).lower()
+        if name == "numFmt" and re.search("[dmyh]", code) and "general" not in code:
+            dates.add(number)
+        elif name == "xf" and is_inside:
+            formats.append(number)
+        elif name in {"cellXfs", "cellStyles"}:  # what lies between them
+            is_inside = name == "cellXfs"
+    return {style for style, number in enumerate(formats) if number in dates}

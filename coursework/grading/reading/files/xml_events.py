@@ -29,6 +29,11 @@ class Handler(Protocol):
         """Meet text, perhaps in several pieces."""
 
 
+def whole(text: str | None, otherwise: int) -> int:
+    """Return the whole number that an attribute is, another where it is none."""
+    return int(text) if text and len(text) <= 8 and text.isascii() and text.isdigit() else otherwise
+
+
 class Enough(Exception):
     """A handler has what it wants."""
 

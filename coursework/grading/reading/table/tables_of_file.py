@@ -11,9 +11,9 @@ from collections.abc import Iterable
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files import ods, xlsx
 from coursework.grading.reading.files.archive import Archive
-from coursework.grading.reading.files.cells import Sheet
+from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded, decode
-from coursework.grading.reading.files.text_table import sheet_of_text
+from coursework.grading.reading.files.separators import split
 from coursework.grading.reading.limits import Refused, columns_read, rows_read, unreadable
 from coursework.grading.reading.student_work import Table, Trouble
 from coursework.grading.reading.submission import Note, note
@@ -70,12 +70,14 @@ def table_of_archive(archive: Archive, name: str, grid: Grid) -> Table | None:
 
 def table_of_text(decoded: Decoded, name: str, grid: Grid) -> Table | None:
     """Return the table of a text, None for a text that holds none.  Raises `Refused`."""
-    found = sheet_of_text(decoded.text, grid.rows)
+    found = split(decoded.text, rows_read(grid.rows), columns_read(grid.rows))
     if found is None:
         return None
-    sheet, separator = found
+    if found.has_pairs:
+        raise unreadable("comma_twice")
+    sheet = Sheet(None, tuple(tuple(map(Cell, row)) for row in found.rows))
     notes = (note("encoding"),) if decoded.had_nuls else ()
-    return read_sheets([sheet], Origin(name, decoded.encoding, separator, notes), grid)
+    return read_sheets([sheet], Origin(name, decoded.encoding, found.separator, notes), grid)
 
 
 def _told(sheet: Sheet, skipped: list[str]) -> tuple[Note, ...]:
