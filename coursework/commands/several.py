@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import glob
 import sys
-import traceback
 from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, nullcontext
@@ -31,7 +30,6 @@ from coursework.system.budget import Budget, watched
 from coursework.system.csv_text import csv_text
 from coursework.system.file_set import clear_leftovers, working_folder
 from coursework.system.plain_lines import record_of
-from coursework.system.pool import Pool, Trade
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find
 from coursework.variant.reading.set_values import with_set
@@ -106,6 +104,8 @@ class RunTask:
         except (CourseworkError, MemoryError) as error:
             return Outcome(item, WRONG_INPUT, message=self._message(error), code=_code(error))
         except Exception as error:
+            import traceback
+
             crashed = say("screen.crashed", variant=item.variant, kind=type(error).__name__, error=str(error))
             message = f"{crashed}\n{traceback.format_exc()}"
             return Outcome(item, OUR_FAULT, message=message)
@@ -148,6 +148,8 @@ def outcomes(task: RunTask, items: Sequence[Item], jobs: int) -> Generator[tuple
             for index, item in enumerate(items):
                 yield index, work(item)
         return
+    from coursework.system.pool import Pool, Trade  # threads, queues and subprocesses: only several processes pay for them
+
     # A run that its budget had to end from outside would only take as long again: it is tried once.
     trade = Trade(OPENED, task, Outcome, task.lost, tries=1, quiet=False)
     with Pool(trade, min(jobs, len(items))) as pool:

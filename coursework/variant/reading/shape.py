@@ -7,7 +7,6 @@ read in the same go, and the faults.  Used by `reader.py` only.
 from __future__ import annotations
 
 import copy
-import difflib
 import json
 import re
 from collections.abc import Iterable
@@ -76,6 +75,8 @@ def _hides(path: KeyPath, entry: Entry) -> set[str]:
     """Return the kinds of names that may have been declared where a fault is."""
     section = str(path[0])
     if len(path) == 1:
+        import difflib  # only a mistake pays for it
+
         meant = difflib.get_close_matches(section, schema.VariantFile.keys(), n=1)
         return _DECLARED.get(meant[0], set()) if meant else set().union(*_DECLARED.values())
     if path[-1] == "[key]":
