@@ -11,7 +11,7 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any, get_args
 
@@ -29,6 +29,7 @@ from coursework.scene.quantities import CHECKS
 from coursework.system.budget import Budget, watched
 from coursework.system.csv_text import csv_text
 from coursework.system.file_set import clear_leftovers, working_folder
+from coursework.system.frozen import frozen
 from coursework.system.plain_lines import record_of
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find
@@ -44,7 +45,7 @@ OPENED = "coursework.commands.several:opened"
 OUR_FAULT, WRONG_INPUT = 3, 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Item:
     """One variant to run: what the user called it and the folder its results go to."""
 
@@ -52,7 +53,7 @@ class Item:
     folder: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outcome:
     """What became of one variant; `verdicts` counts its checks, `message` is everything that went wrong.
 
@@ -75,7 +76,7 @@ class Outcome:
         return self.stop or self.message.strip().partition("\n")[0]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RunTask:
     """How every variant is run: where to, in which formats and language, with which options, templates and budget."""
 

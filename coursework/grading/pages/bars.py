@@ -6,13 +6,14 @@ Enters: labels and counts.  Leaves: `Bar`s with places in an SVG.  Used by `clas
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from coursework.system.frozen import frozen
 
 WIDTH, HEIGHT, FOOT, HEAD = 640.0, 150.0, 22.0, 16.0
 MOST_LABELS = 16
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bar:
     """One bar: its place and size in the drawing (its units), label below ("" where labels would touch), count above."""
 

@@ -10,9 +10,9 @@ import copy
 import json
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
+from coursework.system.frozen import frozen
 from coursework.variant.reading import schema
 from coursework.variant.reading.stand_ins import Entry, at, stand_in
 from coursework.variant.reading.well_formed import Unfit, fitted
@@ -24,7 +24,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, either, load_phrases, say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Shape:
     """`broken` are the paths with a fault.
 

@@ -6,7 +6,6 @@ Enters: `Evidence`.  Leaves: `Stiff`, None where they are not, or the scheme bea
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.evidence import Evidence
 from coursework.system.arrays import Array, distinct, median
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -28,7 +28,7 @@ _SLOW = 0.5
 _APART = float(np.cbrt(np.finfo(float).eps))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stiff:
     """Deviations die out with `rate` (1/s); `scheme` keeps them small with steps up to `longest` (s), `rows` of them in all."""
 
