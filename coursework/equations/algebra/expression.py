@@ -77,14 +77,14 @@ _known: WeakValueDictionary[tuple[object, ...], Expression] = WeakValueDictionar
 
 def node(op: str, args: tuple[Expression, ...] = (), name: str = "", value: Fraction = _ZERO) -> Expression:
     """Return the one expression of a kind with these arguments, as they are."""
-    key = (op, args, name, value)
+    key = (op, value) if op == "number" else (op, args, name)  # fractions are slow to hash
     found = _known.get(key)
     return _known.setdefault(key, Expression(op, args, name, value)) if found is None else found
 
 
 def number(value: Number) -> Expression:
     """Return a number."""
-    return node("number", value=Fraction(value))
+    return node("number", value=value if type(value) is Fraction else Fraction(value))
 
 
 def variable(name: str) -> Expression:
@@ -109,11 +109,11 @@ def add(*terms: Expression) -> Expression:
         if term.op == "+":
             waiting.extend(term.args)
         elif term.op == "number":
-            total += term.value
+            total = total + term.value if total else term.value
         else:
             factor, rest = term.split()
-            found[rest] = found.get(rest, _ZERO) + factor
-    parts = [rest if factor == 1 else _times(factor, rest) for rest, factor in found.items() if factor]
+            found[rest] = found[rest] + factor if rest in found else factor
+    parts = [rest if factor is _ONE or factor == 1 else _times(factor, rest) for rest, factor in found.items() if factor]
     parts.sort()
     if total:
         parts.insert(0, number(total))
@@ -133,27 +133,30 @@ def multiply(*factors: Expression) -> Expression:
         if factor.op == "*":
             waiting.extend(factor.args)
         elif factor.op == "number":
-            total *= factor.value
+            total = factor.value if total is _ONE else total * factor.value
         elif factor.op == "^" and factor.args[0].value > 0:
             gather(primes, factor.args[0].value, factor.args[1].value)
         else:
             # exp(2 x) exp(x) is exp(3 x), as of any other base.
             base, exponent = (_E, factor.args[0]) if factor.op == "exp" else factor.base_and_power
             times, tail = exponent.split()
-            powers[base, tail] = powers.get((base, tail), _ZERO) + times
+            powers[base, tail] = powers[base, tail] + times if (base, tail) in powers else times
     if not total:
         return ZERO
-    total, parts = _with_roots(total, primes)
+    parts: list[Expression] = []
+    if primes:
+        total, parts = _with_roots(total, primes)
     changed = False
     for (base, tail), times in powers.items():
-        part = power(base, multiply(number(times), tail)) if times != 1 or tail is not ONE or base is _E else base
+        plain = tail is ONE and base is not _E and (times is _ONE or times == 1)
+        part = base if plain else power(base, multiply(number(times), tail))
         # What is a power no more, or one of another base, may meet its like.
         changed |= part.op in {"*", "number"} or (base is not _E and len(powers) > 1 and part.base_and_power[0] != base)
         parts.append(part)
     if changed:
         return multiply(number(total), *parts)
     parts.sort()
-    if total != 1:
+    if total is not _ONE and total != 1:
         if len(parts) == 1 and parts[0].op == "+":
             return add(*[multiply(number(total), term) for term in parts[0].args])
         parts.insert(0, number(total))
