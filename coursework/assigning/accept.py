@@ -9,13 +9,14 @@ from __future__ import annotations
 import statistics
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from coursework.assigning.draw import PILOT, Lots
 from coursework.assigning.judge import Verdict, judge
 from coursework.assigning.ranges import Path
 from coursework.scene.model.data import read_data
 from coursework.scene.model.model import Model
+from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -28,7 +29,7 @@ _AT_ONCE, _ALONE = 4, 64  # draws of one student that are judged together: among
 _IN_COMPANY = 32  # draws after which those who have nothing yet are served one by one, so that a hopeless case ends soon
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Accepted:
     """What one student is given: the drawn `values` by their path in the file, the `attempt` (from 0), and how hard it is."""
 
@@ -44,7 +45,7 @@ class Accepted:
         return None if text is None else int(text)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Centre:
     """The middle of the class: the median of each measure over the pilot stream, and the share of draws that were feasible."""
 

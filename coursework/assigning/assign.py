@@ -9,7 +9,7 @@ What one student gets depends on that student alone; a further student adds file
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from coursework.assigning.class_page import class_page
@@ -26,12 +26,13 @@ from coursework.report.pages.pdf import pdf_of
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.system.csv_text import csv_text
+from coursework.system.frozen import frozen
 from coursework.system.whole_files import refused, write_bytes
 
 ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wishes:
     """How the files are made: `seed` as the user gave it, what stands on the line of the deadline, whether there is a PDF.
 

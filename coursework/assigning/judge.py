@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -28,6 +28,7 @@ from coursework.scene.model.rows import rows_of
 from coursework.scene.model.sets import prepare
 from coursework.scene.model.start import start_of
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import CourseworkError
 
@@ -37,7 +38,7 @@ PARTS, FEWEST = 8, 400
 _LATEST = 1 + 1e-9  # of a horizon, beyond which a row is not looked at
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Verdict:
     """`refused` is the key of the reason, "" for what may be given out; `numbers` measure the difficulty (SI)."""
 

@@ -32,7 +32,9 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from coursework.system.frozen import frozen
 
 Path = tuple[str, ...]
 # What a drawn mechanism is measured by, with the unit it is told in.
@@ -45,7 +47,7 @@ MEASURES: Mapping[str, str] = {
 USUAL = ("euler_error", "least_determinant", "largest_velocity")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Range:
     """The `count` values that one datum may take; each is a text as a variant file writes it.
 
@@ -80,7 +82,7 @@ class Range:
         return f"{'-' if whole < 0 else ''}{number} {self.unit}".rstrip()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Limits:
     """What every drawn mechanism must keep; None where nothing is asked.
 
@@ -96,7 +98,7 @@ class Limits:
     tries: int = 2000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Difficulty:
     """Each of `numbers` lies within ±`band` (a part of it) of the median of the class, whoever the class consists of."""
 
@@ -114,7 +116,7 @@ class Difficulty:
         return 1 / root, root
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ranges:
     """One ranges file; `file` is what messages call it."""
 

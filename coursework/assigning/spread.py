@@ -6,7 +6,8 @@ Enters: values, their band, a centre.  Leaves: `Strip`s with places in an SVG.  
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from coursework.system.frozen import frozen
 
 WIDTH, HEIGHT = 640.0, 46.0
 LEFT, RIGHT, BASE = 12.0, 628.0, 30.0  # of the axis
@@ -14,7 +15,7 @@ MARK = 3.0  # radius of a mark; marks that would touch are stacked
 HIGHEST = 90.0  # of a stack; in a higher one the marks overlap
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Strip:
     """One number of the class: its band and centre as places on the axis, a mark (x, y) a student, the ends in words."""
 

@@ -7,7 +7,6 @@ Used through `import coursework`, and for a whole class by `assign.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -22,6 +21,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings, scheme_for
 from coursework.scene.model.model import Model, compile_model
 from coursework.scene.model.variant_text import variant_text
+from coursework.system.frozen import frozen
 from coursework.variant.catalogue import load
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.changes import determined
@@ -35,7 +35,7 @@ from coursework.words.sentences import say
 FOLDER = "ranges"  # of the catalogue
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Individual:
     """One student's variant: what was accepted, the file's bytes, and what they are read as."""
 

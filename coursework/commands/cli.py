@@ -9,6 +9,8 @@ Only click is imported at start; everything else inside the command that needs i
 
 from __future__ import annotations
 
+import atexit
+import gc
 import sys
 from pathlib import Path
 from typing import Any, NoReturn
@@ -34,6 +36,9 @@ from coursework.system.standard_streams import patient_streams
 from coursework.words.errors import CourseworkError
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
+
+# The end of a process gives everything back at once: to look through it for garbage first takes a tenth of a run.
+atexit.register(gc.freeze)
 
 
 class Program(click.Group):

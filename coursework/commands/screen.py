@@ -7,10 +7,7 @@ Used by the other commands and `cli.py`.
 from __future__ import annotations
 
 import re
-import shutil
 import sys
-import textwrap
-import unicodedata
 from collections.abc import Iterable
 from contextvars import ContextVar
 from typing import TYPE_CHECKING
@@ -85,6 +82,10 @@ def tell_wrapped(text: str, *, hanging: str = "") -> None:
 
     What is written without gaps between words, as Chinese is, the terminal itself breaks.
     """
+    import shutil  # a program that reads the lines does without
+    import textwrap
+    import unicodedata
+
     line = in_language(text)
     if not any(unicodedata.east_asian_width(letter) in WIDE for letter in line):
         width = shutil.get_terminal_size().columns - 1  # some terminals break a line that fills theirs

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import glob
 import sys
-import traceback
 from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any, get_args
 
@@ -30,8 +29,8 @@ from coursework.scene.quantities import CHECKS
 from coursework.system.budget import Budget, watched
 from coursework.system.csv_text import csv_text
 from coursework.system.file_set import clear_leftovers, working_folder
+from coursework.system.frozen import frozen
 from coursework.system.plain_lines import record_of
-from coursework.system.pool import Pool, Trade
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find
 from coursework.variant.reading.set_values import with_set
@@ -46,7 +45,7 @@ OPENED = "coursework.commands.several:opened"
 OUR_FAULT, WRONG_INPUT = 3, 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Item:
     """One variant to run: what the user called it and the folder its results go to."""
 
@@ -54,7 +53,7 @@ class Item:
     folder: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outcome:
     """What became of one variant; `verdicts` counts its checks, `message` is everything that went wrong.
 
@@ -77,7 +76,7 @@ class Outcome:
         return self.stop or self.message.strip().partition("\n")[0]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RunTask:
     """How every variant is run: where to, in which formats and language, with which options, templates and budget."""
 
@@ -106,6 +105,8 @@ class RunTask:
         except (CourseworkError, MemoryError) as error:
             return Outcome(item, WRONG_INPUT, message=self._message(error), code=_code(error))
         except Exception as error:
+            import traceback
+
             crashed = say("screen.crashed", variant=item.variant, kind=type(error).__name__, error=str(error))
             message = f"{crashed}\n{traceback.format_exc()}"
             return Outcome(item, OUR_FAULT, message=message)
@@ -148,6 +149,8 @@ def outcomes(task: RunTask, items: Sequence[Item], jobs: int) -> Generator[tuple
             for index, item in enumerate(items):
                 yield index, work(item)
         return
+    from coursework.system.pool import Pool, Trade  # threads, queues and subprocesses: only several processes pay for them
+
     # A run that its budget had to end from outside would only take as long again: it is tried once.
     trade = Trade(OPENED, task, Outcome, task.lost, tries=1, quiet=False)
     with Pool(trade, min(jobs, len(items))) as pool:

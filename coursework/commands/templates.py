@@ -12,7 +12,6 @@ from coursework.words.custom_templates import templates_in, templates_of
 from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
-from coursework.words.templates import unreadable
 
 MOST_BYTES = 4 * 2**20  # of one piece: a page with more does not open well anywhere
 
@@ -25,6 +24,8 @@ def with_templates(own: Path | None) -> AbstractContextManager[None]:
 
 
 def _look_at(own: Path) -> None:
+    from coursework.words.templates import unreadable
+
     if not own.is_dir():
         raise InputError([Fault(say("fault.C061"), str(own))])
     found = [path.relative_to(own).as_posix() for path in templates_in(own)]

@@ -9,10 +9,11 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Group, Link, Variant
@@ -20,7 +21,7 @@ from coursework.variant.record.variant import Group, Link, Variant
 FRAME = "0"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mobility:
     """W = 3 n - 2 p5 - p4 of the links as listed (n moving links)."""
 
@@ -34,7 +35,7 @@ class Mobility:
         return 3 * self.links - 2 * self.lower_pairs - self.higher_pairs
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Linkage:
     """The moving `bodies` by name and the `joints` between them and with the frame "0".
 

@@ -7,11 +7,11 @@ Used by `equations/reduction/structure.py` and `equations/reduction/equations.py
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from graphlib import TopologicalSorter
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import Linkage, Mobility, linkage
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 from coursework.variant.judging.broken import Broken
 from coursework.variant.judging.groups import faults_of_groups
@@ -25,7 +25,7 @@ from coursework.words.sentences import say
 MAX_EXPANDED = 20_000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mechanism:
     """`points` in an order in which each needs only earlier ones; `constraints` written and from the chain.
 

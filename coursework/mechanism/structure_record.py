@@ -6,13 +6,12 @@ Used by `structure.py` and `report/sections/structure.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from coursework.mechanism.groups.joint import JointKind
 from coursework.mechanism.joints import Mobility
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Member:
     """A moving link: `name`, the named `points` it holds, the `rate` it turns with ("" where it has none of its own), its `kind`:
     wheel, slider, sleeve, lever, pivoted (crank or rocker, which its motion tells), coupler, link.
@@ -24,7 +23,7 @@ class Member:
     kind: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class KinematicPair:
     """A pair of two `links`, named, the frame "0"; `point` where it is, "" where no point is named there."""
 
@@ -33,7 +32,7 @@ class KinematicPair:
     point: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AssurGroup:
     """Some `links` that add no mobility, `kind` such as "RRP" ("" for no dyad of R and P); `order` counts the outer pairs.
 
@@ -46,7 +45,7 @@ class AssurGroup:
     kind: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Structure:
     """Links and pairs with their sliders, `mobility` counted so and `without` the sliders, `drives` the freedoms driven.
 

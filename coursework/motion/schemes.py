@@ -13,12 +13,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import load_phrases, say
 
@@ -26,7 +27,7 @@ Slopes = Callable[[Any, Any], Any]
 Tree = tuple[Any, ...]  # the trees that grow from a root; () is a single vertex
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sum:
     """One row of a tableau with its common factor taken out: h * factor * sum of whole * slope.
 
@@ -47,7 +48,7 @@ class Sum:
         return q + _part(self.factor, h) * total
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scheme:
     """An explicit scheme as its Butcher tableau: k_i = f(t + c_i h, q + h sum_j a_ij k_j), next q + h sum_i b_i k_i.
 

@@ -6,11 +6,10 @@ Used by `api.py`, `exact_scene.py`, `many.py`, `assigning/`, `checks/` and `mode
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from coursework.motion.geometry.chain import is_chain
 from coursework.motion.integration.integrate import refuse_gain
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT, scheme_names
 from coursework.words.errors import InputError
@@ -24,7 +23,7 @@ def scheme_for(variant: Variant, scheme: str | None = None) -> str:
     return scheme or variant.time.scheme or (EXACT if is_chain(variant) else DEFAULT_SCHEME.name)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Settings:
     """`project` Newton corrections a step; `gain` Baumgarte's gain (1/s); `columns` of the table asked for, () for all.
 

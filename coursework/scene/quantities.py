@@ -18,6 +18,7 @@ import numpy as np
 from coursework.motion.integration.motion import Motion
 from coursework.scene.motion_results import MotionResults, Named
 from coursework.scene.scene import Scene
+from coursework.system.frozen import frozen
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Columns(Generic[T]):
     """Shown as columns beside those of the results table; `on_page` says which of them a page prints."""
 
@@ -42,7 +43,7 @@ class Columns(Generic[T]):
     on_page: Callable[[ExtraTable], ExtraTable] = field(default=lambda table: table)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OwnTable(Generic[T]):
     """Shown as a table of its own, whose rows are not those of the results table."""
 
@@ -50,7 +51,7 @@ class OwnTable(Generic[T]):
     of: Callable[[MotionResults, T], ExtraTable]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Listing:
     """A CSV file beside the table: its name, its head, its rows of numbers and words."""
 
@@ -59,7 +60,7 @@ class Listing:
     rows: Iterable[tuple[object, ...]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OwnFigure(Generic[T]):
     """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page.
 
@@ -71,14 +72,14 @@ class OwnFigure(Generic[T]):
     listing: Callable[[T], Listing] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OwnSection:
     """Shown in a section that the page has for it (`report/sections.py`)."""
 
     kind: ClassVar[str] = "section"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True)  # mypy takes a `Computed` for an attribute of another kind elsewhere
 class Quantity(Generic[T]):
     """What can be asked for by name.
 

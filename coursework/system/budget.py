@@ -17,11 +17,11 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
 from coursework.system.file_set import discard_all
+from coursework.system.frozen import frozen
 from coursework.system.on_demand import UNDER_WAY
 from coursework.words.errors import CourseworkError, Fault
 from coursework.words.sentences import load_phrases, say
@@ -43,7 +43,7 @@ class Ended(BaseException):
     """
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Budget:
     """`seconds` of processor time; `memory` in MiB beyond the start."""
 

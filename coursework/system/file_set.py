@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import os
-import secrets
 import shutil
 import sys
 import tempfile
@@ -155,7 +154,7 @@ def _make(target: Path) -> list[Path]:
 
 def _new_hidden(target: Path) -> tuple[IO[bytes], Path]:
     """Return a new hidden folder, and its lock, which is held as long as this process lives."""
-    hidden = target / f"{HIDDEN}{secrets.token_hex(6)}"
+    hidden = target / f"{HIDDEN}{os.urandom(6).hex()}"
     path = hidden.with_name(hidden.name + LOCK)
     file = path.open("xb")
     try:

@@ -15,6 +15,7 @@ from typing import Any, Generic, Protocol, TypeVar, overload
 
 import numpy as np
 
+from coursework.system.frozen import frozen
 from coursework.words.errors import Unplaced
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -108,7 +109,7 @@ def needs_of(kind: type) -> dict[str, tuple[str, ...]]:
     return {name: one.needs for name, one in found.items() if isinstance(one, Computed)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Plan:
     """`order` of the quantities computed; `needed_by` the first that asks for each; `left_out` the rest, and what needs them."""
 

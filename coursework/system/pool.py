@@ -17,10 +17,10 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import AbstractContextManager, contextmanager, suppress
-from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Generic, TypeVar
 
+from coursework.system.frozen import frozen
 from coursework.system.plain_lines import line_of, plain_of, read_line, record_of
 from coursework.system.pool_process import Answered, Opening
 
@@ -42,7 +42,7 @@ _START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.pool_pr
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Trade(Generic[Job, Answer]):
     """What the processes of a pool can do.
 

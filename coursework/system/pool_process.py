@@ -9,15 +9,15 @@ from __future__ import annotations
 import json
 import os
 import signal
-from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, BinaryIO
 
 from coursework.system.budget import MIB, memory_held
+from coursework.system.frozen import frozen
 from coursework.system.plain_lines import line_of, plain_of, read_line
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Opening:
     """The first line: the trade as "module:function", what the function is given, the most memory (MiB) or None."""
 
@@ -26,7 +26,7 @@ class Opening:
     memory: int | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Answered:
     """An answer, and the MiB that the process has grown by since its first one: a leak must not become a student's fault."""
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import errno
 import os
-import secrets
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -42,7 +41,7 @@ def refused(target: Path) -> Iterator[None]:
 def write_bytes(path: Path | str, content: bytes) -> None:
     """Write a whole file; folders on the way are made.  Raises `OutputError`, leaving what was there before."""
     target = Path(path)
-    part = target.with_name(f"{_BEGUN}{secrets.token_hex(6)}.part")
+    part = target.with_name(f"{_BEGUN}{os.urandom(6).hex()}.part")
     with refused(target):
         target.parent.mkdir(parents=True, exist_ok=True)
         try:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 import tomllib
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coursework.system.frozen import frozen
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import ENGLISH, closest, say
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from coursework.variant.record.variant import Variant
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entry:
     """One line of the catalogue."""
 

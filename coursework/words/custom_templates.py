@@ -7,8 +7,6 @@ Used by `commands/`, `grading/batch/`, `output/`, `templates.py` and `report/`.
 from __future__ import annotations
 
 import hashlib
-import shutil
-import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -29,6 +27,9 @@ def templates_of(own: Path | None) -> Iterator[None]:
     if own is None:
         yield
         return
+    import shutil
+    import tempfile
+
     with tempfile.TemporaryDirectory(prefix="coursework-templates-") as place:
         together = Path(place) / REPORTS
         shutil.copytree(folder_of_package(REPORTS), together)
@@ -80,6 +81,8 @@ def templates_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
     if not pieces:
         yield
         return
+    import tempfile
+
     with tempfile.TemporaryDirectory(prefix="coursework-pieces-") as place:
         for name, content in pieces.items():
             target = Path(place) / name

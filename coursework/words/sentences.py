@@ -18,6 +18,7 @@ from typing import Any
 from coursework.words.data_folders import REPORTS, folder, folder_of_package
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
+from coursework.words.words_file import read_words
 
 ENGLISH = "en"
 # Name of a rule -> the form beside a whole number; "other" serves for a number that is not whole and for what the words file
@@ -36,7 +37,6 @@ _UNIT = re.compile("[A-Za-zµ]+")  # rad and s of "rad/s²"
 # full stops and parentheses; which of them a gap brings is known when it is filled.
 _SPACE = "\ue00f"
 _WIDE, _STOPS = "\u3000-\u303f\u3400-\u9fff\uff00-\uff65", "、。，；：！？（）"
-_NO_SPACE = re.compile(f"(?<=[{_WIDE}]){_SPACE}(?=[{_WIDE}])|(?<=[{_STOPS}]){_SPACE}|{_SPACE}(?=[{_STOPS}])")
 FORMS = frozenset({"one", "few", "many", "other"})
 
 
@@ -223,10 +223,8 @@ def _phrases(place: Path, language: str) -> Phrases:
 
 
 def _read(path: Path, language: str) -> dict[str, Any]:
-    import tomllib  # only a command that says something pays for it
-
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        return read_words(path.read_text(encoding="utf-8"))
     except ValueError as error:  # no TOML, or no UTF-8
         if language == ENGLISH:
             raise  # in which it would have to be told
@@ -287,8 +285,14 @@ def joined(parts: Iterable[str], between: str = "join.sentences") -> Sentence:
 
 def unfolded(text: str) -> str:
     """Return a text without the ends of lines that would become spaces where Chinese sets none."""
-    return _NO_SPACE.sub("", text.replace("\n", _SPACE)).replace(_SPACE, "\n")
+    return _closed_up(text.replace("\n", _SPACE), "\n") if max(text, default="") >= _WIDE[0] else text
 
 
-def _closed_up(text: str) -> str:
-    return _NO_SPACE.sub("", text).replace(_SPACE, " ") if _SPACE in text else text
+def _closed_up(text: str, space: str = " ") -> str:
+    return _no_space().sub("", text).replace(_SPACE, space) if _SPACE in text else text
+
+
+@cache
+def _no_space() -> re.Pattern[str]:
+    """Return the places without a space: a pattern with the ranges of Chinese takes long to make, and English has none."""
+    return re.compile(f"(?<=[{_WIDE}]){_SPACE}(?=[{_WIDE}])|(?<=[{_STOPS}]){_SPACE}|{_SPACE}(?=[{_STOPS}])")

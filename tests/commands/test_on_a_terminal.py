@@ -19,7 +19,7 @@ CODE = re.compile(r"\b(?:ACCURACY|PERIOD-POSITION|CONTINUITY|DRIFT|RESIDUAL|PEAK
 def terminal(monkeypatch):
     """Standard output as a terminal of eighty columns."""
     monkeypatch.setattr("coursework.commands.run.is_terminal", lambda: True)
-    monkeypatch.setattr("coursework.commands.screen.shutil.get_terminal_size", lambda: os.terminal_size((80, 24)))
+    monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((80, 24)))
 
 
 def test_a_run_fits_one_screen_and_says_the_point_first(terminal):
@@ -104,7 +104,7 @@ def test_several_variants_may_be_verbose_too(terminal):
 
 @pytest.mark.parametrize(("width", "count"), [(22, 2), (23, 1)])
 def test_a_line_is_broken_where_it_does_not_fit_and_keeps_a_number_with_its_word(monkeypatch, capsys, width, count):
-    monkeypatch.setattr("coursework.commands.screen.shutil.get_terminal_size", lambda: os.terminal_size((width, 24)))
+    monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((width, 24)))
     screen.tell_wrapped("  first w2 -1, w3 5.55", hanging="    ")
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == count

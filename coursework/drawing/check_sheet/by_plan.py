@@ -7,18 +7,18 @@ Used by `instant_centres.py`.  No velocity equation of the file enters: it stays
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.drawing.check_sheet.pose import Pose
 from coursework.system.angles import dot
+from coursework.system.frozen import frozen
 
 NOUGHT = 1e-13  # of the largest velocity found: what is smaller is round-off
 FREE = 1e-9  # of the largest singular value: below it a combination of velocities is not determined
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Solved:
     """Velocities (m/s) of points and angular velocities (rad/s) of links that the geometry determines."""
 

@@ -7,7 +7,7 @@ Used by `graph_check.py`, `readings.py` and `graph_words.py`.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,9 +18,10 @@ from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.drawing.plans.plan_scale import SEEN, PlanScale, scale_of
 from coursework.drawing.plans.polygons import polygons
 from coursework.drawing.plans.vectors import POLE, VELOCITY, Found, Polygons
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CheckPlan:
     """The polygons of one row, and the velocities (m/s) from the pole to each image, as `drawn` and as `tabled`.
 

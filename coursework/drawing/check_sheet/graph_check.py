@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -39,7 +40,7 @@ from coursework.words.sentences import say
 GraphRow = tuple[str, float, float, float, str]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GraphCheck:
     """The check of one `row` (from 1) at `time` (s).
 

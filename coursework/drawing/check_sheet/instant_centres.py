@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from coursework.drawing.check_sheet.by_plan import solve_plan
 from coursework.drawing.check_sheet.pose import Body, Pose
 from coursework.system.angles import cross, dot
+from coursework.system.frozen import frozen
 
 # Sine of the angle below which two lines count as parallel: positions of an Euler row are good to 1e-15, so nothing
 # that is parallel by construction comes near it, and a centre 1e9 times farther than the mechanism is a translation.
@@ -22,7 +23,7 @@ PARALLEL = 1e-9
 FAR = 100.0  # of the mechanism: a centre farther away than this is found on no paper, the link translates
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Centre:
     """An instantaneous centre: `at` (m), None = at infinity (translation); `lines` from these points lead to it.
 
@@ -34,7 +35,7 @@ class Centre:
     point: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Findings:
     """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points.
 

@@ -7,13 +7,14 @@ Source of the row: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); t
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.paper.board import SPEEDS, Board, Circle, around
 from coursework.drawing.paper.cover import Rectangle
 from coursework.drawing.plans.foot import FOOT
+from coursework.system.frozen import frozen
 
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
 LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption
@@ -27,7 +28,7 @@ CENTRE_ROOM = 6.0
 CROSS = 1.5  # mm: the arms of the cross that marks a centre
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Layout(Board):
     """A board with `speed` m/s per mm, `wide` on a lying page; `near` are the links whose centre lies on the sheet."""
 

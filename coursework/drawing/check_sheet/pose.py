@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Body:
     """A rigid link: its material points, the name of its rate; `guide` the unit direction in which a slider translates."""
 
@@ -21,7 +22,7 @@ class Body:
     guide: complex = 0j
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slide:
     """A point `rider` slides on a link in a unit direction; the `block` there, "" for a bare pin, turns with the link.
 
@@ -35,7 +36,7 @@ class Slide:
     speed: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pose:
     """One position (m).
 

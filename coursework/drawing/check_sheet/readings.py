@@ -20,11 +20,12 @@ from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.plan_scale import READ, read_length
 from coursework.drawing.plans.steps import image
 from coursework.drawing.plans.vectors import Found
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reading:
     """One quantity of the check.
 
@@ -62,7 +63,7 @@ def read_off(
     return tuple(ruler.readings)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Length:
     """A length (m) as it enters a relation: `read` mm of paper, `computed` mm, or neither where it is given."""
 

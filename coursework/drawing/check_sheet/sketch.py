@@ -8,7 +8,7 @@ to lie on a rail slides on nothing.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
 from coursework.system.angles import cross
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
@@ -35,7 +36,7 @@ STEEP = 1e-6
 ROUND_OFF = 1e-12  # of the largest value of a law
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sketch:
     """The position: `pose` for the construction, and what only the drawing needs.
 

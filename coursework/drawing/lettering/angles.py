@@ -11,7 +11,6 @@ import cmath
 import itertools
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.sheet import ITALIC, Word, inside, plain
 from coursework.drawing.paper.symbols import angle_word
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, constant, terms
 
 PEN = 'fill="none" stroke="black" stroke-width="0.15"'
@@ -47,7 +47,7 @@ PARTS = (0.5, 0.75, 0.25, 0.9)  # of an arc: beside these its letter may stand
 ONE = 1e-6  # mm: places that near to each other are one
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Angle:
     """The angle `name` from the direction `begin` by `turn` (rad, as on the sheet) at one of the places `at`.
 
@@ -62,7 +62,7 @@ class Angle:
     tail: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Arc:
     """The arc of an angle, through a few of its points, about the place `at`; `word` names it, `sides` are drawn beside it."""
 

@@ -10,7 +10,6 @@ import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -24,6 +23,7 @@ from coursework.drawing.paper.sheet import ITALIC, Word
 from coursework.drawing.paper.symbols import length_word
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.angles import dot
+from coursework.system.frozen import frozen
 
 PEN = 'stroke="black" stroke-width="0.15"'
 SHORTEST = 0.8  # mm: a shorter length is not seen
@@ -42,7 +42,7 @@ ORIGIN = "0"  # what the origin is called where the file gives it no name; no po
 SEVERAL = 13.5  # mm around a hinge from which more than one dimension is counted
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Dimension:
     """A length, said by `word`, between two points in a direction of the sheet."""
 

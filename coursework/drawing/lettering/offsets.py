@@ -7,18 +7,18 @@ Used by `naming.py` and `dimensions.py`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
 
 NOWHERE = 1e-9  # mm: between two points that near to each other there is no direction
 SAME = 1e-6  # of the way to its block: an offset measured and given agree within that
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Offset:
     """A datum `length` from a `point` to the guide on which a `rider` slides, `across` it; `stub`: the part drawn so far out."""
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from coursework.drawing.outline.lengths import is_origin
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
 
 Values = Mapping[str, complex]
@@ -21,7 +21,7 @@ Signed = tuple[tuple[Formula, int], ...]  # the same, of a record
 SAME = 1e-9  # m: places that near to each other are one
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turn:
     """A `coordinate` (rad) that is measured at one of the places `at` (m, x + iy) from the direction `axis`.
 
@@ -38,7 +38,7 @@ class Turn:
     line: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Arm:
     """A term "L @ angle" that begins at a place; `part` is 1 or -1 for + or - coordinate in its angle, beside the `rest`.
 

@@ -7,7 +7,6 @@ Used by `drawing/figures.py`.
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import Poses
 from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
 
 MOST = 180  # rows that are looked at
 PAPER = 100.0  # mm: as large as the mechanism is thought to be drawn
@@ -29,7 +29,7 @@ Rows = NDArray[np.intp]
 EQUAL = 1e-6  # rows as good as each other: the first is taken
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Part:
     """A straight part of a `link` ("" for a guide) in every row, with the points of the outline that lie on it."""
 

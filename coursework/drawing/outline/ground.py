@@ -7,10 +7,10 @@ Used by `painter.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from coursework.drawing.outline.outline import Outline, Rail, Track, Wheel
 from coursework.system.angles import dot
+from coursework.system.frozen import frozen
 
 FREE = 0.75  # cosine of the angle to a link beside which the ground of a hinge may stand
 TOUCHING = 0.02  # of its radius: a wheel within this of a fixed circle rolls on it
@@ -18,7 +18,7 @@ ON_LINE = 1e-6  # of its way: the contact of a rack lies so near to the line of 
 Places = Mapping[str, complex]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rack:
     """A slider of one point that a gear moves: the line of its `rail` runs through the `contact`; `side` +1: it lies left."""
 

@@ -7,13 +7,14 @@ Used by `tracing.py`, `painter.py`, `poses.py`, `drawing/figures.py` and `plans/
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import Any
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bar:
     """A link drawn through points, rigid at its corners; `rate` is the name of its angular velocity."""
 
@@ -22,7 +23,7 @@ class Bar:
     rate: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slot:
     """The straight part of a link on which `riders` slide: the line beside its point `at`, parallel to `base` - `toward`."""
 
@@ -33,7 +34,7 @@ class Slot:
     riders: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Block:
     """A slider at a point, along `base` - `toward`; an `open` one is a sleeve through which a bar goes."""
 
@@ -44,7 +45,7 @@ class Block:
     open: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rail:
     """A fixed guide, the line through the first place of `at` along `base` - `toward`; `rolls`: a wheel runs on it.
 
@@ -58,7 +59,7 @@ class Rail:
     rolls: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wheel:
     """A wheel of a link about `centre` through `contact`."""
 
@@ -67,7 +68,7 @@ class Wheel:
     contact: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Track:
     """A fixed circle about `centre` through `rim`, on which a wheel rolls."""
 
@@ -75,7 +76,7 @@ class Track:
     rim: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outline:
     """All that is drawn of a mechanism.
 

@@ -7,7 +7,6 @@ Used by `drawing/figures.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,9 +16,10 @@ from coursework.equations.reduction.symbolic import symbol
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Poses:
     """Positions `at` (name -> (n,), m) of every point of an outline, and the laws of the `drive` (name -> (n,)) at times `t`."""
 

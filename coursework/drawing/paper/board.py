@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import bisect
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
 from coursework.drawing.paper.cover import Rectangle
 from coursework.drawing.paper.sheet import Sheet
 from coursework.drawing.paper.symbols import ratio
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
 EDGE = 2.0  # mm
@@ -25,7 +25,7 @@ SPEEDS = tuple(sorted(m * 10.0**k for k in range(-12, 12) for m in (1.0, 2.0, 5.
 Circle = tuple[complex, float]  # a place (mm, y down) and how much room it takes around
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Board:
     """`scale` 10 for 1:10; a sheet of `width` by `height` mm; `origin` where the point (0, 0) lies on it."""
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from coursework.drawing.paper.cover import Lines, Rectangle, Segment, shared, through
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
 DIRECTIONS = 16  # in which a place is looked for
@@ -40,7 +41,7 @@ CHEAPEST = 24  # places looked at together
 TOUCH = 1.2  # mm: a place so near a point or a line is beside that; farther off it is beside a rim or a block
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Owner:
     """What a word belongs to: its `own` segments, and `rivals` that a reader could take instead, worth `mistaken` mm of lines."""
 
@@ -50,7 +51,7 @@ class Owner:
     lost: float = LOST  # mm: a word farther from it is led back by a thin line
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stand:
     """The `middle` of a word beside one of its places; `leader` is the foot of the line that leads to what it names."""
 

@@ -6,10 +6,10 @@ Used by `drawing/figures.py`, `quantities.py`, `scene_run.py` and `figures.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawing:
     """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt` for who cannot see it.
 

@@ -7,7 +7,6 @@ Used by `plans.py`, `polygons.py`, `vectors.py` and `check_plan.py`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,9 +15,10 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Moving:
     """The motion of one point or of a point of a link: place, velocity, acceleration, each (n,)."""
 
@@ -27,7 +27,7 @@ class Moving:
     acceleration: Complex
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Kinematics:
     """The motion of every point and the angular velocity and acceleration of every link by name, (n,) at times `t` (s)."""
 

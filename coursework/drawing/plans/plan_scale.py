@@ -6,10 +6,9 @@ Used by `polygon_sheet.py`, `steps.py`, `check_plan.py` and `readings.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from coursework.drawing.paper.board import SPEEDS
 from coursework.drawing.plans.vectors import ACCELERATION, Polygons
+from coursework.system.frozen import frozen
 
 LONGEST = 80.0  # mm of the longest vector
 SMALL = 4.0  # mm: a shorter vector is drawn again in the inset
@@ -24,7 +23,7 @@ def read_length(length: float) -> float:
     return round(length / READ) * READ
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlanScale:
     """The scale of a plan: `unit` m/s or m/s² a mm; short vectors stand `times` as long in the inset, 1: there is none."""
 

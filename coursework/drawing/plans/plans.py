@@ -7,7 +7,6 @@ Used by `quantities.py`; the sheets are drawn when somebody looks at them (`poly
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.outline import Outline
@@ -23,13 +22,14 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Plans:
     """The polygons of the student's rows (`table`) and of the `exact` motion; `row` (from 1) is the one on paper.
 

@@ -7,7 +7,6 @@ Used by `plans.py` and `graph_check.py`.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from coursework.drawing.lettering.naming import PARTS, lies_on
 from coursework.drawing.paper.board import COLUMN, EDGE, around
@@ -20,6 +19,7 @@ from coursework.drawing.plans.foot import FOOT, draw_foot
 from coursework.drawing.plans.plan_scale import LONGEST, SEEN, SMALL, arrows_of, scale_of, short_ones
 from coursework.drawing.plans.steps import image, steps
 from coursework.drawing.plans.vectors import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
+from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
 INSET, HEAD = 44.0, 9.0  # mm: the least width of the inset, and the room of its words
@@ -101,7 +101,7 @@ def _letters(found: Polygons, hinges: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(sorted({name[0] for name in points} | {image(name)[0] for name in points}))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Inset:
     """Short vectors drawn again, `times` enlarged, from a pole of their own at `origin` of a box (mm), below `lines` of words."""
 

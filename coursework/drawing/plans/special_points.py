@@ -12,19 +12,19 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.drawing.plans.vectors import Line
 from coursework.system.arrays import Complex
+from coursework.system.frozen import frozen
 
 PARALLEL = 1e-9  # sine of the angle below which two lines meet in no row
 FAR = 5.0  # of the distance of the legs: a point farther away is found on no paper
 LETTERS = ("S", "T", "U", "W", *(f"S{k}" for k in range(1, 100)))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Leg:
     """What holds a link at its `point`: the image lies on `line`; `at` (n,) the place, `along` (n,) that line's direction."""
 
@@ -34,7 +34,7 @@ class Leg:
     along: Complex
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SpecialPoint:
     """A point of a link, at places (n,), where the lines of two `legs` meet."""
 

@@ -14,13 +14,14 @@ import numpy as np
 from coursework.drawing.outline.outline import Bar
 from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
 
 POLE = "pole"
 VELOCITY, ACCELERATION = "velocity", "acceleration"
 UNITS = {VELOCITY: "m/s", ACCELERATION: "m/s²"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Segment:
     """One vector of a plan in every row: `kind` absolute, relative, normal, tangential, coriolis or sliding; `start` to `end`.
 
@@ -36,7 +37,7 @@ class Segment:
     begins: Complex | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Line:
     """A line on which a point's image lies, drawn from the image of `base`.
 
@@ -51,7 +52,7 @@ class Line:
     at: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Found:
     """How the image of a point was found: `rule` and the lines that meet in it; `rider` slides over what a "slide" finds.
 
@@ -65,7 +66,7 @@ class Found:
     link: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Polygons:
     """All vectors of one motion at times `t` (s), and how each point was `found`, in the order of drawing."""
 

@@ -145,14 +145,14 @@ _known: WeakValueDictionary[tuple[object, ...], Expression] = WeakValueDictionar
 
 def node(op: str, args: tuple[Expression, ...] = (), name: str = "", value: Fraction = _ZERO) -> Expression:
     """Return the one expression of a kind with these arguments, as they are."""
-    key = (op, args, name, value)
+    key = (op, value) if op == "number" else (op, args, name)  # fractions are slow to hash
     found = _known.get(key)
     return _known.setdefault(key, Expression(op, args, name, value)) if found is None else found
 
 
 def number(value: Number) -> Expression:
     """Return a number."""
-    return node("number", value=Fraction(value))
+    return node("number", value=value if type(value) is Fraction else Fraction(value))
 
 
 def variable(name: str) -> Expression:

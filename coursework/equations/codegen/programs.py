@@ -12,7 +12,6 @@ import builtins
 import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from types import CodeType
 from typing import Any
@@ -23,11 +22,12 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.straight_line import CALLS, Line, StraightLine
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Assign:
     """`target = value`."""
 
@@ -35,7 +35,7 @@ class Assign:
     value: Expression
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Solve:
     """Solve a linear block of three or more numerically (LU); also writes its determinant.
 
@@ -51,7 +51,7 @@ class Solve:
 Statement = Assign | Solve
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Program:
     """Lines in an order in which each needs only earlier ones, the arguments and `reads`; the tabulated laws they call.
 
@@ -86,7 +86,7 @@ class Program:
         return dict(zip(names, values, strict=True))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bound:
     """The `lines` of a program with the `numbers`, by name, that they read beside their arguments."""
 

@@ -14,6 +14,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 
 from coursework.equations.algebra.expression import POLE, Expression
+from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -29,7 +30,7 @@ class FormulaRefused(InputError, ValueError):
     """What the formulas of a variant lead to cannot be computed; whoever knows the variant says its file."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Line:
     """`text` gives values to the names `targets`."""
 

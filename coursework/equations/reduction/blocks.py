@@ -7,7 +7,7 @@ Used by `reduction/`, `scene_run.py`, `way_to_motion.py`, `integration/`, `kinem
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from coursework.equations.algebra.expression import ZERO, Expression, add
@@ -20,6 +20,7 @@ from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.meaning import meaning
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.tidy import as_formula
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     import sympy as sp
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Block:
     """Unknown velocities solved together.
 
@@ -85,7 +86,7 @@ class Block:
         return r[0] * m[1][1] - m[0][1] * r[1], m[0][0] * r[1] - r[0] * m[1][0]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reduction:
     """`blocks` in the order of solution; `used` and `unused` names of equations; `notes` sentences about the latter."""
 

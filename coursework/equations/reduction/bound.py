@@ -11,20 +11,20 @@ contact moves as what it touches; the sleeve turns with its bar.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression
 from coursework.equations.algebra.functions import cosine, sine
 from coursework.equations.reduction.symbolic import TIME, Symbols, Vector, placed, symbol
 from coursework.mechanism.joints import chain_of_groups, link_names
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.variant import Binding, Link, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Speed:
     """A velocity as `sum coefficients[u] u + rest`, u the unknown velocities."""
 
@@ -42,7 +42,7 @@ class Speed:
 _STILL = Speed({}, ZERO)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bound:
     """`is_zero` = 0 gives the velocity `name`; `link` is the one whose rate it is, "" for a line of [unknowns]."""
 
@@ -51,7 +51,7 @@ class Bound:
     link: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Body:
     """A link that a binding names: its rate, a point that is its own, and its entry in [links] if it has one."""
 

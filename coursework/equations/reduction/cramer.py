@@ -6,7 +6,6 @@ Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formula
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from coursework.equations.algebra.calculus import replaced
 from coursework.equations.algebra.expression import ONE, ZERO, Expression
@@ -14,12 +13,13 @@ from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.tidy import Order, as_sum, product, quotient
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number
 
 Rows = tuple[tuple[Formula, Formula], tuple[Formula, Formula]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cramer:
     """`coefficients` of `unknowns` and `right_sides` of both equations; `determinant`, and that of each unknown.
 

@@ -17,6 +17,7 @@ from coursework.equations.reduction.bound import Geometry
 from coursework.equations.reduction.symbolic import TIME, Symbols, placed, symbol
 from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, on_axes, spelled
 from coursework.variant.record.variant import Constraint, Variant
 from coursework.words.errors import Fault, InputError
@@ -44,7 +45,7 @@ class VelocityEquation:
         return self.written or (as_sum(left, order), as_sum(self.right_side, order))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Position:
     """A position equation `expression = value kept` in `unit` (m or rad); `target`: "zero", "start", or the drive it follows.
 

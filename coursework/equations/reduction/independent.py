@@ -8,7 +8,6 @@ Used by `blocks.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import match, over_and_under
 from coursework.equations.reduction.system import LinearSystem, compile_system
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
@@ -28,7 +28,7 @@ EXACTLY = 1e-14
 _MISSING = "fault.V404"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Choice:
     """`used` indices of equations, `notes` sentences about those left out."""
 

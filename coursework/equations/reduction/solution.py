@@ -6,14 +6,13 @@ Used by `way_to_motion.py` and `scene_run.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from coursework.equations.algebra.calculus import replaced
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.tidy import product, quotient
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number, spelled
 
 Solution = tuple[tuple[str, Formula], ...]
@@ -21,7 +20,7 @@ Solution = tuple[tuple[str, Formula], ...]
 MOST_LETTERS = 2000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ShownEquation:
     """A velocity equation as a page shows it; `derived` from positions; not `used`: redundant, kept as a check."""
 

@@ -7,7 +7,6 @@ Used where the equations themselves are judged: independence, residuals, dead po
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,9 +17,10 @@ from coursework.equations.codegen.programs import Assign, Program, Statement, as
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LinearSystem:
     """`matrix(t, q)` -> (A (m, n), b (m,), known rates (k,)); with arrays (r,) of rows: (r, m, n), (r, m), (r, k)."""
 

@@ -7,7 +7,6 @@ Used by `conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 
@@ -17,6 +16,7 @@ from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.addition_theorems import pair_angles
 from coursework.equations.reduction.sums import Atoms, Term, gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number, product_of
 from coursework.variant.record.variant import Variant
 
@@ -63,7 +63,7 @@ class Order:
         return tuple(sorted(self.rank(atom) for atom, _ in term[1]))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Product:
     """factor * product of atoms * sum of terms (empty for 1), tidied."""
 

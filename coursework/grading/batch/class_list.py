@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from coursework.grading.batch.decisions import Override
@@ -21,6 +21,7 @@ from coursework.grading.platforms.roster import ACCEPTED, Student
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.grading.reading.equations.variant_files import is_variant_file
 from coursework.grading.reading.submission import Submission
+from coursework.system.frozen import frozen
 from coursework.variant.catalogue import find
 from coursework.variant.reading.reader import read_variant
 from coursework.variant.record.variant import Variant
@@ -31,7 +32,7 @@ from coursework.words.sentences import say
 _DECIMALS = re.compile(r"(?:[0-9]|1[0-5])?")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Place:
     """One student to grade: by which variant, from which file_lists (none: nothing handed in), where the worksheet has them.
 
@@ -47,7 +48,7 @@ class Place:
     accepted_decimals: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ClassList:
     """Everyone to grade, by id; `sources` and `variants` by the name of a variant; file_lists of nobody on the roster."""
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import Any
 
 from coursework.grading.marking.grade import GRADED, rounded_points
@@ -20,6 +20,7 @@ from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
 from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.submission import note
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
@@ -29,7 +30,7 @@ CHECKS = (*PARTS, "total")
 _SHARE = re.compile(r"([^%％]*?)\s*[%％]")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Override:
     """What the instructor decided instead: `points` for a part ("table", "equations", "answers") or for the "total".
 

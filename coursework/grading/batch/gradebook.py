@@ -20,13 +20,14 @@ from coursework.grading.batch.workers import LIMIT, Keyed, in_processes, on_clus
 from coursework.grading.collecting.sources import Source
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.platforms.names import file_stem
+from coursework.system.frozen import frozen
 from coursework.system.whole_files import write_bytes
 
 MOST_JOBS = 8
 PAGES = "feedback"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Options:
     """How a batch is run; none of it changes a mark."""
 
@@ -40,7 +41,7 @@ class Options:
         return self.jobs or min(MOST_JOBS, os.cpu_count() or 1)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Change:
     """A grade that is not what it was in the last run; `after` is "" where the submission is there no more."""
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import IO, Any
 
+from coursework.system.frozen import frozen
 from coursework.system.plain_lines import line_of, read_line
 from coursework.system.whole_files import refused
 from coursework.words.errors import Fault, OutputError
@@ -23,7 +23,7 @@ _DIGITS = 32
 AGAIN = ("timeout", "crashed-grader")  # a fault of ours or of the machine may be gone by the next run
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entry:
     """One graded submission: the content it is known by, its grade as grades.json says it, the hash of its page or ""."""
 
@@ -33,7 +33,7 @@ class Entry:
     page: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Line:
     """One line: the entry as text, and the check sum by which it is believed."""
 

@@ -19,6 +19,7 @@ from coursework.grading.marking.reasons.reasons import state_reason
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.reading.documents import pdf
 from coursework.grading.reading.submission import Submission
+from coursework.system.frozen import frozen
 from coursework.system.plain_lines import plain_of
 from coursework.system.version import VERSION
 from coursework.words.sentence import Sentence
@@ -60,7 +61,7 @@ class Setup:
     language: str = ENGLISH
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Task:
     """One submission, the variant it is graded by, what the instructor decided about it, the decimals accepted of its class.
 
@@ -92,7 +93,7 @@ REASONS = ("files", "variant", "rubric", "overrides", "version")
 _DIGITS = 32
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outcome:
     """What came of one submission: `grade` as grades.json says it, and its page ("" where none was asked for)."""
 

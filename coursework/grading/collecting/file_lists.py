@@ -9,20 +9,21 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import count
 from pathlib import PurePosixPath
 
 from coursework.grading.platforms.downloads import Owner, canvas_owner, moodle_owner
 from coursework.grading.platforms.names import legible, same_key
 from coursework.grading.reading.submission import Note
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _COPY = re.compile(r"(.+?) ?\([0-9]{1,2}\)")  # what browsers and systems add to the second of two equal names
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FileList:
     """The files of one student, not yet read: (name, where it is found) of each.
 
@@ -42,7 +43,7 @@ class FileList:
     late: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Names:
     """Top folders, files as (name, place), and notes by the first part of the name they speak of."""
 

@@ -9,15 +9,15 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.platforms.names import name_key, same_key
 from coursework.grading.platforms.roster import Student
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Matched:
     """Whose file lists are whose: by the id of the roster; those nobody on it handed in; the worksheet's row of each student."""
 

@@ -6,7 +6,7 @@ Enters: answer lines, a `Key`, the rubric.  Leaves: `AnswerMarks`.  Used by `gra
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import Any, Literal
 
 import numpy as np
@@ -15,13 +15,14 @@ from coursework.grading.marking.equations.probe import names_at
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Answer
 from coursework.grading.reading.student_work import AnswerLine
+from coursework.system.frozen import frozen
 
 # Twice the tolerance earns half: the construction was made, and read badly.
 HALF_CREDIT = 2.0
 _DIFFERENCE = 1e-5  # of a step: a central difference of a position is then right to ten digits
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AnswerMark:
     """One answer: what was found and expected (SI), how far off it may be, and the verdict."""
 
@@ -36,7 +37,7 @@ class AnswerMark:
         return asdict(self)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AnswerMarks:
     """All answers the rubric asks for; `share` of the points."""
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
+
+from coursework.system.frozen import frozen
 
 DAY = 24 * 60 * 60
 UNKNOWN, LATE = "unknown", "late"  # in place of a time: none is known; the platform says no more than that it was late
@@ -18,7 +19,7 @@ _SPAN = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(s|min|h|d)")
 _SECONDS = {"s": 1, "min": 60, "h": 3600, "d": DAY}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Late:
     """The `deadline` with its offset, `grace` as written; shares of the points lost with each begun day, and at most."""
 

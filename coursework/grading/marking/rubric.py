@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import datetime
 from typing import Any
 
 from coursework.grading.marking.late import Late, span
+from coursework.system.frozen import frozen
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
@@ -25,7 +26,7 @@ FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor"
 READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: what a drawing of this size allows
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Answer:
     """One measured answer: the quantity `of` the variant in `row` (from 1; None: the variant's check row), its tolerance."""
 
@@ -35,7 +36,7 @@ class Answer:
     tolerance: float = READING_TOLERANCE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Confusion:
     """A datum that is often taken for another value, and why."""
 
@@ -44,7 +45,7 @@ class Confusion:
     because: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rubric:
     """`points` in all; `weights` of the parts; floors and the worth of carried cells as parts of one.
 

@@ -5,7 +5,6 @@ Enters: marks.  Leaves: `Verdicts`.  Used by `grade.py`, and by what says how ma
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -15,12 +14,13 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.misconceptions import FEWEST, FEWEST_SHARE, Misconception
 from coursework.grading.marking.table.points import TablePoints, true_steps
+from coursework.system.frozen import frozen
 
 # Steps that follow from the row before, from which on the integration is right; rows below which nobody can tell.
 FOLLOWED, LEAST_ROWS = 0.93, 3
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Verdicts:
     """Three verdicts that do not depend on each other."""
 

@@ -5,11 +5,10 @@ Enters: rows of a table and of the key.  Leaves: `Panel`s with the points of the
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 from coursework.words.sentences import Phrases
 
 WIDTH, HEIGHT, EDGE = 300.0, 110.0, 6.0
@@ -17,7 +16,7 @@ MOST_POINTS = 80
 _CROSS = "m-3.5-3.5l7 7m0-7l-7 7"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Panel:
     """One velocity: the key as the points of a line, the student's dots and crosses as paths; the ends of the axis."""
 

@@ -7,17 +7,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from coursework.grading.platforms.escapes import shown
+from coursework.system.frozen import frozen
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 _MOST_TEXT = 60_000  # characters of one output: both platforms take a megabyte in all
 _NOT_GRADABLE = {"unreadable", "missing"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PartOutcome:
     """One part of the rubric: its points (None where it could not be marked) and what a student reads about it."""
 
@@ -27,7 +27,7 @@ class PartOutcome:
     output: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outcome:
     """One submission: its state, points (None where there is no number), and its parts; `problems` say what to hand in again."""
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.platforms.names import name_key, same_key
 from coursework.grading.reading.numbers import printed
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -21,7 +21,7 @@ _ASSIGNMENT = re.compile(r".+ \([0-9]+\)")
 _KEYS = ("id", "sis user id", "sis login id")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Gradebook:
     """An export: its cells, the column to fill, the records of students."""
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from coursework.grading.reading.files.encoding import decode
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -19,7 +19,7 @@ _MARKS = {"utf-8-sig": b"\xef\xbb\xbf", "utf-16-le": b"\xff\xfe", "utf-16-be": b
 MOST_BYTES = 64 * 1024 * 1024
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CsvCell:
     """One cell: its value, and where its text (quotation marks included) stands."""
 
@@ -29,7 +29,7 @@ class CsvCell:
     line: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CellText:
     """A CSV file: its text as it stands, separator, encoding, and the cells of each record (blank lines left out)."""
 

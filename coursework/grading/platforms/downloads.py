@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
+
+from coursework.system.frozen import frozen
 
 # Moodle's importer takes "fullname_uniqueid_assignsubmission_plugin", then a blank end, or in flat mode the file's own name.
 _MOODLE = re.compile(
@@ -18,7 +19,7 @@ _CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<user>[0-9]+)_(?P<subm
 _BLIND = {"participant", "участник", "учасник", "teilnehmer", "teilnehmer/in", "participante", "参与者", "participant(e)"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Owner:
     """Whose a folder or file is: what is equal for all of one student, the platform's number, the name as it stands there.
 

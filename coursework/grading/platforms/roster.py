@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
@@ -19,7 +20,7 @@ COLUMNS = ("id", "name", "email", "variant")
 ACCEPTED = "accepted_decimals"  # one of the further columns: the same for all that were drawn from one template
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Student:
     """One line of the roster; `variant` is a name of the catalogue or a path beside the roster; further columns are kept."""
 

@@ -10,7 +10,6 @@ import html
 import re
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
 from datetime import datetime
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
@@ -18,6 +17,7 @@ from coursework.grading.platforms.escapes import shown, text_cell
 from coursework.grading.platforms.moodle_times import moodle_time
 from coursework.grading.platforms.names import name_key
 from coursework.grading.reading.numbers import printed
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -50,7 +50,7 @@ _MOST_COMMENT = 5000
 _AFTER_MAXIMUM = 4  # whether it can be changed, two times, the comment
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class WorksheetRow:
     """One student of the worksheet; `number` is what stands in the names of the downloaded folders.
 
@@ -69,7 +69,7 @@ class WorksheetRow:
     modified: datetime | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Worksheet:
     """A worksheet: its cells, which columns are which, its students, the greatest grade it takes."""
 

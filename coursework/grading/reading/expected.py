@@ -6,12 +6,11 @@ Used by the readers of this room (rows and units only) and by whoever marks.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GridColumn:
     """One column of the assigned table: name, SI unit (rad, m, 1/s, m/s), the key's values in SI.
 
@@ -23,7 +22,7 @@ class GridColumn:
     values: tuple[float, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Grid:
     """The assigned rows and columns: row k (from 1) stands at t = (k - 1)·step, in s."""
 
@@ -37,7 +36,7 @@ class Grid:
         return tuple(column.name for column in self.columns)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Expected:
     """The grid, the variant whose names equations are written with, the names that answers may have."""
 

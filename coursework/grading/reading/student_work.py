@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import Any, Literal
 
 from coursework.grading.reading.submission import Note
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -22,7 +23,7 @@ from coursework.words.sentences import say
 Flag = Literal["", "missing", "error", "date", "text", "formula"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TableColumn:
     """One column on the assigned grid; every tuple has one entry a row of the grid.
 
@@ -42,7 +43,7 @@ class TableColumn:
     turns: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reading:
     """How a file was understood: exactly the keys of `reading` in grades.json."""
 
@@ -62,7 +63,7 @@ class Reading:
         return asdict(self) | {"header": list(self.header)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OwnTimes:
     """All rows of a table whose times have a `step` (s) of their own: values and units of the last place by column, in SI."""
 
@@ -70,7 +71,7 @@ class OwnTimes:
     columns: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Table:
     """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in.
 
@@ -95,7 +96,7 @@ class Table:
         return next((column for column in self.columns if column.name == name), None)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EquationReading:
     """One way to read a line: `left = right`, and the text that was read in its place, "" for the line as it stands.
 
@@ -110,7 +111,7 @@ class EquationReading:
     is_loose: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EquationLine:
     """One line of equations: `text` as handed in; `left = right` once read, else the fault and its column.
 
@@ -139,7 +140,7 @@ class EquationLine:
         return self.place or say("reading.place.line", line=self.line)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AnswerLine:
     """One measured answer: a number with its unit (SI in `value`), blank, or unreadable."""
 
@@ -152,7 +153,7 @@ class AnswerLine:
     state: Literal["read", "blank", "unreadable"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Trouble:
     """Why no table can be marked: nothing was handed in, it cannot be read, or a person must decide."""
 
@@ -161,7 +162,7 @@ class Trouble:
     text: Sentence
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FileEntry:
     """One line of `files` in grades.json; `kinds` are of `submission.KINDS`, `kind` the first of them."""
 
@@ -176,7 +177,7 @@ class FileEntry:
         return asdict(self) | {"kinds": list(self.kinds)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class StudentWork:
     """Everything that was understood of one submission: exactly one of `table` and `trouble` is there.
 

@@ -7,15 +7,16 @@ Used by every part of this room.
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 KINDS = ("table", "equations", "answers", "variant", "attachment", "ignored")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Note:
     """Something the reader noticed and that costs no marks; `code` is one of grades.json's codes."""
 
@@ -32,7 +33,7 @@ def note(code: str, key: str = "", /, **values: object) -> Note:
     return Note(code, say(f"reading.note.{key or code}", **values))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SubmittedFile:
     """One file as it was handed in: `name` for people only (never a path to write to), `content` read once, its hash.
 
@@ -55,7 +56,7 @@ def submitted_file(name: str, content: bytes, trouble: Sentence | None = None, s
     return SubmittedFile(name, content, len(content) if size is None else size, trouble)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Submission:
     """All files of one student; `id` verbatim (NFC), `name` as the platform or roster says it.
 

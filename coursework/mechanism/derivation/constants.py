@@ -7,15 +7,15 @@ Used by the pages.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, named, spelled
 
 INVERSE = {"asin", "acos", "atan", "atan2"}
 ROUND_OFF = 1e-12  # rad: two forms of one angle differ by less
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class NamedAngles:
     """The constant angles of some formulas, (name, formula) each in the order met; `alike` are other forms of them."""
 

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from coursework.mechanism.derivation.segments import ZERO
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, constant, evaluate
 from coursework.variant.record.entries import reached
 
@@ -19,7 +20,7 @@ Pair = tuple[Formula, Formula]
 RIGHT = 1e-12  # of a right angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Contour:
     """One closure: `name` of its constraint, both sides as vectors, and as (x, y)."""
 

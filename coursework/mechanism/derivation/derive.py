@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from coursework.mechanism.derivation.paths import Path, Projection, paths_of, pr
 from coursework.mechanism.derivation.segments import ZERO, PointGraph, point_graph
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 
 SAME = 1e-8  # of the length of a row: far above round-off, far below a wrong sign
@@ -25,7 +25,7 @@ MOST_ROWS = 8  # of the motion that are looked at
 ROW_RANK = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Numbered:
     """A projection with the name it has among the equations."""
 
@@ -33,7 +33,7 @@ class Numbered:
     projection: Projection
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Combination:
     """An equation as a sum of others: (coefficient, name) each; no terms: it says nothing that they do not, in other numbers."""
 
@@ -41,7 +41,7 @@ class Combination:
     terms: tuple[tuple[int, str], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Derivation:
     """The equations that follow from the points alone.
 
@@ -120,7 +120,7 @@ def _drawn(paths: tuple[Path, ...], numbered: tuple[Numbered, ...]) -> tuple[Pat
     return tuple(path for path in paths if any(one.projection.path is path for one in numbered))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Table:
     """Makes equations rows of numbers, (configurations, velocities and drives); `resting` drives are nought."""
 

@@ -8,16 +8,16 @@ length that changes adds (u cos f, u sin f).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from coursework.mechanism.derivation.segments import Angle, Known, PointGraph, Segment
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 MOST_PATHS = 12
 AXES = ("x", "y")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Path:
     """The way from a point with known velocity to another: V_end = V_start + the relative velocities of its segments."""
 
@@ -29,7 +29,7 @@ class Path:
         return (self.segments[0].start, *(segment.end for segment in self.segments))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Term:
     """One term of a projection: sign * length * rate * function(angle); `length` is None for a length that changes itself."""
 
@@ -40,7 +40,7 @@ class Term:
     angle: Angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Projection:
     """A vector equation along an axis: known part of the end = known part of the start + terms."""
 

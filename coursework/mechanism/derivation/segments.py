@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Link, Variant
@@ -20,7 +20,7 @@ TURN = Fraction(2)  # in parts of pi
 EXACT = 1e-12  # a right angle written in degrees, read as radians
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Angle:
     """The angle of a segment: `base` (as in the file, None for a fixed direction) plus `offset` times pi, 0 <= offset < 2."""
 
@@ -32,7 +32,7 @@ class Angle:
         return Angle(self.base, (self.offset + by) % TURN)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Segment:
     """A straight piece from one point to another: `length` at `angle`, turning with `rate` ("" where it does not turn).
 
@@ -51,7 +51,7 @@ class Segment:
         return Segment(self.end, self.start, self.length, self.angle.turned(Fraction(1)), self.rate, self.slide)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Known:
     """What is known of the velocity of a point: a formula for each component, None where it is not known."""
 
@@ -69,7 +69,7 @@ class Known:
         return self.x if axis == "x" else self.y
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PointGraph:
     """Points with what is known of their velocities, the driven one first, and the segments between points."""
 

@@ -12,7 +12,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from coursework.mechanism.groups import AtDeadPoint, CannotAssemble, GroupKind, 
 from coursework.mechanism.groups.kind import Known
 from coursework.mechanism.groups.plane import Vectors, vectors
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.record.vocabulary import GROUP_KINDS
 
 ROWS, COARSE = 720, 30  # rows of a turn that a choice must close in, and every which of them it is first tried at
@@ -32,7 +32,7 @@ _STILL = 0.1  # of the amplitude, or rad: a coordinate that moves less stands st
 _LIKE, _ROUND, _CLEAR = 0.3, 0.02, 0.3  # what another amplitude, an odd angle, and crowding or standing still take from a score
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class End:
     """A point that a group may hang on: its `name` and `path` (rows,) m along the motion.
 
@@ -56,7 +56,7 @@ class End:
         return float(np.abs(self.path - self.middle).max())
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Placement:
     """`pivots` and points of `fixed` guides (m) with their angles (degrees), `lengths` (m), the angle (degrees) of a guide on
     the body that carries it, None without one.

@@ -19,6 +19,7 @@ from coursework.mechanism.drafts.candidates import ROWS, End, Placement, place
 from coursework.mechanism.groups import GroupKind, GroupMotion, group_kind
 from coursework.mechanism.groups.plane import Vectors, vectors
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.record.vocabulary import GROUP_KINDS
 
 CRANK, TURNED = 0.1, (30, 120, 75, 165)  # m; where cranks stand at the start, degrees
@@ -26,7 +27,7 @@ SWING = 0.6  # rad: how far a crank that carries a guide swings to each side
 _APART = 4 * CRANK  # between the pivot of a further crank and the point before it
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Coordinate:
     """A coordinate and its rate; `unit` rad or m."""
 
@@ -35,7 +36,7 @@ class Coordinate:
     unit: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GuideOf:
     """A guide of a group: the point it goes through, the name of its angle, the coordinate it turns with, "" for none."""
 
@@ -44,7 +45,7 @@ class GuideOf:
     turns: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GroupDraft:
     """One group: names of its points, lengths, guides and coordinates; a crank also with the number of its drive, and whether
     it swings.

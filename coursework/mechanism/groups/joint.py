@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 
@@ -48,7 +49,7 @@ ROLLING = JointKind("rolling without slip", takes=2, holders=0, key="rolling")
 MESHING = JointKind("wheels without slip", takes=1, holders=0, key="meshing")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Joint:
     """A joint between two `bodies`; the frame is "0".
 

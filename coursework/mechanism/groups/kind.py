@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import Shape
@@ -21,7 +22,7 @@ Closed = tuple[tuple[Formula, ...], Formula]
 QUARTER = Formula("/", (named("pi"), number(2)))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Known:
     """What stands before a group is put together, in all rows: pairs, `lengths` (m), guides, `offset` (m), `angle` (rad)."""
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from coursework.equations.reduction.equations import VelocityEquation, VelocityE
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -29,7 +30,7 @@ _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
 _SMOOTH = {"number", "symbol", "pi", "+", "*", "sin", "cos", "tan", "exp"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Agreement:
     """The names of written equations that the geometry confirms, `agreed`, and of those that it does not judge, `unjudged`,
     each with the velocities in it that nothing in the geometry gives.

@@ -21,7 +21,7 @@ from coursework.mechanism.groups.kind import Known
 from coursework.motion.geometry.drive import integrals
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.system.angles import whole_turns
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, distinct
 from coursework.variant.formula.tree import Formula, constant, spelled
 from coursework.variant.judging.lengths import refused_length
 from coursework.variant.record.roles import letters_of
@@ -103,7 +103,7 @@ def _close_together(equations: VelocityEquations, driven: Sequence[Coordinate], 
         wide = np.max(np.abs(np.diff(moved[:, angles], axis=0)), axis=1) > _TURN
         if not wide.any() or len(found) + wide.sum() > _MOST_TIMES:
             break
-        found = np.union1d(found, (found[1:] + found[:-1])[wide] / 2)
+        found = distinct(found, (found[1:] + found[:-1])[wide] / 2)
         moved = integrals(equations, rates, found)
     return found, np.asarray(np.searchsorted(found, times)), moved
 

@@ -6,7 +6,7 @@ Enters: `VelocityEquations` with positions.  Leaves: `Closure`.  Used by `integr
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Coordinate
 from coursework.words.errors import Fault, InputError
@@ -34,7 +35,7 @@ _REMEMBERED = 4  # grids of times: a table, its exact rows and its checks ask fo
 MOST_COMBINED = 12  # equations; beyond it pairs are not tried
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Closure:
     """The position equations g(q, t) = kept value of one scene, started at `start` (m,).
 

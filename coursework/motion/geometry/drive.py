@@ -20,7 +20,7 @@ from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.enclosures import Laws
 from coursework.motion.geometry.quadrature import POINTS, WANTED, Resolution, left_open, resolve
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, distinct
 from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -97,7 +97,7 @@ def _split(fine: Array, resolved: Array) -> Array:
     """Return stretches (s) that end where some did, and where shorter ones than these do."""
     around = np.clip(np.searchsorted(fine, resolved, side="right") - 1, 0, len(fine) - 2)
     shorter = np.minimum(np.diff(resolved, prepend=-np.inf), np.diff(resolved, append=np.inf)) < np.diff(fine)[around]
-    return np.union1d(fine, resolved[shorter & (resolved < fine[-1])]) if shorter.any() else fine
+    return distinct(fine, resolved[shorter & (resolved < fine[-1])]) if shorter.any() else fine
 
 
 def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
@@ -111,7 +111,7 @@ def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
 def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     laws, inner = _laws(equations, equations.variant.values), _joints(equations)
     moving = _moving(equations, laws)
-    edges = np.unique(np.concatenate([[0.0, end], inner[(inner > 0) & (inner < end)]]))
+    edges = distinct(np.array([0.0, end]), inner[(inner > 0) & (inner < end)])
     if not moving or end <= 0:
         return Resolution(edges, 0.0, True)
     return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
@@ -128,7 +128,7 @@ def resolved(
     seen = np.ones(sets, dtype=bool)
     moving = _moving(equations, _laws(equations, equations.variant.values))
     inner = _joints(equations)
-    edges = np.unique(np.concatenate([times, inner[(inner > times[0]) & (inner < times[-1])]]))
+    edges = distinct(times, inner[(inner > times[0]) & (inner < times[-1])])
     for first in range(0, sets if moving else 0, some := max(1, _MOST_CELLS // len(edges))):
         part = slice(first, first + some)
         columns = {name: column[part, None] if np.ptp(column[part]) else float(column[first]) for name, column in data.items()}

@@ -8,12 +8,12 @@ prove that the rule has seen all there is.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.motion.geometry.enclosures import REACH, Enclosure
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 POINTS = 12
 # The integral is wanted to this (rad or m), and to this part of the way that the drive makes altogether.
@@ -27,7 +27,7 @@ _SMALLEST = 4 * np.finfo(float).eps
 _SEMIAXES = REACH + np.sqrt(REACH**2 - 1)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Resolution:
     """`edges` (s) of stretches; most of what the integrals leave open lies at `place` (s).
 

@@ -15,7 +15,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
 from coursework.motion.geometry.drive import breaks, drive_values
 from coursework.motion.geometry.oscillation import fastest, written_out
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, distinct
 
 # A swing counts from this part of the law's range on: of two waves the smaller then has about a twentieth of the power of the
 # larger, as for formulas.
@@ -40,7 +40,7 @@ def drive_frequency(equations: VelocityEquations, of_formulas: float | None = No
         whole = written_out(equations.symbols.definitions[symbol(law.name)], equations)
         if any(part.op.startswith("_table_") for part in whole.walk()):
             times = np.concatenate([*_looks(equations), *(table.nodes for table in equations.tables.values())])
-            times = np.unique(times[(times >= 0) & (times <= equations.variant.time.end)])
+            times = distinct(times[(times >= 0) & (times <= equations.variant.time.end)])
             found.append(swinging(times, drive_values(equations, [law.name], times)[:, 0]))
     return max(found)
 

@@ -7,11 +7,11 @@ Source: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae"
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 Field = Callable[[float, Array], Array]
 
@@ -31,7 +31,7 @@ _DIFFERENCE = np.array(_ERROR)
 SLOPES = 6  # new slopes a step: the last one is the first of the next step
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """`state` after the step, its estimated `error` (same shape), the slope there."""
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import SCHEMES, Scheme
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -34,7 +35,7 @@ OUTGROWN = 1e9
 TOO_LARGE = "step too large"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Correction:
     """What keeps the positions closed: `newton` corrections a step, or Baumgarte's `gain` (1/s); none by default."""
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
@@ -19,6 +18,7 @@ from coursework.equations.codegen.programs import build, renamed, with_numbers
 from coursework.equations.codegen.straight_line import Line
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import Scheme, Sum
+from coursework.system.frozen import frozen
 
 Loop = Callable[..., tuple[float, ...]]
 RowLoop = Callable[..., None]
@@ -98,7 +98,7 @@ def _rows_source(scheme: Scheme, shape: _Shape, guarded: tuple[int, ...], widest
     return "\n".join(source)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Shape:
     """What of `Rates` no datum changes: a loop is written once for all variants that share it."""
 

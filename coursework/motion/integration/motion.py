@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -24,7 +25,7 @@ def rows_before(time: float, step: float) -> int:
     return max(0, math.ceil(time / step * (1 - AT_EVENT) - AT_EVENT))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stop:
     """Why a motion ended before its time.
 

@@ -19,13 +19,14 @@ import numpy as np
 from coursework.motion.integration.motion import AT_EVENT
 from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 # Distances of the flanks from the passage, and the weights with which their values give the one in the middle (error flank^4).
 FLANKS = (-2, -1, 1, 2)
 WEIGHTS = (-1 / 6, 2 / 3, 2 / 3, -1 / 6)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class State:
     """A moment of the true motion: `time` (s), `position` (m,), every velocity by its name."""
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,6 +22,7 @@ from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Slopes
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
@@ -32,7 +32,7 @@ _SOLVED = 25  # formulas that a block solved by numbers takes as long as
 _BEFORE_BREAK = 1e-13
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rates:
     """The right-hand side of a scene.
 
@@ -108,7 +108,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     )  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Parts:
     """`Rates` as far as no datum changes them."""
 

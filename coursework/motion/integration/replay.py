@@ -6,7 +6,6 @@ Enters: rates, a scheme, a correction, a motion.  Leaves: the rows as they must 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,9 +14,10 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import Scheme
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Replay:
     """The way the rows of a run were made: `scheme` from `start` (rad, m), with the run's own `correction`."""
 

@@ -11,12 +11,12 @@ motion would miss it decides.  Source: hard cases H03, H04 (tangent cone of the 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 MAX_NEWTON = 12
 _CLOSE = 1e-13  # rad or m; Newton's last correction
@@ -29,7 +29,7 @@ _TOLD = 1e3 * float(np.finfo(float).eps) / _STEP  # of the matrix: differences t
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Crossing:
     """A change point: `time` (s), `position`; `distance` from the state asked about, and by how much the motion misses it."""
 

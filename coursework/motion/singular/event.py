@@ -6,14 +6,14 @@ Enters: numbers from `walk.py`.  Leaves: `Event`, `NotFollowed`, `GivenUp`.  Use
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Event:
     """Where D of block number `block` vanishes: `time` (s), `position`; `demanded` is what b asks beyond the range of A.
 

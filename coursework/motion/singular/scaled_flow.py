@@ -24,12 +24,13 @@ from coursework.equations.reduction.symbolic import constants
 from coursework.equations.reduction.system import LinearSystem, compile_system, scene_program
 from coursework.motion.integration.order_eight import SLOPES, dormand_prince_8
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 # Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.
 _LOOKS = 16
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BlockColumns:
     """Where one block stands in the values of the linear system.
 
@@ -126,7 +127,7 @@ class Flow:
         return float(abs(left @ right))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Clock:
     """The flow by one clock: `field`(*state) -> d(state)/ds, where a state is a position and then t."""
 

@@ -7,7 +7,6 @@ Used by the scene, `phases.py` and whoever asks only whether a motion is possibl
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from coursework.motion.singular.scaled_flow import Flow
 from coursework.motion.singular.walk import Walk
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 # The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
 TOLERANCE = 1e-12
@@ -27,7 +27,7 @@ _BACK = 1e-8
 _NEARLY = 0.005
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Search:
     """The true motion followed up to `end` (s): the first `event`, if any, the `peaks` of the rates, and the
     `passages` on the way: singular positions through which one motion only goes on.  `given_up`: the time (s) up to which it

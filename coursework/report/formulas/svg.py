@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
 from coursework.report.formulas.line_breaks import pieces
 from coursework.report.formulas.typesetting import refusal, typeset
+from coursework.system.frozen import frozen
 from coursework.words.data_folders import folder
 
 _SYMBOL = re.compile(r'<symbol id="([^"]+)"[^>]*>\s*<path d="([^"]+)"\s*/>\s*</symbol>')
@@ -26,7 +26,7 @@ NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Picture:
     """A formula as SVG, in `pieces` that may stand one below the other, and the width of the widest in pt."""
 
@@ -40,7 +40,7 @@ class Picture:
         return self.width > NARROW
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawn:
     """Pictures by source, and the glyphs they refer to (to stand once in the page)."""
 

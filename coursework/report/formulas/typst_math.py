@@ -7,13 +7,14 @@ Products are implicit, quotients are proper fractions in Typst and "a / (b c)" i
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import IntEnum
 from math import degrees, isclose, radians
 
 from coursework.report.text.numbers import MINUS, TIMES, superscript
 from coursework.report.text.symbols import NO_RATES, Rates, parts_of_derivative, symbol
 from coursework.report.text.text_runs import ITALIC
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 
@@ -29,7 +30,7 @@ class Level(IntEnum):
     ATOM = 6
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Piece:
     """A rendered part.  `inner` is a SIGNED piece without its minus; the flags say what may stand beside it."""
 
@@ -47,7 +48,7 @@ _READ_FROM_DEGREES = 12  # digits at least: nobody writes an angle in radians so
 _EXPONENTIAL = re.compile(r"(.*)[eE]\+?(-?\d+)")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Setter:
     """Sets formulas; `typst` chooses the language, `rates` are the names whose "d…" is a derivative in time.
 

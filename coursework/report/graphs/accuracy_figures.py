@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from html import escape
 
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.graphs.graph_paper import INK, LETTERS, words
 from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward
+from coursework.system.frozen import frozen
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito); dashes (mm) and marks keep them apart in print.
 STYLES = (
@@ -43,7 +43,7 @@ ROUND_OFF = 'fill="#e6e6e6"'
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Method:
     """One line: evaluations, seconds (None = not shown), largest and last-row error at each setting, its order."""
 
@@ -65,7 +65,7 @@ class Method:
         )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Panels:
     """The whole figure; `own` = (evaluations, seconds, error) of the coursework, `labels` by key of the words file."""
 
@@ -81,7 +81,7 @@ class Panels:
         return any(seconds is not None for method in self.methods for seconds in method.seconds)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Triangle:
     """The slope of a line: from `left` to `right` in cost it falls from `top` to `bottom` in error."""
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from html import escape
 from itertools import pairwise
 
@@ -18,6 +17,7 @@ from coursework.motion.integration.hermite import hermite
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTERS = 2.92  # mm: 8.3 points on paper, 11 pixels where a screen shows a graph at its size
@@ -40,7 +40,7 @@ SCHEME_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.25
 STOP_PEN = f'class="stop" stroke="{INK}" stroke-width="0.3" stroke-dasharray="1.8 1.2"'
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Field:
     """The field of a graph: its size in mm and the ranges of t (s) and of the values that it shows."""
 

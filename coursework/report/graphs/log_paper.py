@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from coursework.report.graphs.graph_paper import APART, FACE, INK, LETTERS, TICK, words
 from coursework.report.text.numbers import superscript
+from coursework.system.frozen import frozen
 
 RISE = 0.36  # of the height of letters, from their middle to the line they stand on
 MOST_TICKS = 8  # of one axis
@@ -34,7 +34,7 @@ MARKS: dict[str, Points] = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scale:
     """One axis: from `begin` to `end` (mm) lie the values from 10^`low` to 10^`high`."""
 

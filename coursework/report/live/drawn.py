@@ -7,7 +7,6 @@ Used by `page.py`.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,9 +17,10 @@ from coursework.drawing.outline.poses import all_rows, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.report.live.spots import spots_of
 from coursework.scene.scene import Scene
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawn:
     """`data`: the outline by key, points by name; `places`: x and y of each point in their order (m)."""
 

@@ -7,7 +7,6 @@ Used by the live page and by the test that runs every variant of the catalogue i
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from coursework.equations.codegen.javascript import called_tables, javascript_function
@@ -17,10 +16,11 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
 from coursework.scene.scene import Scene
+from coursework.system.frozen import frozen
 from coursework.variant.record.changes import follow_from
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Functions:
     """`text` of the functions; `numbers` the data d they take, the given ones first; `tables` the laws they call.
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from coursework.motion.geometry.drive import resolution
@@ -20,6 +20,7 @@ from coursework.report.live.script import embedded, hash_of, script_of
 from coursework.report.live.sliders import followed, sliders_of
 from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
+from coursework.system.frozen import frozen
 from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 
@@ -36,7 +37,7 @@ _LABORATORY = (
 _RECORDED = ("recorded_motion", "page", "drawing", "names", "additions", "cursors", "animation")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LivePart:
     """`words` of what stands still by key, `speeds` (value, text); `last` row from 0; `script` with its `hash`; `data` as JSON.
 

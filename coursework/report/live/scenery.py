@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from coursework.drawing.outline.outline import Outline, Slot
 from coursework.drawing.outline.poses import Poses
 from coursework.drawing.paper.cover import STILL
 from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
 
 # As drawing.js draws them: how far a slot and a rail go on behind the last place of a rider, how deep a rack and a hatching are,
 # how far beside its block a rail runs.
@@ -25,7 +25,7 @@ SLOT_END, RAIL_END, RACK, HATCH, BESIDE = 10.0, 25.0, 7.0, 6.0, 7.0
 RIM = np.exp(2j * np.pi * np.arange(13) / 12)  # a circle as chords
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scenery:
     """Places `at` (name -> (r,)) in r rows; lines from `begin` by `step` (r, s, 2), of `length` (r, s); `symbols` (r, b, 4)."""
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from coursework.drawing.outline.poses import Poses
 from coursework.drawing.paper.cover import clipped, shared
 from coursework.report.live.scenery import Scenery, pairs, scenery_of
 from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
 
 # Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.
 WIDTHS = (640, 380)
@@ -32,7 +33,7 @@ APART = 8.0  # words nearer on one line read as one
 FARTHER, LATER = 0.4, 0.3  # price of a unit of distance, and of each direction or part after the first
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Choice:
     """The spots one word may take, best first, their `prices` (k,), the `middles` (r, k) of the word there, `half` its width."""
 

@@ -7,9 +7,9 @@ To add one: write a function and a line in `FORMATS`; whatever a format needs is
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
 from coursework.words.sentences import closest, say
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Files = Iterator[tuple[str, bytes]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Format:
     """`suffix` is its word on the command line and the ending of its files; `write` yields the name and bytes of each file;
     `serves` lists who offers it: the commands "run" and "accuracy", and `write_report`, which writes a page alone.

@@ -7,7 +7,6 @@ Used by `results.py`, which whoever writes goes through.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,13 +15,14 @@ from coursework.results.checks.result import Finding
 from coursework.scene.quantities import CHECKS, PLOTS
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Block:
     """Numbers of one kind: `rows` (n, len(names)); `of` names the table where its rows are not those of the results table."""
 

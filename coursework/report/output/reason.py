@@ -7,7 +7,6 @@ Used by `gate.py` only, after something went wrong; what is shown never comes fr
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
 from coursework.motion.integration.motion import Motion
 from coursework.report.output.nodes import Components, Moving, applied
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Law, Variant
@@ -24,7 +24,7 @@ Rows = NDArray[np.intp]
 _KINDS = {"acos": "cosine", "asin": "cosine", "sqrt": "root", "log": "logarithm", "/": "division", "^": "power"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reason:
     """`path` of the formula in the file and its `label`; `node` with the numbers it was given; `kind` of trouble; `names` in
     its argument; `of_slope`: the node has a value, but does not change at a finite rate.

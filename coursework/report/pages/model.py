@@ -7,7 +7,7 @@ Used by `report/output/results.py`, `html.py`, `notebook.py` and `pdf.py`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from coursework.report.formulas.display import marked
@@ -18,13 +18,14 @@ from coursework.report.text.parts import Beside, Equations, Figure, Panels, Part
 from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.report.text.words import Words, load_words
 from coursework.scene.scene_run import SceneRun
+from coursework.system.frozen import frozen
 from coursework.words.sentences import ENGLISH
 from coursework.words.templates import clean
 
 LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ReportModel:
     """One report: its language, titles, and sections in order.
 

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from coursework.report.formulas.typesetting import refusal, typeset
 from coursework.report.pages.model import ReportModel
+from coursework.report.pages.packed import packed
 
 # Tried in turn: (standard, fonts of the machine).  The first serves all Latin, Greek and Cyrillic text; a name in
 # another script takes the machine's fonts; where those lack the sign too, the page is printed without the standard.
@@ -50,7 +51,7 @@ def pdf_of(template: str, data: Any) -> Paper:
         try:
             made = bytes(typeset(template, data, "pdf", standard=standard, everything=everything))
             content = made.replace(SAID, UNSAID.ljust(len(SAID)))  # as long as before: the places of its objects stay
-            return Paper(content, "" if standard else _letters(refused))
+            return Paper(packed(content), "" if standard else _letters(refused))
         except RuntimeError as error:  # typst.TypstError, which cannot be named before Typst is loaded
             refused = error
             if not _letters(error):

@@ -6,7 +6,6 @@ Enters: a `PageContext`.  Leaves: figures of panels.  Used by `sections.py` and 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from html import escape
 
 import numpy as np
@@ -31,13 +30,14 @@ from coursework.report.graphs.graph_paper import (
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 SIZE = (82.0, 34.0)  # mm; two stand beside each other in 170 mm
 MOST_PANELS = 8  # of one figure: as many as a page holds
 SAMPLE = (10.0, 3.0)  # mm of a line in the key
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rows:
     """What a panel shows of one column: the dots of a table, and a smooth curve that may be missing."""
 

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
 from coursework.motion.integration.motion import Motion
+from coursework.system.frozen import frozen
 
 POINT = "."  # the decimal sign of formulas, CSV and most languages
 MINUS = "−"
@@ -36,7 +37,7 @@ def superscript(text: str) -> str:
     return text.translate(_SUPERSCRIPTS)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Numbers:
     """The writer of numbers of one language; `mark` is its decimal sign, `units` how it writes units, where otherwise."""
 

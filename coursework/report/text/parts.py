@@ -8,17 +8,18 @@ Every number in them is already a string.  To add a kind: one record here, one m
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, field, replace
 from typing import Any
 
 from coursework.report.text.readable import least_width
 from coursework.report.text.text_runs import Run
+from coursework.system.frozen import frozen
 
 Runs = list[Run]
 Cell = str | Runs
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Paragraph:
     """Running text; `style` is "", "note" (small) or "callout" (framed, with a bold `lead`)."""
 
@@ -28,7 +29,7 @@ class Paragraph:
     kind: str = field(default="paragraph", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bullets:
     """A list of sentences."""
 
@@ -36,7 +37,7 @@ class Bullets:
     kind: str = field(default="bullets", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Facts:
     """Pairs of a word and what holds, two columns."""
 
@@ -44,7 +45,7 @@ class Facts:
     kind: str = field(default="facts", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TitleBlock:
     """Words with what stands behind them, side by side; where nothing does, a line to write on."""
 
@@ -52,7 +53,7 @@ class TitleBlock:
     kind: str = field(default="title_block", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Result:
     """The framed answer of the first page: a title and its sentences."""
 
@@ -61,7 +62,7 @@ class Result:
     kind: str = field(default="result", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Claims:
     """One line a check: mark, verdict in a word, claim in plain words, one number."""
 
@@ -69,7 +70,7 @@ class Claims:
     kind: str = field(default="claims", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Display:
     """One displayed equation: Typst `math`, plain `text`, its `name` at the margin, words `before` and `after`."""
 
@@ -80,7 +81,7 @@ class Display:
     after: Runs = field(default_factory=list)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Equations:
     """Displayed equations, one below the other.
 
@@ -94,7 +95,7 @@ class Equations:
     kind: str = field(default="equations", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Column:
     """The head of a column: words or a symbol, its unit; numbers stand at the right, words at the left."""
 
@@ -103,7 +104,7 @@ class Column:
     words: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Table:
     """Rows of strings; `strong` rows (counted from 0) are set bold, after `rules` a thin line is drawn.
 
@@ -124,7 +125,7 @@ class Table:
     kind: str = field(default="table", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Beside:
     """A table with the answer at its side where the page is wide enough."""
 
@@ -133,7 +134,7 @@ class Beside:
     kind: str = field(default="beside", init=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Figure:
     """A drawing: SVG, its size in mm, the words for those who cannot see it, a caption; `exact` = true to scale.
 
@@ -156,7 +157,7 @@ class Figure:
         object.__setattr__(self, "least", least_width(self.svg, self.width))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Panel:
     """One small graph: the column it shows, SVG, words for those who cannot see it."""
 
@@ -165,7 +166,7 @@ class Panel:
     alt: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Panels:
     """Small graphs of one size (mm), two beside each other, under one `legend` of (SVG, words) and above one caption.
 
@@ -186,7 +187,7 @@ class Panels:
         object.__setattr__(self, "least", max(least_width(item.svg, self.width) for item in self.items))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Judged:
     """One check: a mark and a word for the verdict, what was found, value and limit, further lines under `heads`.
 
@@ -205,7 +206,7 @@ class Judged:
     lines: list[list[Cell]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Checks:
     """The checks of one group; `title` is what they ask, `heads` are the words above the columns."""
 
@@ -218,7 +219,7 @@ class Checks:
 Part = Paragraph | Bullets | Facts | TitleBlock | Result | Claims | Equations | Table | Beside | Figure | Panels | Checks
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Section:
     """One section of the report; `name` is that of the function that wrote it, `number` stands before the title."""
 

@@ -8,8 +8,9 @@ Used by `report/` and `assigning/`.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
+
+from coursework.system.frozen import frozen
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eps": "ε", "zeta": "ζ", "eta": "η",
@@ -31,7 +32,7 @@ _DOTTED_OMEGA, _DOTTED_U = "ω" + _DOT_ABOVE, "u" + _DOT_ABOVE
 LINEAR = frozenset("uvV")  # letters of linear velocities
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Symbol:
     """One symbol: a letter (or an upright word), its subscript, a dot above for a derivative in time."""
 
@@ -67,7 +68,7 @@ class Symbol:
         return f"{head}_{_lowered(self.subscript)}" if self.subscript else head
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rates:
     """Names of velocities, before which "d" means the derivative in time; how a language writes that of ω and that of u."""
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from coursework.report.text.page_context import PageContext
@@ -17,6 +16,7 @@ from coursework.report.text.text_runs import numeral, runs
 from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.quantities import GRAPH_CHECK
+from coursework.system.frozen import frozen
 
 TABLE_FILE = "table.csv"  # has the table of results, and beside it the columns of what is asked for row by row
 MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
@@ -54,7 +54,7 @@ def row_at(context: PageContext, place: float) -> str:
     return context.words("stop.between", row=math.floor(place) + 1, next=math.floor(place) + 2)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Grid:
     """Columns of a table: names, units, rows (n, names); how large the terms of each are, where that is known."""
 

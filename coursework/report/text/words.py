@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from coursework.report.text.numbers import Numbers, unit_text, with_unit
 from coursework.report.text.text_runs import ITALIC
+from coursework.system.frozen import frozen
 from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
 _OWN_LETTER = re.compile(r"\*(\w)\*")  # *h* in the words file: a letter set italic
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Words:
     """The words of one language, as a page sets them."""
 

@@ -7,7 +7,6 @@ Used by `statement.py` and `results.py`.  Of an exact table it speaks of the sch
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,13 +14,14 @@ from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.text.page_context import PageContext
 from coursework.results.checks.close_to_motion.period import Split, mismatch
 from coursework.results.checks.evidence import Evidence
+from coursework.system.frozen import frozen
 
 SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
 ALIKE = 1e-4  # of the largest error: one that is less beside it is as large, to the digits shown
 ON_THE_CURVE = 1e-12  # the same for one step, which leaves no more than round-off
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LargestError:
     """The largest error of the coordinates of one unit: `value` (SI) of `column` in `row` (from 1), made by `scheme`."""
 
@@ -41,7 +41,7 @@ class LargestError:
         return {"amount": amount, "symbol": symbol, "row": str(self.row)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LocalError:
     """The one step of Euler that leaves the curve most: from `row` (from 1) of the exact motion, `gap` (SI) of `column`.
 

@@ -7,7 +7,7 @@ Used by `sentences.py` and `study.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -21,6 +21,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
 from coursework.results.accuracy.problem import TIMED, Bounds, Problem
 from coursework.results.accuracy.trace import trace
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.words.sentences import say, say_count
 
 # Steps a row; the first order needs more of them to show itself.
@@ -34,7 +35,7 @@ NEWTONS = (1, 2)
 TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Trial:
     """One method at one setting; `run` returns rows (n, m) and the evaluations of the right-hand side.
 

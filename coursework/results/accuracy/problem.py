@@ -21,6 +21,7 @@ from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import SCHEMES
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 _OPERATION = re.compile(r"[-+*/(]")
 # Every scheme once with the step of the table may take so much; a table that takes more is not studied.
@@ -30,7 +31,7 @@ MOST_MARKS, FEWEST_MARKS = 2000, 100
 _MARKS_WORK, _EVALUATIONS_A_MARK = 25e6, 126
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bounds:
     """The finest `substeps` a row, and the `work` of one run that is finer than the table or corrected step by step."""
 

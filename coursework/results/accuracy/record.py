@@ -6,10 +6,12 @@ Leaves `study.py`; read by the report and the command line.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class StudyRow:
     """One method at one setting; errors in `unit` and `end_unit`, `seconds` None where not timed, `failed` says why it did.
 
@@ -28,7 +30,7 @@ class StudyRow:
     time_ratio: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AccuracyStudy:
     """`rows`; measured `orders` by method; the coursework's `own` point (method, evaluations, error, seconds); round-off
     `floor`; `reference_label`; `sentences`; `overhead` (what, seconds); `machine` where it was timed;

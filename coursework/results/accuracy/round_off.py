@@ -7,13 +7,13 @@ Used by `commands/run.py`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.motion.integration.extended_precision import march_in
 from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 # Steps a row: from the coursework's step to where single precision loses more than the scheme gains, also with t = i*h.
 SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096, 16384)
@@ -21,7 +21,7 @@ SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096, 16384)
 _RISEN, _MOST_STEPS = 4.0, 400_000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RoundOffRow:
     """Error of the last row (rad or m) with `steps` steps: doubles, single precision, single precision with t += h."""
 

@@ -7,7 +7,6 @@ Used by `step_search.py` and the command line; the same rules as the checks STEP
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
 from coursework.equations.reduction.equations import VelocityEquations
@@ -16,6 +15,7 @@ from coursework.motion.geometry.swings import drive_frequency, turning_cranks
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.singular.search import Search
 from coursework.results.checks.close_to_motion.rows import AT_ROW, ROWS_A_PERIOD, between_rows
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS
 
 # A break that no row is at with so many parts of the run is left to the error.
@@ -25,7 +25,7 @@ _ROUNDING = 1e-9
 _FINER = 1.25
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class StepRules:
     """A run has at least `fewest` steps, and a multiple of `pace`, so that a row stands at each break of the drive."""
 

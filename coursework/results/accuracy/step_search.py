@@ -22,6 +22,7 @@ from coursework.motion.schemes import PRECISE, SCHEMES, Scheme, title_of
 from coursework.results.accuracy.step_rules import StepRules
 from coursework.results.accuracy.timing import seconds
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
@@ -43,7 +44,7 @@ _SUDDEN = 4
 LEAST_ERROR = 1e-10
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Need:
     """What one scheme needs: `steps` of h = end/steps, `evaluations`, the `error` reached.
 
@@ -57,7 +58,7 @@ class Need:
     ruled: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class StepChoice:
     """`step` (s) of the scheme asked for, its `need`, and the `others`, cheapest first."""
 

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.motion.integration.loops import Loop
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Errors:
     """Largest |coordinate - reference| (rad or m): over the whole grid, and in the last row only; in which coordinate."""
 

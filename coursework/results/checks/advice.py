@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from coursework.results.checks.close_to_motion.rows import parts_at_breaks
 from coursework.results.checks.close_to_motion.stiffness import Stiff, stiff
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, percent
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS, whole_steps
 from coursework.variant.record.vocabulary import EXACT, scheme_names
 from coursework.words.sentence import Sentence
@@ -37,7 +38,7 @@ _LUCK = 4.0
 _MOST_WORK = 3e6
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Advice:
     """`option` and `step` (s) of --step, "" and None where none was found; `scheme` that does at the run's own step, and how far
     its table is off (share).  `jumped`: a finer step that was tried and is worse, and how far its table is off.

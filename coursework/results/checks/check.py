@@ -8,7 +8,7 @@ line show whatever is found.  To add one: write its judging function, put a `Che
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from coursework.results.checks import advice
 from coursework.results.checks.close_to_motion import closeness, continuity, drift, long_run, period, rows, sinusoid
@@ -16,10 +16,11 @@ from coursework.results.checks.computed_right import beginning, conditioning, di
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.needs import CLOSURE, DIGITS, EXACT, RESOLVED, ROW, WHOLE, Need
 from coursework.results.checks.result import Finding, Group, skipped
+from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Check:
     """`code` is stable; `needs` are met, or the first that is not says what is skipped; `judge` then finds a verdict.
 

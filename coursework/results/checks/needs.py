@@ -6,7 +6,6 @@ Enters: `Evidence`.  Leaves: whether it is there.  Used by the records of `check
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,11 +14,12 @@ from coursework.results.checks.close_to_motion.stiffness import stiff
 from coursework.results.checks.computed_right.conditioning import condition
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import floored
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Need:
     """`met` by the evidence, or skipped with the sentence `otherwise`; `headline` then begins the summary."""
 

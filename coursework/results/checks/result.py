@@ -7,9 +7,9 @@ Used by run, output, report and the command line.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Literal
 
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import load_phrases, say
 
@@ -26,7 +26,7 @@ _MANY, _MOST = 1000.0, 1e6
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Finding:
     """`verdict` and `sentence` of one check; `value` and `limit` in `unit`, None where there is no number.
 

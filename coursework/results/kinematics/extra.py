@@ -6,8 +6,6 @@ Used by `scene_run.py`, `quantities.py`, `tables.py` and `scene_run.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from coursework.motion.integration.motion import Motion
@@ -17,13 +15,14 @@ from coursework.results.kinematics.analogs import acceleration_analog, velocity_
 from coursework.results.kinematics.invariants import from_true
 from coursework.results.kinematics.strokes import Way, longest_way, swings
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ExtraTable:
     """`rows` (n, len(names)) in `units`; the first column is t or the crank angle.
 

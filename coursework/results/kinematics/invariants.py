@@ -27,6 +27,7 @@ from coursework.results.kinematics.analogs import (
     velocity_analog,
 )
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,7 +46,7 @@ class Invariants:
     angle: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stroke:
     """One way of the slider, from its outer end to its inner end.
 

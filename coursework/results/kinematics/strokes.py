@@ -7,13 +7,14 @@ Used by `extra.py` and `turning_points.py`.
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.motion.integration.turning import at_times, closer, root, stands, turns
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Coordinate
 
 # A dead position counts also where it lies this part of a step before the first row or behind the last: a start is rounded.
@@ -28,7 +29,7 @@ _ALIKE = 1e-2
 Bracket = tuple[int, int]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Way:
     """A way back or forth of a `slider`, or rocker: `motion` has its rows, `first` and `last` of the table lie in it (from 1).
 

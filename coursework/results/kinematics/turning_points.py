@@ -6,19 +6,19 @@ Enters: `Evidence` with its exact motion.  Leaves: `TurningPoint`, `Stroke`.  Us
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.results.checks.evidence import Evidence
 from coursework.results.kinematics.strokes import dead_positions
+from coursework.system.frozen import frozen
 
 STILL = 1e-9  # of a period: moments so near are one
 CLOSED = 1e-6  # rad or m: a motion that returns so near has returned
 MOST = 24  # turning points of one coordinate that are sought
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TurningPoint:
     """At `time` (s) a coordinate has its extreme `value` (SI); `row` holds all coordinates there."""
 
@@ -27,7 +27,7 @@ class TurningPoint:
     row: tuple[float, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stroke:
     """One coordinate to and fro in a turn of the crank: `slow` seconds and crank `slow_angle` (rad) for the longer way, from
     `begin` to `end`, and `fast`, `fast_angle` for the way back.

@@ -6,7 +6,6 @@ Used by `sets.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Group
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _MOST, _SETTLED = 12, 1e-11
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Start:
     """`begin` (m, n) where the rows begin; `closed` (m, n) where the true motion begins; `doubtful` (n,) sets to be looked at."""
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
+from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import NUMBER, TIME, Dimension, Exponent, System, added, dimension_of, is_known
 from coursework.variant.formula.tree import Formula, constant, factors, terms
 
@@ -18,7 +18,7 @@ _SUMS = {"+", "-", "neg"}
 _PRODUCTS = {"*", "/"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Term:
     """A part of a formula and what it measures; None where it is only numbers, which fit everything."""
 
@@ -40,7 +40,7 @@ class Clash(Exception):
         self.second = second
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Factor:
     """A number that multiplies, with the unknown that says what it had to measure."""
 

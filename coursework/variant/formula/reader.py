@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import lru_cache
 from math import pi
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import CYRILLIC_FUNCTIONS, foreign_letter, spell
 from coursework.variant.formula.tree import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
 from coursework.words.sentence import Sentence
@@ -64,7 +64,7 @@ def parse_equation(text: str, *, vectors: bool = False) -> tuple[Formula, Formul
     return left, right
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Token:
     kind: str
     text: str

@@ -10,11 +10,12 @@ import cmath
 import math
 import operator
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from functools import reduce
 from typing import Any
 
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -33,7 +34,7 @@ class FormulaFault(ValueError):
         self.message = message
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Formula:
     """One node: `op` is number, name, neg, + - * / ^, call, @ (polar vector), pair (x, y) or part (.x, .y).
 

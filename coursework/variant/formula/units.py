@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, partial
 
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
@@ -91,7 +91,7 @@ class UnitFault(ValueError):
         self.advised = advised
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Quantity:
     """A number in SI; `unit` as the author wrote it ("" for a bare number), `si` the SI unit ("" if bare)."""
 

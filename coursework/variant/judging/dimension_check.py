@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import chain, islice
 
+from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import Dimension, is_known, si_unit, symbols
 from coursework.variant.dimensions.formulas import Clash, Measurer, Term
 from coursework.variant.formula.tree import Formula, replaced
@@ -27,7 +28,7 @@ _MOST_PARTS = 300_000
 MOST_FAULTS = 6
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Dimensions:
     """What was found: `places` that were judged, and what each name is `known` to measure.
 
@@ -108,7 +109,7 @@ def _judge(place: Place, measurer: Measurer) -> None:
         measurer.compare("place", found, Term(tree, place.wanted))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Found:
     """A fault, the numbers of the places that cannot hold for other reasons, and the file in which they alone are left."""
 
@@ -118,7 +119,7 @@ class _Found:
     freed: frozenset[KeyPath]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Search:
     """Looks for what is to blame for places that cannot hold, one cause after the other."""
 

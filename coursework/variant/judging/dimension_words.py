@@ -6,8 +6,9 @@ Enters: a `Place`, its `Clash`.  Leaves: sentences.  Used by `dimension_check.py
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import NUMBER, Dimension, dimension_of, unit_like, units_shown, what
 from coursework.variant.dimensions.formulas import Clash, Term
 from coursework.variant.formula.tree import Formula, spelled
@@ -20,7 +21,7 @@ Solved = Callable[[Dimension], Dimension | None]
 _MOST_LETTERS = 80
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Blame:
     """A datum with a unit: where it stands, its number and unit as written; `must` is what it would have to measure."""
 

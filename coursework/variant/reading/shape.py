@@ -7,13 +7,12 @@ read in the same go, and the faults.  Used by `reader.py` only.
 from __future__ import annotations
 
 import copy
-import difflib
 import json
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
+from coursework.system.frozen import frozen
 from coursework.variant.reading import schema
 from coursework.variant.reading.stand_ins import Entry, at, stand_in
 from coursework.variant.reading.well_formed import Unfit, fitted
@@ -25,7 +24,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, either, load_phrases, say
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Shape:
     """`broken` are the paths with a fault.
 
@@ -76,6 +75,8 @@ def _hides(path: KeyPath, entry: Entry) -> set[str]:
     """Return the kinds of names that may have been declared where a fault is."""
     section = str(path[0])
     if len(path) == 1:
+        import difflib  # only a mistake pays for it
+
         meant = difflib.get_close_matches(section, schema.VariantFile.keys(), n=1)
         return _DECLARED.get(meant[0], set()) if meant else set().union(*_DECLARED.values())
     if path[-1] == "[key]":

@@ -6,7 +6,6 @@ Used by `shape.py`; `bodies.py` knows the name of what nobody can read.
 
 from __future__ import annotations
 
-import difflib
 from typing import Any
 
 from coursework.variant.record.vocabulary import GROUP_KINDS
@@ -59,6 +58,8 @@ def _repair_coordinates(data: dict[str, Any], inner: list[str | int]) -> None:
 
 def _repair_group(group: dict[str, Any], key: str, entry: Entry) -> None:
     if key == "kind":
+        import difflib  # only a mistake pays for it
+
         alike = difflib.get_close_matches(str(entry.get("input")), GROUP_KINDS, n=1)
         group[key] = alike[0] if alike else next(iter(GROUP_KINDS))
     elif key == "coordinates":

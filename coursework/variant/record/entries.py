@@ -6,8 +6,8 @@ Leaves `reader.py` inside a `Variant`.  Used by `variant.py`, through which ever
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 
@@ -23,7 +23,7 @@ def reached(names: Iterable[str], points: Mapping[str, Formula]) -> set[str]:
     return found
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Given:
     """One datum of the task sheet: `value` in SI (`si` its unit), `text` and `unit` as written, what the file says it `means`."""
 
@@ -35,7 +35,7 @@ class Given:
     means: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Law:
     """A known function: a formula, pieces (from time, s; formula), or a table of (argument, value) and the `file` it is in."""
 
@@ -53,7 +53,7 @@ class Law:
         return (*(piece for _, piece in self.pieces), *((self.formula,) if self.formula else ()))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Coordinate:
     """An integrated coordinate: `start` in rad or m, its rate's name.
 
@@ -78,7 +78,7 @@ class Coordinate:
         return self.start_guess if self.start is None else self.start
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Binding:
     """Which velocity of the geometry an unknown is: that of a `point` along a direction (rad), or the rate of a `link`.
 
@@ -97,7 +97,7 @@ ROWS_BEFORE_N = 2
 USUAL_ROW = 2 + ROWS_BEFORE_N
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Time:
     """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another.
 
@@ -132,7 +132,7 @@ def whole_steps(step: float, end: float) -> int:
     return int(end / step * (1 + 1e-12) + 1e-9)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Constraint:
     """`left = right`, a velocity equation or (is_closure) an equation of positions; `place` finds its line."""
 
@@ -154,7 +154,7 @@ class Constraint:
         return "closure" if self.is_closure else "equation"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Guide:
     """A straight guide: point, angle (rad), offset of the pin (m)."""
 
@@ -163,7 +163,7 @@ class Guide:
     offset: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Group:
     """An Assur group or crank of a chain; `kind` a name of `GROUP_KINDS`;
     `mode` is +1, -1, or 0 where the file leaves it to the start values.
@@ -187,7 +187,7 @@ class Group:
         return (*self.start_points, *self.lengths, *guides, self.offset, *((self.angle,) if self.angle else ()))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Link:
     """A rigid body; a wheel has a centre and a contact point; `slides` is the link along which it slides."""
 
@@ -199,7 +199,7 @@ class Link:
     slides: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Frame:
     """The fixed link: hinges, rails (point, angle), fixed circles (centre, radius)."""
 
@@ -208,7 +208,7 @@ class Frame:
     circles: tuple[tuple[Formula, Formula], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Remark:
     """Something that looks like a slip of the pen and changes no status: a stable code, the line, a sentence.
 
@@ -220,7 +220,7 @@ class Remark:
     sentence: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Quote:
     """A number that a remark quotes: `value` as printed, of `column` in `row` (from 1); `scheme` "" for that of the file."""
 

@@ -6,8 +6,8 @@ Enters: a `Variant` as read.  Leaves: what its names measure, and `Place`s.  Use
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 
+from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.variant import Constraint, Group, Law, Variant
@@ -20,7 +20,7 @@ _TIME: Dimension = {TIME: 1}
 _SPEED: Dimension = {LENGTH: 1, TIME: -1}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Place:
     """Formulas of one key of the file: all must measure `wanted` (None: only agree with each other).
 

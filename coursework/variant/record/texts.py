@@ -7,10 +7,12 @@ Used by `reader.py` and `variant.py`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Texts:
     """Texts of a variant in one language; what is empty or missing is said as the author wrote it.
 

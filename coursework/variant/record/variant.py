@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.entries import (
     Binding,
@@ -44,7 +45,7 @@ MAX_NUMBERS = 4_000_000  # of a table: rows times columns
 MOST_PERIODS = 10_000  # of one run
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Changes:
     """Other values by name: of data, of starts, of drives, and of the times of the run."""
 

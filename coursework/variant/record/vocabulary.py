@@ -8,13 +8,15 @@ A test holds the names to the records: `SCHEMES` of `motion/schemes.py` and `GRO
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from coursework.system.frozen import frozen
 
 SCHEME_NAMES = ("euler", "midpoint", "heun", "ralston", "rk4")
 EXACT = "exact"  # stands for a scheme: the motion of the mechanism itself, which no tableau makes
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Shape:
     """How many external points, lengths (any of these counts), guides and coordinates a group of a kind has.
 

@@ -9,10 +9,11 @@ import copy
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.variant.toml.toml_faults import explained
@@ -35,7 +36,7 @@ _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Source:
     """One variant file as data; `file` is the name used in messages; `folder` where files beside it are, or these by name."""
 

@@ -17,6 +17,7 @@ import pytest
 import coursework
 from coursework.report.formulas import svg, typesetting
 from coursework.report.pages import build_model, render_html, render_pdf
+from coursework.report.pages.packed import packed
 from coursework.words.data_folders import folder
 from coursework.words.errors import OutputError
 from tests.report.made import model_of, page_of, paper_of
@@ -82,7 +83,7 @@ def test_the_pdf_is_pdf_ua_without_a_warning(real: ModuleType, kind: str) -> Non
     )  # fmt: skip
     assert warnings == []
     said = b"/Suspects false>>"  # so it holds unsaid, and poppler has nothing to complain of
-    assert made.replace(said, b">>".ljust(len(said))) == render_pdf(model)
+    assert packed(made.replace(said, b">>".ljust(len(said)))) == render_pdf(model)
     with pymupdf.open(stream=made, filetype="pdf") as document:
         assert "<pdfuaid:part>1</pdfuaid:part>" in document.get_xml_metadata()
         assert document.metadata["title"] == model.heading

@@ -13,6 +13,7 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.numbers import NoValue, combined, value_of
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number, replaced
 
 Kind = Literal["sign", "function", "name", "factor"]
@@ -20,7 +21,7 @@ _OTHER = {"sin": "cos", "cos": "sin"}
 _OPPOSITE = {"+": "-", "-": "+"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Edit:
     """`replacement` in the place that `path` leads to (argument by argument), at `column` of the text."""
 

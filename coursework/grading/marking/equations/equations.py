@@ -24,6 +24,7 @@ from coursework.grading.marking.equations.turned import with_other_sign
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.submission import Note, note
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number, spelled
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -36,7 +37,7 @@ COUNTED = ("right", "rounded", "closure")
 JUDGED = (*COUNTED, "wrong")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Hint:
     """What would make a wrong line right: `text` is the line so mended; `others` single edits would do as well."""
 
@@ -52,7 +53,7 @@ class Hint:
         return told if self.fault is None else told | {"code": self.fault.code, "values": self.fault.message.plain()}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EquationMark:
     """One line: its verdict, a hint where there is one, and what it lacks where it earns nothing and no slip is found."""
 
@@ -72,7 +73,7 @@ class EquationMark:
         return {"line": self.line.line, "place": self.line.where, "text": self.line.text, "verdict": self.verdict, "hint": hint}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EquationMarks:
     """All lines; `independent` of `needed`; `dependent` line numbers that say nothing new; `share` of the points.
 

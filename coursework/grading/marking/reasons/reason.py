@@ -5,9 +5,10 @@ Enters: nothing.  Leaves: `Reason`, the numbers as sentences say them.  Used by 
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import Literal
 
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
 Part = Literal["", "table", "equations", "answers", "total", "late"]
@@ -16,7 +17,7 @@ Kind = Literal["state", "decided", "first", "cause", "finding", "note", "rule"]
 LONGEST = 300  # characters of a text that came from a student
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reason:
     """`text` about a `part` of the grade ("" about all of it)."""
 

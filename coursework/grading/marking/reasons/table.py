@@ -6,7 +6,6 @@ Enters: a `Key`, `TableMarks`, the points.  Leaves: `Reason`s, in order.  Used b
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from coursework.grading.marking.grade import TableMarks
 from coursework.grading.marking.key import Key
@@ -16,6 +15,7 @@ from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN, Earned
 from coursework.grading.marking.verdicts import euler_steps
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, ranges, say, say_count
 
@@ -28,7 +28,7 @@ _SEVERAL = ("start_", "equation_")
 _MOST_RUNS = 6
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Counts:
     """The cells that count, which are all but the start values, by their marks; `start` start values that are not the task's."""
 

@@ -6,7 +6,6 @@ Enters: `Cells`, the table as it was read.  Leaves: `FirstWrong` or None.  Used 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE
 from coursework.grading.reading.student_work import Table
 from coursework.grading.reading.table.headers import PRINTED
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -26,7 +26,7 @@ _TURN = 2 * math.pi
 _SAID = {KEY: "key", ANGLES: "own angles", EARLIER: "own velocities", STEP: "step", STEP_TRUE: "step", START: "start"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FirstWrong:
     """`row` from 1; `expected` and `tolerance` by the way that comes nearest, SI."""
 
@@ -47,7 +47,7 @@ class FirstWrong:
         }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Shown:
     """How a column was handed in: its unit, what one of it is in SI, the whole turns that were taken off."""
 

@@ -6,7 +6,7 @@ Enters: a `Key`, marked cells.  Leaves: `Found`.  Used by `earning.py` and `grad
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from coursework.grading.marking.table.points import explained_share
 from coursework.grading.marking.table.starts import cells_from_own_start, other_starts
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 
 # Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
 NAMED, BETTER, TIE = 0.93, 0.02, 0.005
@@ -35,7 +36,7 @@ _ROUND_OFF = 1e-9
 OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Misconception:
     """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much.
 
@@ -54,7 +55,7 @@ class Misconception:
         return {"code": self.code, **shares, "ties": list(self.ties)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fit:
     """A hypothesis and the share of the table's cells that it or the key explains, behind the gates of the points.
 
@@ -66,7 +67,7 @@ class Fit:
     names: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Found:
     """What is `named` with ground, and what explains anything at all, one `Fit` a code.
 

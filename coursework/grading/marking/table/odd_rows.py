@@ -5,20 +5,19 @@ Enters: a `Key`, marked cells.  Leaves: numbers of rows (from 1), runs of rows. 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.ways import as_printed, near
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 
 # Rows that must follow each other shifted by as much, before anybody speaks of a shift; how far one is looked for.
 FEWEST_SHIFTED, FARTHEST = 3, 3
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Shift:
     """Rows `first` to `last` (from 1) hold what belongs `by` rows below (above where negative)."""
 

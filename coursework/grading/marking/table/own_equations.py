@@ -8,7 +8,6 @@ equation is tried by itself on the student's own numbers, so that slips in sever
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.ways import HALF, SLACK
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 # A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
@@ -29,7 +29,7 @@ _SINGULAR = 1e-9
 OWN = "own_equations"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Line:
     """One line of a system: its name, left - right, every single edit of it; `is_wrong` where it was handed in so."""
 
@@ -39,7 +39,7 @@ class Line:
     is_wrong: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Used:
     """A line as a table uses it, `holds` in which part of its rows; `slip` is its name where it is wrong, "" where not."""
 

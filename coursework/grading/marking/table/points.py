@@ -6,7 +6,7 @@ Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `earning.py` and wha
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 import numpy as np
@@ -15,6 +15,7 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import MISSING, Cells
 from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing; right cells below each other,
 # fewer of which are chance.
@@ -27,7 +28,7 @@ _SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
 Rule = Literal["cells", "start", "misconception", "own_equations"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TablePoints:
     """`share` of the table earned by its cells; how many cells count.
 
@@ -42,7 +43,7 @@ class TablePoints:
     uncounted: Flags | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Earned:
     """How the points of a table came about: the best of what several rules give.
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from coursework.grading.reading.documents.signs import plain_signs
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import LINE_CHARACTERS
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -26,7 +27,7 @@ def place_of(kind: str, /, **values: object) -> Sentence:
     return say(f"reading.place.{kind}", **values)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DocumentTable:
     """One table as rows of cells (ragged)."""
 
@@ -34,7 +35,7 @@ class DocumentTable:
     place: Sentence
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DocumentLine:
     """One line of text; `is_formula` where the document itself says so."""
 

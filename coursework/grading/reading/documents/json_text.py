@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
 from typing import Any
 
 from coursework.grading.reading.limits import unreadable
+from coursework.system.frozen import frozen
 
 _SIGN = re.compile(r'"(?:[^"\\]++|\\.)*+"?|[\[{]|[\]}]', re.DOTALL)
 
@@ -22,7 +22,7 @@ class JsonNumber(str):
     __slots__ = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JsonObject:
     """Names and values in their order; a name may stand there twice."""
 

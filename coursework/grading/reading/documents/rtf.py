@@ -7,7 +7,7 @@ A table is known by \intbl, \cell and \row, one inside a cell by \itap, \nestcel
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from coursework.grading.reading.documents import omml
 from coursework.grading.reading.documents.builder import DocumentBuilder
@@ -15,6 +15,7 @@ from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formula_tree import FormulaTree
 from coursework.grading.reading.documents.signs import symbol_font
 from coursework.grading.reading.limits import unreadable
+from coursework.system.frozen import frozen
 
 _TOKEN = re.compile(
     r"\\(?P<word>[a-zA-Z]{1,32})(?P<number>-?[0-9]{1,9})? ?|\\'(?P<hex>[0-9a-fA-F]{2})|\\(?P<sign>.)|(?P<brace>[{}])"
@@ -38,7 +39,7 @@ _CHARSETS = {0: "", 2: "symbol", 77: "mac_roman", 128: "cp932", 129: "cp949", 13
 _FONT = re.compile(r"\\f([0-9]{1,5})(?=[^0-9])[^;{}]{0,300}?\\fcharset([0-9]{1,3})")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Group:
     """What holds between two braces."""
 

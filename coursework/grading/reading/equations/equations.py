@@ -7,7 +7,7 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, meaning_of, put_in
@@ -17,6 +17,7 @@ from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
 from coursework.grading.reading.equations.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
+from coursework.system.frozen import frozen
 from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula, FormulaFault, mapped
 from coursework.variant.toml.source import Source
@@ -190,7 +191,7 @@ def faults_as_lines(error: InputError, file: str) -> list[EquationLine]:
     return [EquationLine(file, fault.line, "", None, None, fault=fault)]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Names:
     """What names in a line may be: those of the variant in any spelling, and what others mean."""
 

@@ -6,17 +6,17 @@ Enters: a `Variant`.  Leaves: `Spellings`.  Used by the readers of equations.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 
 from coursework.grading.reading.table.headers import aliases, fold
+from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.record.variant import Variant
 
 BUILT_IN = ("t", "pi")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Spellings:
     """Declared names, what else they may be written as (folded), the rate of each coordinate, and which names are data.
 

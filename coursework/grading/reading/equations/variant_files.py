@@ -7,13 +7,13 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from coursework.grading.reading.equations.equations import faults_as_lines, read_constraints
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine
+from coursework.system.frozen import frozen
 from coursework.variant import catalogue
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import UnitFault, read
@@ -27,7 +27,7 @@ _FORMAT = re.compile(r"^[ \t]*format[ \t]*=", re.MULTILINE)
 _SAME = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VariantFile:
     """What a variant file says: its equations, data that differ, keys that nobody knows, and why a person must look."""
 

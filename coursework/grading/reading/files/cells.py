@@ -5,10 +5,10 @@ Enters: nothing.  Leaves: `Cell`, `Sheet`.  Used by the readers of this room.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from coursework.grading.reading.limits import BLANK_ROWS
+from coursework.system.frozen import frozen
 
 
 class Cell(NamedTuple):
@@ -18,7 +18,7 @@ class Cell(NamedTuple):
     kind: Literal["text", "number", "formula", "error", "date"] = "text"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sheet:
     """Rows of cells (ragged), without the blank ones at the end; `name` of the sheet, None for a text file."""
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import codecs
 import re
-from dataclasses import dataclass
 from itertools import pairwise
+
+from coursework.system.frozen import frozen
 
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
 # Words that head such tables; one of them in a decoding is worth more than any count of letters.
@@ -23,7 +24,7 @@ _SEARCHED = 200_000
 _SAMPLE = 4000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Decoded:
     """A text, the name of its encoding, and whether NUL bytes were dropped from it."""
 

@@ -11,12 +11,12 @@ import itertools
 import re
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 
 from coursework.grading.reading.files.cells import BlankRows
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, unreadable
 from coursework.grading.reading.numbers import looks_numeric, marks, plain_text
+from coursework.system.frozen import frozen
 
 NAMES = {"\t": "tab", " ": "blanks"}
 _SAMPLE = 80  # rows on which the separator is chosen
@@ -25,7 +25,7 @@ _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _LISTS = "[](){},;|"  # what programs put around and behind the numbers of a list
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Split:
     """Rows of texts; `separator` as grades.json names it, `line` the line of the file that each row begins in."""
 

@@ -7,7 +7,6 @@ Used by `table.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 from coursework.grading.reading.files.separators import is_progression
@@ -15,9 +14,10 @@ from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.table.headers import INDEX, TIME, Head
 from coursework.grading.reading.table.layout import Layout
+from coursework.system.frozen import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Place:
     """Where a column of the task stands in the file (from 0), and how that was found."""
 
@@ -25,7 +25,7 @@ class Place:
     by: Literal["header", "position"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Places:
     """The columns found, by name; `repeated` are those that stood in the file twice and alike."""
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 
+from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
 
 TIME = "t"
@@ -57,7 +57,7 @@ _SYMBOLS = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Head:
     """What a head may mean: a column, the time, a row number, several (lost Greek), or nothing known; its unit or ""."""
 

@@ -7,20 +7,20 @@ Used by `table.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful
 from coursework.grading.reading.numbers import PrintedNumber, looks_numeric, marks, printed, stored
 from coursework.grading.reading.table.headers import TIME, Head, read_head, unit_of
+from coursework.system.frozen import frozen
 
 _SEARCHED = 60  # rows in which the heads are looked for
 _FIRST = 6  # columns in which the heads of a transposed table are looked for
 _Rows = list[list[PrintedNumber]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Layout:
     """Heads (one a column of the file, empty where there are none) and the rows of numbers below them."""
 

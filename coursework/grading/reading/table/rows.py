@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from coursework.grading.reading.expected import Grid
@@ -17,12 +16,13 @@ from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.table.columns import Places
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME
 from coursework.grading.reading.table.layout import Layout
+from coursework.system.frozen import frozen
 
 _FEWEST, _OTHER = 3, 0.05  # rows that show a step, and by what part it is another than the grid's
 _NEAR = 0.3  # of a step: how far a printed time may be from the row's
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rows:
     """For each row of the grid (from 0) the row of the file, None where there is none; what was odd about them.
 

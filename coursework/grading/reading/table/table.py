@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 from typing import Any
@@ -25,13 +25,14 @@ from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout, lay_out
 from coursework.grading.reading.table.rows import Rows, place_rows
 from coursework.grading.reading.table.units import factor_of, unit_of_column, whole_turns
+from coursework.system.frozen import frozen
 from coursework.words.sentences import ranges
 
 _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
 _EMPTY = PrintedNumber("", math.nan, 0, 0, "missing")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Origin:
     """Where sheets come from: file, encoding and separator as grades.json names them, what was noticed on the way."""
 

@@ -5,14 +5,13 @@ Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from coursework.results.checks.evidence import LIMIT, Evidence, worst
 from coursework.results.checks.result import Finding, percent, skipped
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
 # Rows that the scheme has made follow from each other to round-off (5e-13 of the scale at most in the tool's own runs).
@@ -53,7 +52,7 @@ def accuracy(evidence: Evidence) -> Finding:
     return Finding("PASS" if value <= LIMIT else "COARSE", sentence, value, LIMIT, unit, name, row + 1, rows=lines)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Distance:
     """How far the rows of a scheme are from the motion: `share` of the scale of `column`, at worst in `row` (from 1)."""
 

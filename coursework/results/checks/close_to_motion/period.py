@@ -7,7 +7,7 @@ Used by `check.py`, `closeness.py` and `results.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -28,6 +28,7 @@ from coursework.results.checks.close_to_motion.several_periods import (
 from coursework.results.checks.evidence import LIMIT, NEAR_PERIOD, NO_ERROR, Evidence
 from coursework.results.checks.result import Finding, percent, skipped
 from coursework.system.angles import whole_turns
+from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -35,7 +36,7 @@ from coursework.words.sentences import joined, say
 NEARLY = 0.9
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Split:
     """The mismatch of one column, signed: `total` = `scheme` + `period` + `roundoff` = `last` - `first` without `turns`."""
 

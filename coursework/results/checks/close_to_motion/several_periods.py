@@ -6,14 +6,13 @@ Used by `period.py` and `results.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from coursework.motion.integration.finer import exact_at
 from coursework.results.checks.evidence import NO_ERROR, Evidence
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 # Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
 # T off by 0.2 % (three digits of it) moves the exact motion by at most 0.021, T off by 2 % by at least 0.031.
@@ -30,7 +29,7 @@ MOST = 100
 WHOLE = 1e-4
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Later:
     """The mechanism is back after `periods` of its drive, at `time` s; `periods` None: after none of the first `MOST`."""
 

@@ -6,14 +6,14 @@ Enters: `Evidence`.  Leaves: `Stiff`, None where they are not, or the scheme bea
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.evidence import Evidence
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, distinct, median
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -28,7 +28,7 @@ _SLOW = 0.5
 _APART = float(np.cbrt(np.finfo(float).eps))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stiff:
     """Deviations die out with `rate` (1/s); `scheme` keeps them small with steps up to `longest` (s), `rows` of them in all."""
 
@@ -61,10 +61,10 @@ def _stiff(evidence: Evidence) -> Stiff | None:
     motion, exact = evidence.motion, evidence.exact
     known = exact if exact is not None and len(exact.t) > _FEW else None  # else the start alone is sure to be on the motion
     rows = (
-        np.unique(np.linspace(0, len(known.t) - 1, _LOOKS).astype(int)) if known is not None else np.arange(min(1, len(motion.t)))
+        distinct(np.linspace(0, len(known.t) - 1, _LOOKS).astype(int)) if known is not None else np.arange(min(1, len(motion.t)))
     )
     on = known or motion
-    rate = float(np.median(_dying(evidence, on.t[rows], on.coordinates[rows]))) if len(rows) else 0.0
+    rate = float(median(_dying(evidence, on.t[rows], on.coordinates[rows]))) if len(rows) else 0.0
     longest = SCHEMES[motion.scheme].damped / rate if rate > 0 else math.inf
     if motion.step <= longest or rate * evidence.variant.time.end < _TIMES or (known is not None and not _is_slow(known)):
         return None
@@ -89,7 +89,7 @@ def _dying(evidence: Evidence, t: Array, q: Array) -> Array:
 def _is_slow(exact: Motion) -> bool:
     """Return whether the exact motion changes little from row to row, but for a transient."""
     slopes = exact.velocities[:, : exact.coordinates.shape[1]]
-    sizes = np.median(np.abs(slopes), axis=0)
-    changes = np.median(np.abs(np.diff(slopes, axis=0)), axis=0)
-    turned = np.median(np.abs(np.diff(exact.coordinates, axis=0)), axis=0)
+    sizes = median(np.abs(slopes))
+    changes = median(np.abs(np.diff(slopes, axis=0)))
+    turned = median(np.abs(np.diff(exact.coordinates, axis=0)))
     return bool(np.all(changes <= _SLOW * sizes + 1e-12) and np.all(turned < 1.0))

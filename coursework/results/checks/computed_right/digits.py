@@ -7,7 +7,6 @@ case it is off by q/2 times the sum of the sizes of its weights.  The weights ar
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -20,6 +19,7 @@ from coursework.results.checks.close_to_motion.drift import shortest_length
 from coursework.results.checks.evidence import LIMIT, Evidence, scales_of
 from coursework.results.checks.result import Finding, percent, skipped
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Law
 from coursework.words.sentences import joined, say
 
@@ -32,7 +32,7 @@ _NODES = 25
 _MIDDLE = _NODES // 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Noise:
     """What the rounding of the law `name` allows one column to be off: `inside` the table, at its `end`, and where the rows
     are (`worst`, in row `row` from 0), in `unit`; `scale` of the column.

@@ -1,0 +1,61 @@
+"""A words file -> its sentences, in a fifth of the time of the standard reader, for which every command would wait.
+
+Enters: a text.  Leaves: nested dicts.  Used by `sentences.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+_LINE = re.compile(
+    r"""(?:([\w-]+|"[^"\\\n]*")((?:\.[\w-]+)*) = (?:"([^"\\\x00-\x08\n-\x1f\x7f]*)"|("(?:\\.|[^"\\\n])*"|'[^'\n]*'))"""
+    r"""|\[([\w.-]+)\])?[ \t]*(?:#[^\x00-\x08\n-\x1f\x7f]*)?\n""",
+    re.ASCII,
+)
+
+
+def read_words(text: str) -> dict[str, Any]:
+    """Return what the standard reader does, which reads what is not tables, keys and texts of a line each.
+
+    Raises `ValueError` as it does.
+    """
+    import tomllib  # only a command that says something pays for it
+
+    words = _plain_words(text, tomllib.loads)
+    return tomllib.loads(text) if words is None else words
+
+
+def _plain_words(text: str, read: Callable[[str], dict[str, Any]]) -> dict[str, Any] | None:
+    """Return the sentences if every line is plain and says nothing twice; `read` reads a text with signs of its own."""
+    words: dict[str, Any] = {}
+    table = words
+    dotted: set[int] = set()  # tables that keys with a dot made; no section may add to them
+    opened: set[int] = set()
+    at = 0
+    for line in _LINE.finditer(text):
+        if line.start() != at:
+            return None
+        at = line.end()
+        key, inner, plain, other, section = line.groups()
+        if key is not None:
+            owner, key = table, key.strip('"')
+            for part in inner.split(".")[1:]:
+                owner, key = owner.setdefault(key, {}), part
+                if not isinstance(owner, dict) or id(owner) in opened:
+                    return None
+                dotted.add(id(owner))
+            if key in owner:
+                return None
+            owner[key] = read(f"v = {other}")["v"] if plain is None else plain
+        elif section is not None:
+            table = words
+            for part in section.split("."):
+                table = table.setdefault(part, {})
+                if not part or not isinstance(table, dict) or id(table) in dotted:
+                    return None
+            if id(table) in opened:
+                return None
+            opened.add(id(table))
+    return words if at == len(text) else None

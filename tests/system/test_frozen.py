@@ -1,0 +1,122 @@
+"""`@frozen` beside the standard decorator, which is the judge: the same classes, the same answers."""
+
+import copy
+import pickle
+from dataclasses import FrozenInstanceError, asdict, dataclass, field, fields, replace
+
+import pytest
+
+from coursework.system.frozen import frozen
+
+STANDARD = dataclass(frozen=True, slots=True)
+
+
+def family(decorate):
+    """Return some classes of every shape that the house has, so decorated."""
+
+    @decorate
+    class Empty:
+        """Nothing."""
+
+    @decorate
+    class One:
+        value: object
+
+    @decorate
+    class Several:
+        first: float
+        second: str = "x"
+        listed: list = field(default_factory=list)
+        hidden: dict = field(default_factory=dict, repr=False, compare=False)
+        made: float = field(init=False)
+        fixed: str = field(init=False, default="f")
+
+        def __post_init__(self):
+            object.__setattr__(self, "made", 2 * self.first)
+
+    @decorate
+    class Heir(Several):
+        second: str = "y"
+        third: int = 3
+
+        def __str__(self):
+            return "own"
+
+    @decorate
+    class OwnWays:
+        value: float
+
+        def __eq__(self, other):
+            return abs(self.value - other.value) < 1
+
+        def __hash__(self):
+            return 1
+
+        def __repr__(self):
+            return "own"
+
+    return {kind.__name__: kind for kind in (Empty, One, Several, Heir, OwnWays)}
+
+
+OURS, THEIRS = family(frozen), family(STANDARD)
+CALLS = [
+    ("Empty", (), {}), ("One", (1,), {}), ("One", ("a",), {}), ("One", ((1, 2),), {}), ("Several", (1.0,), {}),
+    ("Several", (1.0, "z"), {"listed": [1]}), ("Several", (), {"first": 2.0, "hidden": {1: 2}}), ("Heir", (1.0,), {"third": 4}),
+    ("OwnWays", (0.5,), {}), ("One", (), {}), ("One", (1, 2), {}), ("Several", (1.0,), {"made": 1}), ("Empty", (), {"x": 1}),
+]  # fmt: skip
+
+
+def answers(kinds, call):
+    """Return all that can be asked of what a call makes."""
+    name, arguments, named = call
+    try:
+        one, twin = (kinds[name](*arguments, **named) for _ in range(2))
+    except TypeError as error:
+        return str(error)
+    try:
+        number = hash(one)
+    except TypeError as error:
+        number = str(error)
+    copies = [copy.copy(one), copy.deepcopy(one), replace(one)]
+    return (
+        repr(one), str(one), number, asdict(one), one == twin, one != twin, one == 1 if name != "OwnWays" else None,
+        [each == one for each in copies], [each.name for each in fields(one)], one.__match_args__, hasattr(one, "__dict__"),
+        type(one).__eq__(one, twin),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("call", CALLS, ids=str)
+def test_the_same_answers(call):
+    assert answers(OURS, call) == answers(THEIRS, call)
+
+
+def test_records_of_two_classes_differ():
+    assert OURS["One"](1) != THEIRS["One"](1)
+    assert OURS["Several"](1.0, "y") != OURS["Heir"](1.0)
+
+
+def test_what_is_frozen_stays():
+    one = OURS["Heir"](1.0)
+    for change in (lambda: setattr(one, "first", 2.0), lambda: setattr(one, "other", 1), lambda: delattr(one, "first")):
+        with pytest.raises(FrozenInstanceError):
+            change()
+    assert one.first == 1.0
+
+
+@frozen
+class Travelling:
+    """A record that goes to another process."""
+
+    a: int
+    b: tuple = ()
+
+
+def test_it_is_pickled():
+    one = Travelling(1, (2, Travelling(3)))
+    assert pickle.loads(pickle.dumps(one)) == one
+
+
+def test_it_may_hold_itself():
+    one = Travelling(1, ([],))
+    one.b[0].append(one)
+    assert repr(one) == "Travelling(a=1, b=([...],))"
