@@ -38,4 +38,4 @@ def test_a_slip_is_told_by_one_sentence_with_what_to_write(right: str, wrong: st
 def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:
     both = SHAPER.replace('w1 = "n"', 'w1 = "n"\nw3 = "n"')
     with pytest.raises(coursework.InputError, match="w1 and w3 are prescribed, and the mechanism moves in 1 way only"):
-        coursework.solve(coursework.parse_variant(both))
+        assert coursework.solve(coursework.parse_variant(both)).motion
