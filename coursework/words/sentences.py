@@ -244,10 +244,14 @@ def say(key: str, /, **values: object) -> Sentence:
 
 
 def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
-    """Return ' Did you mean "…"?' with the closest known word, or an empty text; `alike` is 1 for the same word."""
+    """Return ' Did you mean "…"?' with the closest known word, or an empty text; `alike` is 1 for the same word.
+
+    Large letters and small ones are alike.
+    """
     import difflib  # only a mistake pays for it
 
-    found = difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
+    found = [name for name in known if name.casefold() == word.casefold() and name != word and alike < 1]
+    found = found or difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
     return say("hint.closest", name=found[0]) if found else ""
 
 

@@ -149,12 +149,15 @@ def _fault(
     unknowns, drive = equations.unknowns, equations.variant.drive
     counts = {"count": len(unknowns), "unknowns": ", ".join(unknowns), "rows": len(rows)}
     sentences: list[Sentence] = []
-    for name, others, gap in conflicts:
-        key = "together" if len(others) > 1 else "one" if others else "nothing"
-        sentences.append(say(f"equation.contradicts.{key}", name=name, others=tuple(others), gap=abs(gap)))
-    if conflicts:
-        less = len(drive) > 1
-        sentences.append(say("equation.drive_less", drive=tuple(law.name for law in drive)) if less else say("equation.correct"))
+    driven, written = tuple(law.name for law in drive), {one.name for one in equations.equations if one.written}
+    if conflicts and len(drive) > 1 and not any({name, *others} & written for name, others, _ in conflicts):
+        freedom = max(0, len(drive) - len(conflicts))  # the equations are those of the geometry: none of them is wrong
+        sentences.append(say_count("equation.too_many_drives", freedom, drive=driven))
+    elif conflicts:
+        for name, others, gap in conflicts:
+            key = "together" if len(others) > 1 else "one" if others else "nothing"
+            sentences.append(say(f"equation.contradicts.{key}", name=name, others=tuple(others), gap=abs(gap)))
+        sentences.append(say("equation.drive_less", drive=driven) if len(drive) > 1 else say("equation.correct"))
     sentences += [say("equation.dependent", sentence=_same(pair)) for pair in sames]
     if len(kept) < len(unknowns):
         sentences.append(say("equation.missing", names=tuple(_undetermined(matrix, kept, unknowns))))

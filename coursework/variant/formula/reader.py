@@ -14,6 +14,7 @@ from math import pi
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import CYRILLIC_FUNCTIONS, foreign_letter, spell
 from coursework.variant.formula.tree import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
+from coursework.variant.formula.units import UNITS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
@@ -166,7 +167,13 @@ class _Reader:
     def misplaced(self, token: _Token) -> None:
         """Raise for what stands where an operator was expected, where the reason can be told."""
         if token.kind in {"name", "number"} or token.text == "(":
+            before = self.tokens[self.position - 1] if self.position else token
+            if before.kind == "number" and UNITS.get(token.text, (0, "1"))[1] != "1":
+                told = say("fault.V143", number=before.text, unit=token.text)
+                raise FormulaFault(token.column, told)
             raise FormulaFault(token.column, say("fault.V120", text=token.text))
+        if token.text == ")":
+            raise FormulaFault(token.column, say("fault.V144"))
         if token.text == ",":
             raise FormulaFault(token.column, say("fault.V121"))
         if token.text == ".":
@@ -248,7 +255,9 @@ class _Reader:
         name = _FUNCTION_ALIASES.get(token.text, token.text)
         if name not in FUNCTIONS and name not in _COTANGENT:
             known = ", ".join(FUNCTIONS)
-            raise FormulaFault(token.column, say("fault.V126", text=token.text, known=known))
+            small = token.text.lower()
+            hint = say("hint.closest", name=small) if small in FUNCTION_WORDS else ""
+            raise FormulaFault(token.column, say("fault.V126", text=token.text, known=known, hint=hint))
         arguments = self.arguments()
         if name in _COTANGENT and len(arguments) == 1:
             # Not cos/sin: with the argument twice, one inside the other, sixty letters would make a formula without end.

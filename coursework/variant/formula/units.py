@@ -151,7 +151,7 @@ def is_quantity(text: str) -> bool:
     if match is None:
         return False
     unit = plain_unit(match["unit"] or "")
-    return not unit or unit in UNITS or _WORDED.match(unit) is not None
+    return not unit or unit in UNITS or (_WORDED.match(unit) is not None and not unit.startswith(("π", "pi")))
 
 
 def size_of(unit: str) -> float:

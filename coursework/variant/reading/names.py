@@ -77,6 +77,15 @@ class Names:
         """Return every name that may stand for a velocity."""
         return [name for name, kind in self.kinds.items() if kind in {"rate", "unknown", "drive"}]
 
+    def rate_meant(self, name: str) -> tuple[str, str]:
+        """Return the coordinate and its rate that someone means who writes dphi1, of "dphi1/dt", or phi1dot; "" for none."""
+        found = re.fullmatch(r"d_?(\w+?)(?:_?dt)?|(\w+?)_?dot", name)
+        meant = self.canonical(found[1] or found[2]) if found else ""
+        rates = {self.canonical(str(path[1])): self.canonical(rate) for rate, path in self.columns if path[0] == "coordinates"}
+        if meant == "t":  # what stands below the line
+            meant = next(iter(rates), "")
+        return meant, rates.get(meant, "")
+
     def canonical(self, name: str) -> str:
         """Return the declared name meant by `name` (Greek letters, omega3 for w3, phi_1 for phi1), or its spelling."""
         plain = spell(name)

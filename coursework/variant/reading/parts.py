@@ -111,7 +111,7 @@ class Parts:
             except FormulaFault as fault:
                 self.say(path, say("fault.V060", message=fault.message), fault.column)
             except KeyError as missing:
-                self.say(path, say("fault.V061", missing=str(missing)))
+                self.undeclared(path, {"given"}, say("fault.V061", missing=str(missing)))
             return math.nan
         read = self.quantity(path, value, si)
         if read.si not in {"", si}:
@@ -179,7 +179,9 @@ class Parts:
                 # Looking for the closest name takes time; after so many faults nobody reads the advice.
                 few = len(self.faults) < _ADVISED
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
-                advice = closest(name, [*allowed, "t", "pi"]) or say(f"fault.part.declare.{scope}")
+                of, rate = self.names.rate_meant(tree.name)
+                advice = say("hint.rate", of=of, name=rate) if rate else closest(name, [*allowed, "t", "pi"])
+                advice = advice or say(f"fault.part.declare.{scope}")
                 self.undeclared(path, _SCOPES[scope], say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
         return tree if name == tree.name else Formula("name", (), name, tree.column)
 

@@ -258,7 +258,12 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
         parts.say(("time", "end"), say("fault.V071", end=end, step=step))
     elif MAX_ROWS < end / step < math.inf:  # what is not finite has a fault of its own
         parts.say(("time", "end"), say("fault.V076", number=end / step, max_rows=MAX_ROWS))
-    elif entry.check_row is not None and math.isfinite(end / step) and entry.check_row > _whole_steps(step, end) + 1:
+    elif (
+        entry.check_row is not None
+        and parts.broken.isdisjoint({("time", "step"), ("time", "end")})
+        and math.isfinite(end / step)
+        and entry.check_row > _whole_steps(step, end) + 1
+    ):
         parts.say(("time", "check_row"), say("fault.V077", check_row=entry.check_row, number=_whole_steps(step, end) + 1))
     if period is not None and period <= 0:
         parts.say(("time", "period"), say("fault.V064", period=period))

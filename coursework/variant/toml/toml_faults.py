@@ -17,6 +17,7 @@ _ADVICE = (
     ("Cannot overwrite", "key_twice"),
     ("Cannot mutate", "key_or_section_twice"),
     ("Illegal character '\\n'", "quote"),
+    ("Found invalid character '\\r'", "line_ends"),
     ("Unterminated string", "quote"),
     ('Expected "\'"', "single_quote"),
     ("Illegal character", "unprintable"),

@@ -1,0 +1,41 @@
+"""Slips that students make in a new file: each has one sentence that says what to write, and none because of another."""
+
+from __future__ import annotations
+
+import pytest
+
+import coursework
+from coursework.words.data_folders import folder
+from tests.report.own import SHAPER
+
+TEMPLATE = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8").replace("NAME", "mine")
+
+SLIPS = [
+    ('A = "O + r1 @ phi1"', 'A = "O + 0.3 m @ phi1"', {"V143": 'put "0.3 m" into [given]'}),
+    ("@ phi2", "@ (phi2 + 30 deg)", {"V143": 'put "30 deg" into [given]'}),
+    ("r1*w1*sin(phi1) = 0", "r1*w1*sin(phi1)) = 0", {"V144": "closes nothing"}),
+    ("V*sin(p*t)", "V*Sin(p*t)", {"V126": 'Did you mean "sin"?'}),
+    ("V*sin(p*t)", "V*sin(p*T)", {"V053": 'Did you mean "t"?'}),
+    ("r1*w1*sin(phi1) = 0", "r1*dphi1*sin(phi1) = 0", {"V053": "The rate of phi1 is written w1."}),
+    ('"2*pi/p"', '"2π/p"', {"V120": 'an operator is missing before "pi"'}),
+    ("[given] ", "[givens] ", {"V011": 'Did you mean "given"?'}),
+    ("step      =", "stpe      =", {"V013": 'Write step = "0.02 s".', "V011": 'Did you mean "step"?'}),
+    ('end       = "1 s"\n', "", {"V013": 'the key "end" is missing'}),
+    ("\n", "\r", {"V009": "line ends of Windows or Unix"}),
+]
+
+
+@pytest.mark.parametrize(("right", "wrong", "told"), SLIPS, ids=[wrong.strip() or "none" for _, wrong, _ in SLIPS])
+def test_a_slip_is_told_by_one_sentence_with_what_to_write(right: str, wrong: str, told: dict[str, str]) -> None:
+    assert right in TEMPLATE
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.parse_variant(TEMPLATE.replace(right, wrong))
+    assert sorted(fault.code for fault in caught.value.faults) == sorted(told)
+    for fault in caught.value.faults:
+        assert told[fault.code] in str(fault.message)
+
+
+def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:
+    both = SHAPER.replace('w1 = "n"', 'w1 = "n"\nw3 = "n"')
+    with pytest.raises(coursework.InputError, match="w1 and w3 are prescribed, and the mechanism moves in 1 way only"):
+        assert coursework.solve(coursework.parse_variant(both)).motion
