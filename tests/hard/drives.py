@@ -17,13 +17,16 @@ END, STEP = 1.0, 0.01
 
 @dataclass(frozen=True)
 class Law:
-    """`drive` as a file writes it, with its `given`; `angle(t)` its integral from 0 in fifty digits; `most` |rate| (rad/s)."""
+    """`drive` as a file writes it, with its `given`; `angle(t)` its integral from 0 in fifty digits; `most` |rate| (rad/s);
+    `wave` its fastest oscillation (rad/s).
+    """
 
     kind: str
     drive: str
     given: dict[str, str]
     angle: Callable[[mp.mpf], mp.mpf] = field(repr=False)
     most: float = 1.0
+    wave: float = 0.0
 
 
 def moment(random: Random) -> float:
@@ -31,13 +34,15 @@ def moment(random: Random) -> float:
     return random.choice([round(random.uniform(0.05, 0.95), 5), random.randint(5, 95) / 100, 0.50437, 0.013, 0.987])
 
 
-def drawn(kind: str, random: Random, width: float) -> Law:
-    """Return a law of a kind."""
+def drawn(kind: str, random: Random, width: float, end: float = END) -> Law:
+    """Return a law of a kind for a run that ends at `end` (s): the turn it makes is the same in a short one."""
     t0, size, base = moment(random), random.uniform(0.3, 2.0), round(random.uniform(-1, 1), 3)
+    t0, base = (t0, base) if end == END else (float(f"{t0 * end:.9g}"), float(f"{base / end:.4g}"))
     high = float(f"{size / width:.4g}")
     a, b, m, w = mp.mpf(high), mp.mpf(base), mp.mpf(t0), mp.mpf(width)
     given = {"a": f"{high!r} rad/s", "b": f"{base!r} rad/s", "tm": f"{t0!r} s", "T": f"{width!r} s"}
     slow = round(random.uniform(0.5, 4), 3)
+    slow = slow if end == END else float(f"{slow / end:.4g}")
     quiet = given | {"a": f"{slow!r} rad/s"}
     s = mp.mpf(slow)
     match kind:
@@ -60,18 +65,17 @@ def drawn(kind: str, random: Random, width: float) -> Law:
             law = quiet | {"T": "1 s"}
             return Law(kind, "a*sqrt(abs(t - tm)/T)", law, lambda t: s * (power(t - m) - power(-m)), slow)
         case "fold":
-            pace = float(f"{random.uniform(3, 40):.4g}")
+            pace = float(f"{random.uniform(3, 40) / end:.4g}")
             k, c = mp.mpf(pace), mp.mpf(base)
             whole = lambda x: 2 * mp.floor(x / mp.pi) + 1 - mp.cos(x - mp.pi * mp.floor(x / mp.pi))  # noqa: E731
             data = {"a": quiet["a"], "k": f"{pace!r} 1/s", "c": f"{base!r} rad"}
-            return Law(kind, "a*abs(sin(k*t + c))", data, lambda t: s / k * (whole(k * t + c) - whole(c)), slow)
+            return Law(kind, "a*abs(sin(k*t + c))", data, lambda t: s / k * (whole(k * t + c) - whole(c)), slow, 2 * pace)
         case "chirp":
-            pace = float(f"{random.uniform(10, 150):.4g}")
+            pace = float(f"{random.uniform(10, 150) / end**2:.4g}")
             k = mp.mpf(pace)
             data = {"a": quiet["a"], "k": f"{pace!r} 1/s^2"}
-            return Law(
-                kind, "a*sin(k*t^2)", data, lambda t: s * mp.sqrt(mp.pi / 2 / k) * mp.fresnels(mp.sqrt(2 * k / mp.pi) * t), slow
-            )
+            angle = lambda t: s * mp.sqrt(mp.pi / 2 / k) * mp.fresnels(mp.sqrt(2 * k / mp.pi) * t)  # noqa: E731
+            return Law(kind, "a*sin(k*t^2)", data, angle, slow, 2 * pace * end)
         case "pieces":
             later = mp.mpf(t0 + width)
             law = f'{{ pieces = [["0 s", "b"], ["{t0!r} s", "a"], ["{t0 + width!r} s", "b"]] }}'

@@ -16,12 +16,17 @@ from tests.hard.drives import KINDS, Law, four_bar
 from tests.hard.drives import drawn as drive
 
 Columns = dict[str, mp.mpf]
+# What README says holds, by the first word of its rows: a width (s), a distance (of the shortest link), turns, a ratio.
+HOLDS = {"a": 1e-7, "passing": 1e-8, "turns": 1e5, "lengths": 1e9}
 
 
 @dataclass(frozen=True)
 class Edge:
     """`text` of a variant; `true(t)` all its columns; `apart`: by how much (relative) it misses a dead point, beyond it below 0;
-    `ends` (s) when it then stops; `digits` that the data leave of sixteen.
+    `ends` (s) when it then stops; `digits` that the data leave of sixteen; `about` the times (s) at which something happens.
+
+    What a refusal may say: the crank's fastest rate `most` and oscillation `wave` (rad/s); `until` when (s) there is no motion
+    any more; `gap`, by how much (m) the links are too short or too long at the start; `part` of an equation the others lack.
     """
 
     family: str
@@ -32,6 +37,11 @@ class Edge:
     ends: float | None = None
     digits: float = 16.0
     about: tuple[float, ...] = ()
+    most: float = 0.0
+    wave: float = 0.0
+    until: float | None = None
+    gap: float = 0.0
+    part: float | None = None
 
 
 def dyad(b: mp.mpc, c: mp.mpc, long: mp.mpf, other: mp.mpf, mode: int) -> tuple[mp.mpf, mp.mpf, mp.mpc]:
@@ -88,7 +98,7 @@ def quick(random: Random) -> Edge:
     if random.random() < 0.3:  # nothing but velocity equations: no closed form helps
         text = as_equations(text.replace('scheme = "exact"', 'scheme = "rk4"'), true(mp.mpf(0)))
     quickly = tuple(float(value.split()[0]) for name, value in law.given.items() if name in {"tm", "tn"})
-    return Edge("quick", f"{kind} {width:.0e}", text, true, about=quickly)
+    return Edge("quick", f"{kind} {width:.0e}", text, true, about=quickly, most=law.most, wave=law.wave)
 
 
 def as_equations(text: str, start: Columns) -> str:
@@ -198,7 +208,7 @@ def turns(random: Random) -> Edge:
     true = of_four_bar(tuple(mp.mpf(float(one)) for one in ("0.4", "1.0", "0.7", "1.2")), law, rate, mp.mpf(0))
     if random.random() < 0.3:
         text = as_equations(text.replace('scheme = "exact"', 'scheme = "rk4"'), true(mp.mpf(0)))
-    return Edge("turns", f"{count:.0f} turns, {'steady' if steady else 'two frequencies'}", text, true)
+    return Edge("turns", f"{count:.0f} turns, {'steady' if steady else 'two frequencies'}", text, true, most=1.5 * speed)
 
 
 def dependent(random: Random) -> Edge:
@@ -231,8 +241,9 @@ def dependent(random: Random) -> Edge:
     def true(t: mp.mpf) -> Columns:
         return {f"x{i}": mp.mpf(0.5) + rates[i] * t for i in range(k)} | {f"u{i}": rates[i] for i in range(k)}
 
+    told, lost = f"{k} equations, condition {mp.nstr(number, 2)}", float(mp.log10(number))
     return Edge(
-        "dependent", f"{k} equations, condition {mp.nstr(number, 2)}", "\n".join(lines), true, digits=16 - float(mp.log10(number))
+        "dependent", told, "\n".join(lines), true, digits=16 - lost, part=float(1 / number), most=float(max(map(abs, rates)))
     )
 
 

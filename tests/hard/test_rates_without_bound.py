@@ -40,3 +40,15 @@ def test_what_only_gets_fast_for_a_moment_is_followed():
     run = solve(text, "rk4")
     assert run.scene.search.event is None
     assert run.exact.column("x")[-1] == pytest.approx(2 + 1.4 * math.sqrt(math.pi), abs=1e-7)
+
+
+@pytest.mark.parametrize(("last", "is_rounding"), [("0.3 s", True), ("0.28 s", False)])
+def test_a_root_that_ends_with_the_run_is_told_that_the_row_s_time_is_rounded(last, is_rounding):
+    """Three steps of 0.1 s are 0.30000000000000004 s, a little behind the end of the root."""
+    text = scene(
+        'x = { start = "1 rad", rate = "w" }', given=f'a = "1 rad/s"\nT = "{last}"', drive='w = "a*sqrt(1 - (t/T)^2)"', step=0.1,
+        end=0.3,
+    )  # fmt: skip
+    with pytest.raises(InputError, match="no real number" if is_rounding else "value") as told:
+        _ = solve(text, "rk4").motion
+    assert ("the time of a row is a product of doubles" in str(told.value)) == is_rounding

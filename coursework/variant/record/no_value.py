@@ -14,7 +14,10 @@ from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, eva
 from coursework.variant.record.variant import Law, Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault
-from coursework.words.sentences import say
+from coursework.words.sentences import joined, say
+
+# Parts of a time: what a product of doubles may lie beyond it, and where a value is compared with the one just before.
+_ROUNDED, _BEFORE = 1e-15, 1e-6
 
 
 def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> Fault | None:
@@ -74,8 +77,17 @@ def _judged(variant: Variant, path: KeyPath, name: str, formula: Formula, values
         if path[0] == "constraint":
             place = say("place.constraint", name=variant.constraints[int(path[1])].name)
         place = say("place.column", place=place, column=fault.column)
-        told = say("fault.V019", time=t, reason=fault.message)
+        reason = joined([fault.message, say("hint.just_before")]) if _is_rounding(formula, values, t) else fault.message
+        told = say("fault.V019", time=t, reason=reason)
         return Fault(told, variant.file, variant.nearest_line(*path), 0, place)
     if name:
         values[name] = value
     return None
+
+
+def _is_rounding(formula: Formula, values: dict[str, complex], t: float) -> bool:
+    """Return whether a formula goes to a value just before a time, so that only the last bit of the time takes it away."""
+    with suppress(FormulaFault):
+        near, before = (abs(evaluate_any(formula, values | {"t": t * (1 - part)})) for part in (_ROUNDED, _BEFORE))
+        return near < before
+    return False

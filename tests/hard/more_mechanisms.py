@@ -1,0 +1,167 @@
+"""Mechanisms at the edge of doubles: two driven cranks, a crank that reverses at its dead point, a rod as long as its crank.
+
+Each has its true motion in fifty digits by mpmath.  Used by `more_edges.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from random import Random
+
+import mpmath as mp
+
+from tests.hard.drives import Law, four_bar
+from tests.hard.drives import drawn as drive
+from tests.hard.edges import Columns, Edge, closing, dyad, of_four_bar, rate_of
+
+SCHEMES = ["exact", "exact", "euler", "rk4"]
+FIVE = ("ra", "re", "rb", "rc", "xO")
+
+
+def two(random: Random) -> Edge:
+    """Return a five-bar of two driven cranks, each with a law of its own."""
+    kinds = ["pulse", "switch", "fold", "chirp", "step"]
+    first, second = (drive(random.choice(kinds), random, 10 ** -random.uniform(0, 6)) for _ in range(2))
+    a, e, long, other, d = random.choice([0.1, 0.2, 0.3]), random.choice([0.15, 0.25]), 0.8, 0.9, 1.0
+    lengths = "".join(f'{name} = "{value!r} m"\n' for name, value in zip(FIVE, (a, e, long, other, d), strict=True))
+    names = {name: f"{name}_2" for name in second.given}
+    law = re.sub(r"\b[a-zA-Z]+\b", lambda one: names.get(one[0], one[0]), second.drive)
+    given = first.given | {names[name]: value for name, value in second.given.items()}
+    text = f"format = 1\n[given]\n{lengths}" + "".join(f'{name} = "{value}"\n' for name, value in given.items())
+    text += f'[drive]\nw1 = "{first.drive}"\nv1 = "{law}"\n'
+    text += FIVE_BAR.format(scheme=random.choice(SCHEMES), step=random.choice([0.01, 0.002]))
+    rate, turning = rate_of(first), rate_of(second)
+    ra, re_, rb, rc, xo = (mp.mpf(x) for x in (a, e, long, other, d))
+
+    def true(t: mp.mpf) -> Columns:
+        q, p = first.angle(t), 1 + second.angle(t)
+        left, right = ra * mp.expj(q), xo + re_ * mp.expj(p)
+        u, v, _ = dyad(left, right, rb, rc, 1)
+        wu, wv = closing(1j * rate(t) * ra * mp.expj(q), 1j * turning(t) * re_ * mp.expj(p), rb, rc, u, v)
+        return {"q": q, "p": p, "u": u, "v": v, "w1": rate(t), "v1": turning(t), "wu": wu, "wv": wv}
+
+    quickly = tuple(float(value.split()[0]) for n, value in given.items() if n in {"tm", "tm_2"})
+    most, wave = max(first.most, second.most), max(first.wave, second.wave)
+    return Edge("two", f"{first.kind} and {second.kind}", text, true, about=quickly, most=most, wave=wave)
+
+
+FIVE_BAR = """
+[coordinates]
+q = {{ start = "0 rad", rate = "w1", unit = "rad" }}
+p = {{ start = "1 rad", rate = "v1", unit = "rad" }}
+u = {{ rate = "wu", unit = "rad" }}
+v = {{ rate = "wv", unit = "rad" }}
+[time]
+step = "{step!r} s"
+end = "1.0 s"
+scheme = "{scheme}"
+[points]
+A = "(0, 0)"
+O = "(xO, 0)"
+[[group]]
+kind = "crank"
+from = ["A"]
+lengths = ["ra"]
+meets = "B"
+coordinates = ["q"]
+[[group]]
+kind = "crank"
+from = ["O"]
+lengths = ["re"]
+meets = "C"
+coordinates = ["p"]
+[[group]]
+kind = "RRR"
+from = ["B", "C"]
+lengths = ["rb", "rc"]
+meets = "D"
+coordinates = ["u", "v"]
+mode = "+1"
+[ask]
+quantities = ["table", "checks"]
+"""
+
+
+def rocking(random: Random) -> Edge:
+    """Return a crank that swings to within 1e-1 to 1e-12 of its dead point and back, or just beyond; some hold still there."""
+    a, d = mp.mpf(0.8), mp.mpf(1.0)
+    b, c = mp.mpf(0.5), mp.mpf(random.choice([0.6, 0.7]))
+    last = mp.acos((a**2 + d**2 - (b + c) ** 2) / (2 * a * d))  # there b and c are one line
+    beyond, miss = random.random() < 0.25, 10 ** -random.uniform(1, 12)
+    start, k = 1.0, float(f"{random.uniform(2, 9):.4g}")
+    reach = float((last - start) * (1 + (miss if beyond else -miss)))
+    law = Law(
+        "swing", "a*k*sin(k*t)/2", {"a": f"{reach!r} rad", "k": f"{k!r} 1/s"}, lambda t: mp.mpf(reach) * (1 - mp.cos(k * t)) / 2
+    )
+    step = random.choice([0.01, 0.005, 0.002])
+    text = four_bar(law, scheme=random.choice(SCHEMES), start=start, step=step, end=3.0)
+    for name, old, new in zip(("l1", "l2", "l3", "xC"), ("0.4", "1.0", "0.7", "1.2"), (a, b, c, d), strict=True):
+        text = text.replace(f'{name} = "{old} m"', f'{name} = "{float(new)!r} m"')
+    farthest = mp.mpf(start) + mp.mpf(reach)
+    missed = (b + c - abs(d - a * mp.expj(farthest))) / b  # of the shortest link
+    ends = float(mp.acos(1 - 2 * (last - start) / mp.mpf(reach)) / k) if missed < 0 else None
+    true = of_four_bar((a, b, c, d), law, rate_of(law), mp.mpf(start))
+    return Edge("rocking", f"missed by {float(missed):.1e}", text, true, float(missed), ends, most=abs(reach * k / 2))
+
+
+def passed(random: Random) -> Edge:
+    """Return a slider-crank whose rod is longer than its crank by a part of 1e-1 to 1e-9: it comes to stand nearly across."""
+    more, size = 10 ** -random.uniform(1, 9), 10 ** random.uniform(-3, 3)
+    r = float(f"{size:.3g}")
+    long = r * (1 + more)
+    kind = random.choice(["steady", "pulse", "step", "fold"])
+    n = mp.mpf(float(f"{random.uniform(1, 30):.4g}"))
+    law = Law("steady", "n", {"n": f"{float(n)!r} rad/s"}, lambda t: n * t, float(n))
+    if kind != "steady":
+        law = drive(kind, random, 10 ** -random.uniform(0, 5))
+    text = SLIDER.format(
+        r=r, l=long, drive=law.drive, given="\n".join(f'{name} = "{value}"' for name, value in law.given.items()),
+        step=random.choice([0.01, 0.002]), scheme=random.choice(SCHEMES),
+    )  # fmt: skip
+    rate, (rr, ll) = rate_of(law), (mp.mpf(r), mp.mpf(long))
+
+    def true(t: mp.mpf) -> Columns:
+        th, w = law.angle(t), rate(t)
+        high, over = rr * mp.sin(th), mp.sqrt(ll**2 - (rr * mp.sin(th)) ** 2)
+        ps, wps = mp.atan2(-high, over), -rr * mp.cos(th) * w / over
+        slide = -rr * mp.sin(th) * w - high / over * rr * mp.cos(th) * w
+        return {"th": th, "ps": ps, "s": rr * mp.cos(th) + over, "w1": w, "w2": wps, "u": slide}
+
+    quickly = tuple(float(value.split()[0]) for name, value in law.given.items() if name == "tm")
+    return Edge("passed", f"rod longer by {more:.0e}, {kind}", text, true, more, about=quickly, most=law.most, wave=law.wave)
+
+
+SLIDER = """format = 1
+[given]
+lr = "{r!r} m"
+ll = "{l!r} m"
+{given}
+[drive]
+w1 = "{drive}"
+[coordinates]
+th = {{ start = "0 rad", rate = "w1", unit = "rad" }}
+ps = {{ rate = "w2", unit = "rad" }}
+s = {{ rate = "u", unit = "m" }}
+[time]
+step = "{step!r} s"
+end = "1.0 s"
+scheme = "{scheme}"
+[points]
+A = "(0, 0)"
+[[group]]
+kind = "crank"
+from = ["A"]
+lengths = ["lr"]
+meets = "B"
+coordinates = ["th"]
+[[group]]
+kind = "RRP"
+from = ["B"]
+guide = {{ through = "A", angle = "0" }}
+lengths = ["ll"]
+meets = "C"
+coordinates = ["ps", "s"]
+mode = "+1"
+[ask]
+quantities = ["table", "checks"]
+"""
