@@ -12,13 +12,17 @@ from coursework.assigning.accept import Accepted
 from coursework.assigning.handout import Handout, difficulty_text
 from coursework.assigning.page_words import Plain, symbol_runs
 from coursework.assigning.ranges import MEASURES, Range
-from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, strip
 from coursework.assigning.variants import Assignment
 from coursework.report.text.words import Words
+from coursework.system.frozen import frozen
 from coursework.variant.formula.units import read
 from coursework.words.templates import clean, filled
 
 LONGEST = 120
+WIDTH, HEIGHT = 640.0, 46.0
+LEFT, RIGHT, BASE = 12.0, 628.0, 30.0  # of the axis
+MARK = 3.0  # radius of a mark; marks that would touch are stacked
+HIGHEST = 90.0  # of a stack; in a higher one the marks overlap
 
 
 def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, words: Words) -> str:
@@ -104,3 +108,42 @@ def _equal(accepted: Sequence[Accepted]) -> list[list[str]]:
             clean(one.id, LONGEST)
         )
     return [students for students in alike.values() if len(students) > 1]
+
+
+@frozen
+class Strip:
+    """One number of the class: its band and centre as places on the axis, a mark (x, y) a student, the ends in words."""
+
+    band: tuple[str, str]
+    centre: str
+    marks: tuple[tuple[str, str], ...]
+    first: str
+    last: str
+    height: str
+
+
+def strip(values: Sequence[float], low: float, high: float, centre: float, ends: tuple[str, str]) -> Strip:
+    """Return the strip of `values` over an axis that holds the band from `low` to `high` and every value.
+
+    Marks are stacked where they would touch, in the order of the values, so that equal classes give equal pictures.
+    """
+    least, most = min([low, *values]), max([high, *values])
+    span = (most - least) or 1.0
+
+    def x(value: float) -> float:
+        return LEFT + (RIGHT - LEFT) * (value - least) / span if most > least else (LEFT + RIGHT) / 2
+
+    tops: list[list[float]] = []
+    placed: list[tuple[float, int]] = []
+    for value in sorted(values):
+        at = x(value)
+        level = next((k for k, row in enumerate(tops) if at - row[-1] >= 2 * MARK), len(tops))
+        if level == len(tops):
+            tops.append([])
+        tops[level].append(at)
+        placed.append((at, level))
+    pitch = min(2 * MARK, HIGHEST / max(1, len(tops)))
+    height = HEIGHT + pitch * max(0, len(tops) - 2)
+    base = height - (HEIGHT - BASE)
+    marks = tuple((f"{at:.1f}", f"{base - MARK - pitch * level:.1f}") for at, level in placed)
+    return Strip((f"{x(low):.1f}", f"{x(high) - x(low):.1f}"), f"{x(centre):.1f}", marks, *ends, f"{height:.0f}")

@@ -153,8 +153,7 @@ def step_of(text: str | None, variant: Variant) -> float | None:
     try:
         return float(text.removesuffix("s").strip())
     except ValueError:
-        told = say("fault.C031", text=text)
-        raise InputError(told) from None
+        raise InputError(say("fault.C031", text=text)) from None
 
 
 def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, live: bool) -> list[str]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from coursework.drawing.lettering.offsets import offsets
 from coursework.drawing.outline.ground import wheel_on
@@ -55,7 +55,7 @@ def link_lines(painter: Painter, bar: Bar) -> list[Segment]:
             found += [(a, b) for a, b in itertools.pairwise(painter.slot_line(slot)) if a != b]
     if contact := painter.racks.get(bar.link):
         found.append((painter.at[bar.corners[0]], painter.at[contact]))
-    return found or points_as_lines(painter.at[name] for name in bar.corners)
+    return found or [(painter.at[name], painter.at[name]) for name in bar.corners]
 
 
 def link_owner(painter: Painter, bar: Bar) -> Owner:
@@ -161,8 +161,3 @@ def lies_on(line: Segment, other: Segment) -> bool:
     ends = [(end - a) * ((b - a) / abs(b - a)).conjugate() for end in line]
     low, high = sorted(end.real for end in ends)
     return all(abs(end.imag) < 0.1 for end in ends) and min(high, abs(b - a)) - max(low, 0.0) > 0.1
-
-
-def points_as_lines(points: Iterable[complex]) -> list[Segment]:
-    """Return points as segments of no length, for words that may be taken for theirs."""
-    return [(at, at) for at in points]

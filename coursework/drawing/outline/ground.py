@@ -1,7 +1,7 @@
 """Where the ground of a mechanism is, the same on paper and on the screen: below a hinge, behind a rail, in a fixed circle.
 
 Enters: an `Outline` and places of its points (name -> x + iy in m) in one position.  Leaves: directions, sides, racks.
-Used by `painter.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `report/live/scenery.py` and `moving_shape.py`.
+Used by `painter.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `report/live/scenery.py` and `moving_picture.py`.
 """
 
 from __future__ import annotations

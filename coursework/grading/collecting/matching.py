@@ -45,7 +45,7 @@ def match(
             row = rows.get(file_list.number)
             student = people.of_row(row) if row else (people.named(file_list.name) if worksheet is None else None)
         elif student is None and platform == "canvas":
-            student = people.by_id.get(same_key(file_list.number)) or people.run_together(file_list.name or "")
+            student = people.by_id.get(same_key(file_list.number)) or people.by_letters.get((file_list.name or "").casefold())
         if student is None:
             others.append(file_list)
         else:
@@ -72,9 +72,6 @@ class _People:
 
     def named(self, name: str | None) -> Student | None:
         return self.by_name.get(name_key(name)) if name else None
-
-    def run_together(self, name: str) -> Student | None:
-        return self.by_letters.get(name.casefold())
 
 
 def _unique(pairs: Iterable[tuple[str, Student]]) -> dict[str, Student]:

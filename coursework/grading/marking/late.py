@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import asdict
 from datetime import datetime
 from typing import Any
 
@@ -46,10 +47,7 @@ class Late:
 
     def plain(self) -> dict[str, Any]:
         """Return the section as it was used, for grades.json."""
-        return {
-            "deadline": self.deadline.isoformat(), "grace": self.grace, "lost_per_day": self.lost_per_day,
-            "at_most": self.at_most,
-        }  # fmt: skip
+        return asdict(self) | {"deadline": self.deadline.isoformat()}
 
 
 def span(text: str) -> float | None:

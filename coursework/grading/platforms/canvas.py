@@ -80,15 +80,13 @@ def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
     fitting = [place for place in listed if possible is None or _points(cells, possible, place) in (points, None)]
     known = "; ".join(titles[place] for place in listed) or "none"
     if not fitting:
-        message = say("fault.G012", points=points, known=known)
-        raise InputError([Fault(message, file, 1)])
+        raise InputError([Fault(say("fault.G012", points=points, known=known), file, 1)])
     students = tuple(k for k in range(1, len(cells.records)) if k > (possible or 0) and _is_student(cells, k))
     if len(fitting) > 1:
         empty = [place for place in fitting if not any(cells.value(k, place) for k in students)]
         if len(empty) != 1:
             names = "; ".join(titles[place] for place in fitting)
-            message = say("fault.G013", points=points, names=names)
-            raise InputError([Fault(message, file, 1)])
+            raise InputError([Fault(say("fault.G013", points=points, names=names), file, 1)])
         fitting = empty
     return Gradebook(cells, fitting[0], students)
 

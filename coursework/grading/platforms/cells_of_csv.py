@@ -73,8 +73,7 @@ class CellText:
         try:
             return self.mark + whole.encode(self.encoding.removesuffix("-sig"))
         except UnicodeEncodeError as error:
-            letter = whole[error.start]
-            message = say("fault.G016", letter=letter, encoding=self.encoding)
+            message = say("fault.G016", letter=whole[error.start], encoding=self.encoding)
             raise InputError([Fault(message, self.file)]) from error
 
     def quoted(self, value: str) -> str:
@@ -94,8 +93,7 @@ def read_cells(content: bytes, file: str) -> CellText:
     try:
         text = content[len(mark) :].decode(name)
     except UnicodeDecodeError as error:
-        message = say("fault.G015")
-        raise InputError([Fault(message, file)]) from error
+        raise InputError([Fault(say("fault.G015"), file)]) from error
     separator = _separator(text)
     return CellText(file, text, name, mark, separator, tuple(_records(text, separator)))
 

@@ -82,8 +82,7 @@ class Worksheet:
     def check_total(self, points: float, rubric: str) -> None:
         """Raise `InputError` where the rubric's total is not the worksheet's greatest grade: Moodle would leave grades out."""
         if abs(points - self.maximum) > 1e-9:
-            message = say("fault.G025", maximum=self.maximum, rubric=rubric, points=points)
-            raise InputError([Fault(message, self.cells.file)])
+            raise InputError([Fault(say("fault.G025", maximum=self.maximum, rubric=rubric, points=points), self.cells.file)])
 
     def filled(self, marks: Mapping[int, tuple[float | None, str]]) -> bytes:
         """Return the worksheet with points and comments: by `record`, points (None leaves the grade) and text of the comment.
@@ -116,8 +115,7 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     found = {name: titles[title] for name, known in _TITLES.items() for title in known.split(",") if title in titles}
     maximum = found.get("maximum", _column_of_maximum(cells))
     if maximum is None:
-        message = say("fault.G022")
-        raise InputError([Fault(message, file, 1)])
+        raise InputError([Fault(say("fault.G022"), file, 1)])
     columns = {"identifier": 0, "name": 1, "grade": maximum - 1, "maximum": maximum} | found
     if columns["grade"] < 1:
         raise InputError([Fault(say("fault.G023"), file, 1)])
@@ -153,8 +151,7 @@ def _maximum(cells: CellText, place: int) -> tuple[float, str]:
     mark = "," if "," in first and "." not in first else "."
     number = printed(first, mark)
     if not number.is_number or number.value <= 0 or len({*values}) != 1:
-        message = say("fault.G024", first=first[:20])
-        raise InputError([Fault(message, cells.file, 2)])
+        raise InputError([Fault(say("fault.G024", first=first[:20]), cells.file, 2)])
     return number.value, mark
 
 

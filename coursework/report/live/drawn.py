@@ -19,6 +19,8 @@ from coursework.report.live.spots import spots_of
 from coursework.scene.scene import Scene
 from coursework.system.frozen import frozen
 
+_KINDS = ("points", "links", "slots", "blocks", "rails", "wheels", "tracks", "hinges", "racks", "shown_points", "rings", "spots")
+
 
 @frozen
 class Drawn:
@@ -32,21 +34,7 @@ def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
     """Return what is drawn, nothing where a file places no points; `label` writes the name of a point."""
     outline = read_outline(scene.mechanism)
     if outline is None or not outline.shown:
-        kinds = (
-            "points",
-            "links",
-            "slots",
-            "blocks",
-            "rails",
-            "wheels",
-            "tracks",
-            "hinges",
-            "racks",
-            "shown_points",
-            "rings",
-            "spots",
-        )
-        return Drawn({kind: [] for kind in kinds}, ())
+        return Drawn({kind: [] for kind in _KINDS}, ())
     symbols = scene.equations.symbols
     vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
     kept = outline.plain()

@@ -141,8 +141,7 @@ class Parts:
         left, right = self._resolve(path, left, scope), self._resolve(path, right, scope)
         kinds = {self._kind(path, side) for side in (left, right)} if closure else {"scalar"}
         if len(kinds - {"?"}) > 1:
-            text = say("fault.V058")
-            self.say(path, text)
+            self.say(path, say("fault.V058"))
         return left, right
 
     def formula(self, path: KeyPath, text: str, kind: Kind, scope: str = "geometry") -> Formula:

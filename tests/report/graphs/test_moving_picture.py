@@ -11,8 +11,7 @@ from PIL import Image
 import coursework
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
-from coursework.report.graphs.moving_picture import label_text, moving_picture
-from coursework.report.graphs.moving_shape import Shape, draw_ground
+from coursework.report.graphs.moving_picture import Shape, draw_ground, label_text, moving_picture
 from coursework.report.text.symbols import symbol
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases

@@ -3,8 +3,7 @@
 import pytest
 
 import coursework
-from coursework.report.wording.data_meanings import coordinate_meanings, meanings
-from coursework.report.wording.drive_meanings import drive_meanings
+from coursework.report.wording.data_meanings import coordinate_meanings, drive_meanings, meanings
 from coursework.variant.catalogue import names
 from tests.report.made import solved
 

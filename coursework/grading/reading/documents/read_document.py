@@ -7,11 +7,13 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
+from statistics import median
 
-from coursework.grading.reading.documents.document import Document, DocumentLine
+from coursework.grading.reading.documents.document import Document, DocumentLine, DocumentTable
 from coursework.grading.reading.documents.docx import document_of_docx, main_part
-from coursework.grading.reading.documents.joined_tables import joined
 from coursework.grading.reading.documents.json_data import document_of_json
 from coursework.grading.reading.documents.json_text import is_json
 from coursework.grading.reading.documents.markdown import document_of_markdown, is_markdown
@@ -24,15 +26,20 @@ from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
 from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive
-from coursework.grading.reading.files.cells import Sheet
+from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.limits import Refused, columns_read, rows_read
+from coursework.grading.reading.numbers import looks_numeric, plain_text
 from coursework.grading.reading.student_work import EquationLine, EquationReading, Table
+from coursework.grading.reading.table.headers import read_head
 from coursework.grading.reading.table.table import Origin, read_sheets
 from coursework.grading.reading.table.tables_of_file import table_of_text
 
 _MOST_TEXTS = 200
 _TRIED = re.compile("[=:≈]")  # equations and answers
+_Row = tuple[Cell, ...]
+_LOOKED_AT = 8  # rows in which heads are looked for, and how the time goes on
+_STEP = 0.3  # of a step that rounding may take
 
 
 def document_of_bytes(content: bytes, grid: Grid) -> Document | None:
@@ -125,3 +132,56 @@ def _placed(line: EquationLine, at: DocumentLine, expected: Expected) -> Equatio
         return replace(line, place=at.place) if is_one else None
     names = {node.name for side in (line.left, line.right) for node in side.walk() if node.op == "name"} - {*BUILT_IN}
     return replace(line, place=at.place, may_be_datum=len(names) < 2) if names & sought else None
+
+
+def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) -> list[DocumentTable]:
+    """Return the tables with those put together that are one."""
+    out: list[DocumentTable] = []
+    for table in tables:
+        body = [row for row in table.rows if _is_body(row)] if out else []
+        if body and _same_heads(out[-1].rows, table.rows, columns) and _goes_on(out[-1].rows, body):
+            out[-1] = replace(out[-1], rows=(*out[-1].rows, *body))
+        else:
+            out.append(table)
+    return out
+
+
+def _is_body(row: _Row) -> bool:
+    filled = [cell for cell in row if cell.text]
+    numbers = sum(cell.kind != "text" or looks_numeric(cell.text) for cell in filled)
+    return numbers >= 2 and 2 * numbers >= len(filled)
+
+
+def _same_heads(first: Sequence[_Row], second: Sequence[_Row], columns: Sequence[tuple[str, str]]) -> bool:
+    """Return whether the second table has the heads of the first, or none and as many columns."""
+    heads, again = _heads(first, columns), _heads(second, columns)
+    return heads == again if again else max(map(len, first)) == max(map(len, second))
+
+
+def _heads(rows: Sequence[_Row], columns: Sequence[tuple[str, str]]) -> list[tuple[str, ...]]:
+    """Return what the heads of a table mean, nothing where no row names two columns."""
+    for row in rows[:_LOOKED_AT]:
+        if not _is_body(row):
+            named = [read_head(cell.text, columns).candidates for cell in row]
+            if sum(map(bool, named)) > 1:
+                return named
+    return []
+
+
+def _goes_on(first: Sequence[_Row], second: Sequence[_Row]) -> bool:
+    """Return whether one of the first two columns rises in steps and the second table begins one step after the first ends."""
+    for place in (0, 1):
+        before = [value for row in first[-_LOOKED_AT:] if _is_body(row) for value in _number(row, place)]
+        after = [value for row in second[:_LOOKED_AT] for value in _number(row, place)]
+        steps = [later - earlier for numbers in (before, after) for earlier, later in pairwise(numbers)]
+        if not before or not after or not steps:
+            continue
+        step = median(steps)
+        if step > 0 and abs(after[0] - before[-1] - step) <= _STEP * step:
+            return True
+    return False
+
+
+def _number(row: _Row, place: int) -> list[float]:
+    text = plain_text(row[place].text).replace(",", ".") if place < len(row) else ""
+    return [float(text)] if looks_numeric(text) and len(text) < 20 and text.count(".") < 2 and " " not in text else []

@@ -38,7 +38,7 @@ def find_columns(layout: Layout, names: Sequence[str], step: float) -> Places:
 
     Raises `Refused` where columns cannot be told apart or say two things.
     """
-    filled = [at for at in range(len(layout.heads)) if _is_filled(layout, at)]
+    filled = [at for at in range(len(layout.heads)) if any(row[at].stands_for_number for row in layout.body)]
     places, repeated = _by_head(layout, filled)
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
     _add_time(layout, places, free, len(names), step)
@@ -51,10 +51,6 @@ def find_columns(layout: Layout, names: Sequence[str], step: float) -> Places:
     if not any(name in places for name in names):
         raise unreadable("no_columns", columns=len(rest), names=tuple(names))
     return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})))
-
-
-def _is_filled(layout: Layout, at: int) -> bool:
-    return any(row[at].stands_for_number for row in layout.body)
 
 
 def _by_head(layout: Layout, filled: list[int]) -> tuple[dict[str, Place], set[int]]:
