@@ -11,10 +11,11 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from coursework.words.scripts import without_chinese
+
 LONGEST = 30  # characters that stay together: a line of a telephone holds 40
 KEPT = ("\ue003", "\ue004")  # around what no line may break; text of others is cleaned of both
-HAN = "\u2e80-\u9fff\uff00-\uffef"  # signs of Chinese: no spaces between them, and a line may break at any of them
-_APART = "\u200b"  # stands for each of them while pieces are looked for: patterns without their ranges are made sooner
+_APART = "\u200b"  # stands for each sign of Chinese while pieces are looked for: patterns without their ranges are made sooner
 _SIGN = rf"[^\s{_APART}]"  # what a piece between two spaces is made of
 _OF_QUOTIENT = r"[\w.,;·()|²³√−-]"
 _BEGIN = rf"(?<!{_SIGN})"
@@ -45,7 +46,6 @@ _TOGETHER = tuple(
         rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
     )
 )
-_CHINESE = re.compile(f"[{HAN}]")
 _WORTH_A_LOOK = re.compile(r"[=≈<>≤≥+−·×/%{]|\d|\w-\w|cos|sin|tan|tg")
 
 
@@ -102,7 +102,7 @@ def _together(text: str) -> list[tuple[int, int]]:
     """Return the places that no line may break, in order; none over another, none longer than `LONGEST`."""
     if not _WORTH_A_LOOK.search(text):
         return []
-    text = _CHINESE.sub(_APART, text)
+    text = without_chinese(text, _APART)
     kept: list[tuple[int, int]] = []
     for begin, end in sorted(match.span() for pattern in _TOGETHER for match in pattern.finditer(text)):
         first, last = kept[-1] if kept else (0, 0)

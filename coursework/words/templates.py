@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 from coursework.words.custom_templates import line_in_templates, templates_in_use
 from coursework.words.data_folders import folder
 from coursework.words.errors import CourseworkError, Fault, InputError
-from coursework.words.line_ends import HAN, line_groups
+from coursework.words.line_ends import line_groups
+from coursework.words.scripts import HAN_HERE, is_chinese, made_for
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
 
 READ = frozenset({".j2", ".toml", ".css", ".js", ".typ"})  # the kinds of pieces that are text
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
-_LINE_END = re.compile(rf"(?<=[{HAN}])[ \t]*\n\s*(?=[{HAN}])")
-_UNBROKEN = re.compile(rf"[^\s{HAN}]{{25,}}")
+_LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
+_UNBROKEN = rf"[^\s{HAN_HERE}]{{25,}}"
 _SHORT = 24  # characters, below which no word needs a place to break
 _PIECE = re.compile(r"\S{1,12}")
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
@@ -101,9 +102,11 @@ def clean(text: str, longest: int = LONGEST) -> str:
     """
     if len(text) < _SHORT and text.isascii() and text.isprintable() and "  " not in text:
         return text.strip()[:longest]  # nearly every cell of a table
-    joined = _LINE_END.sub("", unicodedata.normalize("NFC", text[: 4 * longest]))
+    joined = unicodedata.normalize("NFC", text[: 4 * longest])
+    if is_chinese(joined):
+        joined = made_for(joined, _LINE_END).sub("", joined)
     spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", joined)
     plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
     if len(plain) > longest:
         plain = plain[: longest - 1].rstrip() + "…"
-    return _UNBROKEN.sub(lambda word: "\u200b".join(_PIECE.findall(word[0])), plain)
+    return made_for(plain, _UNBROKEN).sub(lambda word: "\u200b".join(_PIECE.findall(word[0])), plain)

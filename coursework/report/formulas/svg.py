@@ -7,10 +7,13 @@ Used by `assigning/sheet.py` and `html.py`.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from coursework.report.formulas.line_breaks import pieces
+from coursework.report.formulas.outlines import UNITS, outline
 from coursework.report.formulas.typesetting import refusal, typeset
 from coursework.system.frozen import frozen
 from coursework.words.data_folders import folder
@@ -19,9 +22,13 @@ _SYMBOL = re.compile(r'<symbol id="([^"]+)"[^>]*>\s*<path d="([^"]+)"\s*/>\s*</s
 _RUN = re.compile(r'<g transform="matrix\(1 0 0 -1 (\S+) (\S+)\)"\s*>((?:\s*<use [^>]*/>)*)\s*</g>')
 _COPY = re.compile(r'href="#([^"]+)" x="([^"]+)" y="([^"]+)"')
 _NOTHING = re.compile(r"<g [^>]*/>|</svg>")
-_SHIFTED = re.compile(r'transform="translate\((\S+) (\S+)\)" d="M 0 0([^"A-Z]*)"')
+# A bar of a fraction or a root; ends, corners and their limit are those that every line has.
+_BAR = re.compile(
+    r'<path fill="none" stroke="#000000" stroke-width="(\S+)"[^>]*? transform="translate\((\S+) (\S+)\)" d="([^"]*)"/>'
+)
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
-_OPENING = re.compile(r'<svg[^>]*?viewBox="([^"]+)"[^>]*?width="([\d.]+)pt"[^>]*?height="([\d.]+)pt"[^>]*>')
+_OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
+_NAMED = re.compile(r"#(\w+)")
 NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
@@ -42,7 +49,7 @@ class Picture:
 
 @frozen
 class Drawn:
-    """Pictures by source, and the glyphs they refer to (to stand once in the page)."""
+    """Pictures by source, and the glyphs and repeated formulas they refer to (to stand once in the page)."""
 
     pictures: dict[str, Picture]
     glyphs: str
@@ -53,8 +60,8 @@ _cache: dict[tuple[Path, str], tuple[Picture, dict[str, str]]] = {}
 
 def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
     """Return every equation as SVG; `breaks`: a long one in pieces.  Raises `OutputError` where Typst is not installed."""
-    parted = {source: pieces(source) if breaks else [source] for source in sources}
-    wanted = list(dict.fromkeys(piece for parts in parted.values() for piece in parts))
+    listed = [(source, pieces(source) if breaks else [source]) for source in sources]
+    wanted = Counter(piece for _, parts in listed for piece in parts)
     if len(_cache) > MOST_CACHED:
         _cache.clear()
     looks = folder("reports")  # own pieces may draw them in another way
@@ -69,8 +76,18 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
     glyphs: dict[str, str] = {}
     for piece in wanted:
         glyphs |= _cache[looks, piece][1]
-    pictures = {source: _joined([_cache[looks, piece][0] for piece in parts]) for source, parts in parted.items()}
-    return Drawn(pictures, "".join(glyphs[key] for key in sorted(glyphs)))
+    names = {glyph: f"g{number}" for number, glyph in enumerate(sorted(glyphs))}
+    common = [glyphs[glyph].replace(glyph, name) for glyph, name in names.items()]
+    drawn: dict[str, Picture] = {}
+    for piece, times in wanted.items():
+        picture = _cache[looks, piece][0]
+        body = _NAMED.sub(lambda told: f"#{names[told[1]]}", picture.svg)
+        if times > 1:
+            head, inside = body.removesuffix("</svg>").split(">", 1)
+            common.append(f'<g id="f{len(common)}">{inside}</g>')
+            body = f'{head}><use href="#f{len(common) - 1}"/></svg>'
+        drawn[piece] = replace(picture, svg=body)
+    return Drawn({source: _joined([drawn[piece] for piece in parts]) for source, parts in listed}, "".join(common))
 
 
 def _joined(parts: list[Picture]) -> Picture:
@@ -85,39 +102,43 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     opening = _OPENING.search(svg)
     if not opening:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
-    box, width, height = opening[1], float(opening[2]), float(opening[3])
+    wide, high = map(float, opening.groups())
     body = _DEFINITIONS.sub("", svg[opening.end() :])
+    placed = [
+        (copy[1], round(UNITS * (float(run[1]) + float(copy[2]))), round(UNITS * (float(run[2]) - float(copy[3]))))
+        for run in _RUN.finditer(body)  # whose heights count upwards
+        for copy in _COPY.finditer(run[3])
+    ]
+    # Heights are counted from the line on which most letters stand: there they are 0.
+    line = Counter(y for _, _, y in placed).most_common(1)[0][0] if placed else 0
     places: dict[str, list[str]] = {}
-    for run in _RUN.finditer(body):
-        for copy in _COPY.finditer(run[3]):
-            # A run of letters counts its heights upwards.
-            x, y = float(run[1]) + float(copy[2]), float(run[2]) - float(copy[3])
-            places.setdefault(copy[1], []).append(f"{_short(x)} {_short(y)}")
-    bars = _NOTHING.sub("", _RUN.sub("", body)).replace('stroke="#000000"', 'stroke="currentColor"')  # on a dark screen too
-    bars = _SHIFTED.sub(lambda bar: f'd="M{_short(float(bar[1]))} {_short(float(bar[2]))}{bar[3]}"', bars)
-    if "<use" in bars or not places.keys() <= glyphs.keys():
+    for glyph, x, y in placed:
+        places.setdefault(glyph, []).append(f"{x} {y - line}")
+    bars = _BAR.sub(lambda bar: _bar(bar, line), _NOTHING.sub("", _RUN.sub("", body)))
+    if "<use" in bars or "transform" in bars or not places.keys() <= glyphs.keys():
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
-    size = f'width="{width:.2f}pt" height="{height:.2f}pt" style="--wide:{width:.2f}pt"'
-    head = f'<svg class="math" viewBox="{box}" {size} aria-hidden="true">'
+    size = f'width="{wide:.2f}pt" style="--wide:{wide:.2f}pt"'
+    # Two digits more than eyes need: lines of words beside a formula stand on whole pixels by its height.
+    head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.8g} {UNITS * high:.8g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())
-    bars = re.sub(r">\s+<", "><", bars).strip()
-    return Picture(f'{head}<g fill="none">{letters}</g>{bars}</svg>', width), glyphs
+    return Picture(f'{head}<g fill="none">{letters}</g>{bars.strip()}</svg>', wide), glyphs
 
 
-def _marker(glyph: str, outline: str) -> str:
+def _bar(bar: re.Match[str], line: int) -> str:
+    thick, x, y = (UNITS * float(number) for number in bar.groups()[:3])
+    way = outline(bar[4], x, y - line, up=-1)
+    # On a dark screen its colour is that of the text.
+    return f'<path stroke="currentColor" stroke-width="{thick:g}" d="M{round(x)} {round(y - line)}{way}"/>'
+
+
+def _marker(glyph: str, path: str) -> str:
     """Return a glyph as a marker: the places of all its copies in a formula are numbers of one element.
 
     An element with a shift of its own for each copy, a thousand a page, is what a browser goes through whenever it paints.
     """
-    drawn = f'<path transform="scale(1 -1)" d="{outline}"/>'
-    return f'<marker id="{glyph}" markerUnits="userSpaceOnUse" overflow="visible">{drawn}</marker>'
+    return f'<marker id="{glyph}" markerUnits="userSpaceOnUse" overflow="visible"><path d="{outline(path)}"/></marker>'
 
 
 def _set(glyph: str, places: list[str]) -> str:
     """Return a line that nobody sees with the glyph at each of its corners; its ends bear none."""
-    return f'<polyline points="0 0 {" ".join(places)} 0 0" marker-mid="url(#{glyph})"/>'
-
-
-def _short(value: float) -> str:
-    """Return pt to a hundredth, which no eye can tell."""
-    return f"{value:.2f}".rstrip("0").rstrip(".")
+    return f'<path d="M0 0 {" ".join(places)} 0 0" marker-mid="url(#{glyph})"/>'

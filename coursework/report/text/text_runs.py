@@ -7,21 +7,22 @@ Used by `report/` and `assigning/`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from coursework.report.text.numbers import THIN, superscript
 from coursework.report.text.symbols import GREEK, is_named_after, symbol
-from coursework.words.line_ends import HAN, KEPT
+from coursework.words.line_ends import KEPT
+from coursework.words.scripts import HAN_HERE, made_for
 
 LONGEST_NAME = 200  # characters of a name or title
 
 Run = dict[str, str]
 
 
-_WORD = rf"[^\W{HAN}]"  # a letter, digit or _; words of other letters end where Chinese begins, without a space
-_LETTER = rf"[^\W\d_{HAN}]"
-_RUN = re.compile(
-    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>(?:[^\W_{HAN}]′*){{1,4}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
+_WORD = rf"[^\W{HAN_HERE}]"  # a letter, digit or _; words of other letters end where Chinese begins, without a space
+_LETTER = rf"[^\W\d_{HAN_HERE}]"
+_RUN = (
+    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>(?:[^\W_{HAN_HERE}]′*){{1,4}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
     rf"|\ue000(?P<own>.)(?P<index>[^\ue001]*)\ue001"
     rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
     rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
@@ -34,13 +35,13 @@ ITALIC = ("\ue000", "\ue001")
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
 _TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")
-_CHAIN = re.compile(rf"(?<!{_WORD})(?<![–-])[A-Z]\d?(?:-[A-Z]\d?)+(?!{_WORD})(?![–-])")  # M-B-C
+_CHAIN = rf"(?<!{_WORD})(?<![–-])[A-Z]\d?(?:-[A-Z]\d?)+(?!{_WORD})(?![–-])"  # M-B-C
 _EXPONENT = re.compile(r"(?<=[\w)])\^(\d+)(?!\w)")  # m/s^2, l^2
-_ROOT = re.compile(rf"(?<!{_WORD})sqrt\(")
+_ROOT = rf"(?<!{_WORD})sqrt\("
 _OF_ONE_NAME = re.compile(r"\b(sin|cos|tan)\((\w+)\)")  # cos(phi2): cos φ₂
-_MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=\w+·|[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD}))")
-_POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
-_NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)|(?<=\()-(?=\w)")
+_MINUS = rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=\w+·|[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD}))"
+_POWER = rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})"
+_NEGATIVE = rf"(?<!{_WORD})(?<![.)])-(?=\d)|(?<=\()-(?=\w)"
 _ARTICLES = "aAI"  # one letter each, and words of a sentence
 _OF_A_FORMULA = r"(?:(?<!\(.)(?=\))|(?= ?[=+·/²³]| − | (?:sin|cos|tan)\b))"  # no article has that behind it; (a) is a number
 _WORDS = re.compile(
@@ -48,9 +49,9 @@ _WORDS = re.compile(
 )  # no names of a letter and its index
 _ALSO_UNITS = "ms"
 _RAISED_DIGITS = "²³⁴"
-_COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
+_COMPONENT = rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})"  # A.x, B2.vy
 _POINT = re.compile(r"[A-Z](?:\d+|[ij])?")  # A, P1, Ki
-_POINTS = re.compile(rf"(?<!{_WORD})(?<![.–\ue003])(?:{_POINT.pattern})+(?!{_WORD})")
+_POINTS = rf"(?<!{_WORD})(?<![.–\ue003])(?:{_POINT.pattern})+(?!{_WORD})"
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
 
@@ -64,7 +65,7 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     text = spelt(text, names)
     found: list[Run] = []
     end = 0
-    for match in _RUN.finditer(text):
+    for match in made_for(text, _RUN).finditer(text):
         if match.start() > end:
             found.append({"t": text[end : match.start()]})
         if match["raised"]:
@@ -85,12 +86,16 @@ def printed(text: str) -> str:
 
     "A.x" becomes x_A, a chain of points "M-B-C" one that no line breaks.
     """
-    text = _POWER.sub(lambda match: f"{'' if match[1] == '1' else f'{match[1]}·'}10{superscript(str(int(match[2])))}", text)
-    text = _EXPONENT.sub(lambda match: superscript(match[1]), _ROOT.sub("√(", text))
+    text = _sub(_POWER, lambda match: f"{'' if match[1] == '1' else f'{match[1]}·'}10{superscript(str(int(match[2])))}", text)
+    text = _EXPONENT.sub(lambda match: superscript(match[1]), _sub(_ROOT, "√(", text))
     text = _OF_ONE_NAME.sub(f"\\1{THIN}\\2", text)
-    text = _NEGATIVE.sub("−", _MINUS.sub(" − ", _TIMES.sub("·", text)))
-    text = _CHAIN.sub(lambda match: unbroken(match[0].replace("-", "–")), text)
-    return _COMPONENT.sub(lambda match: symbol(match[0]).text, text)
+    text = _sub(_NEGATIVE, "−", _sub(_MINUS, " − ", _TIMES.sub("·", text)))
+    text = _sub(_CHAIN, lambda match: unbroken(match[0].replace("-", "–")), text)
+    return _sub(_COMPONENT, lambda match: symbol(match[0]).text, text)
+
+
+def _sub(pattern: str, replaced: str | Callable[[re.Match[str]], str], text: str) -> str:
+    return made_for(text, pattern).sub(replaced, text)
 
 
 def unbroken(text: str) -> str:
@@ -113,7 +118,7 @@ def with_pairs(text: str, names: Iterable[str]) -> str:
     pairs = {name for name in pairs if symbol(name).subscript}
     if not pairs:
         return text
-    return re.sub(rf"(?<!{_WORD})(?<![.–-])({'|'.join(sorted(pairs))})(?!{_WORD}|[(–-])", lambda it: symbol(it[1]).text, text)
+    return _sub(rf"(?<!{_WORD})(?<![.–-])({'|'.join(sorted(pairs))})(?!{_WORD}|[(–-])", lambda it: symbol(it[1]).text, text)
 
 
 def with_points(text: str, names: Iterable[str]) -> str:
@@ -128,14 +133,14 @@ def with_points(text: str, names: Iterable[str]) -> str:
             else row[0]
         )
 
-    return _POINTS.sub(lettered, text)
+    return _sub(_POINTS, lettered, text)
 
 
 def with_letters(text: str, names: Iterable[str]) -> str:
     """Return a sentence in which those names that are one Latin letter are marked as symbols: "21 % off in s", not "0.4 s"."""
     letters = {name for name in names if len(name) == 1 and name.isascii() and name.isalpha()}
     if articles := "".join(sorted(letters & set(_ARTICLES))):
-        text = re.sub(rf"(?<!{_WORD})([{articles}]){_OF_A_FORMULA}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+        text = _sub(rf"(?<!{_WORD})([{articles}]){_OF_A_FORMULA}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
     letters -= set(_ARTICLES)
     if not letters:
         return text
@@ -147,7 +152,7 @@ def with_letters(text: str, names: Iterable[str]) -> str:
         rf"(?![^\W{_RAISED_DIGITS}])(?![\u2009\u202f]|[('’–-]\S)",
     )
     behind += r"(?!(?<=[A-Z])\. ?[A-Z])"  # V. R. Pasika
-    return re.sub(f"{before}({'|'.join(either)}){behind}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+    return _sub(f"{before}({'|'.join(either)}){behind}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
 
 
 def numeral(text: str) -> str | list[Run]:
@@ -161,5 +166,5 @@ def spelt(text: str, names: Iterable[str]) -> str:
     if not sure:
         return text
     pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
-    behind = rf"(?![^\W{HAN}{_RAISED_DIGITS}]|\()"  # a raised digit belongs to no name: l2²
-    return re.sub(rf"(?<!{_WORD})(?<!\.)({pattern}){behind}", lambda match: symbol(match[1]).text, text)
+    behind = rf"(?![^\W{HAN_HERE}{_RAISED_DIGITS}]|\()"  # a raised digit belongs to no name: l2²
+    return _sub(rf"(?<!{_WORD})(?<!\.)({pattern}){behind}", lambda match: symbol(match[1]).text, text)

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from coursework.report.formulas import display, typst_math
+from coursework.report.formulas.outlines import outline
 from coursework.report.formulas.svg import draw
 from coursework.report.formulas.typesetting import typeset
 from coursework.report.text.symbols import Rates
@@ -83,17 +84,39 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
     dice = random.Random(8)
     sources = list({typst_math.math(random_tree(dice, 4)): None for _ in range(40)})
     sources.append("mat(a_1; b; c; d; e) = sqrt(frac(x, sqrt(y + 1)))")
-    pictures = draw(sources).pictures
-    for source, typst in zip(sources, typeset("equation.typ", sources, "svg"), strict=True):
+    pictures, pages = draw(sources).pictures, [page.decode() for page in typeset("equation.typ", sources, "svg")]
+    letters = sorted({letter for page in pages for letter in re.findall(r'<symbol id="([^"]+)"', page)})
+    names = {letter: f"g{number}" for number, letter in enumerate(letters)}
+    for source, typst in zip(sources, pages, strict=True):
         svg = pictures[source].svg
         assert "transform" not in svg
+        top = float(re.search(r'viewBox="0 (\S+) ', svg)[1])
         found = []
-        for line in re.finditer(r'<polyline points="0 0 ([^"]*) 0 0" marker-mid="url\(#(\w+)\)"/>', svg):
+        for line in re.finditer(r'<path d="M0 0 ([^"]*) 0 0" marker-mid="url\(#(\w+)\)"/>', svg):
             numbers = [float(number) for number in line[1].split()]
-            found += [(line[2], x, y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
-        wanted = sorted(placed(ElementTree.fromstring(typst)))
+            found += [(line[2], x / 100, (y - top) / 100) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+        wanted = sorted((names[glyph], x, y) for glyph, x, y in placed(ElementTree.fromstring(typst)))
         assert [glyph for glyph, _, _ in sorted(found)] == [glyph for glyph, _, _ in wanted]
         assert np.allclose([at[1:] for at in sorted(found)], [at[1:] for at in wanted], rtol=0, atol=0.006)
+
+
+def test_a_formula_that_repeats_is_drawn_once() -> None:
+    drawn = draw(["x_1 = y", "y", "x_1 = y"])
+    assert drawn.glyphs.count('<g id="f') == 1
+    assert re.search(r'<use href="#(f\d+)"/></svg>', drawn.pictures["x_1 = y"].svg)[1] in drawn.glyphs
+    assert "<use" not in drawn.pictures["y"].svg
+
+
+def test_no_rounding_adds_up_along_an_outline() -> None:
+    dice = random.Random(3)
+    steps = [(dice.choice("lhv"), round(dice.uniform(-9, 9), 5), round(dice.uniform(-9, 9), 5)) for _ in range(500)]
+    way = "".join(f"{kind} {x} {y}" if kind == "l" else f"{kind} {x if kind == 'h' else y}" for kind, x, y in steps)
+    exact, drawn = np.zeros(2), np.zeros(2)
+    for (kind, x, y), told in zip(steps, re.findall(r"[lhv][^a-z]+", outline("M 0 0" + way)), strict=True):
+        numbers = [float(number) for number in re.findall(r"-?\d+", told)]
+        exact += {"l": (x, -y), "h": (x, 0), "v": (0, -y)}[kind]
+        drawn += {"l": numbers, "h": [*numbers, 0], "v": [0, *numbers]}[kind]
+        assert np.abs(drawn / 100 - exact).max() < 0.00501
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,43 @@
+"""The outlines of letters and lines in hundredths of a point, finer than any eye can tell.
+
+Enters: the path of a shape as Typst writes it, relative commands in pt.  Leaves: the path in whole hundredths.
+Used by `svg.py`.
+"""
+
+from __future__ import annotations
+
+import re
+
+UNITS = 100  # a pt
+_BEGIN = "M 0 0"
+_COMMAND = re.compile(r"([mlhvcz])([^a-z]*)")
+
+
+def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
+    """Return a path from (x, y) units on whose heights count `up` (1) or down (-1); raises `ValueError` for another kind.
+
+    Every point is rounded where it stands, so that nothing adds up along a shape.
+
+    >>> outline("M 0 0m 8.027 3.151h -3.2775v 3.2775c 0 0.184 -0.092 0.276 -0.276 0.276Z ")
+    'm803-315h-328v-328c0-18-9-28-28-28z'
+    """
+    if not path.startswith(_BEGIN):
+        raise ValueError("Typst's path begins elsewhere than this version of it wrote")
+    at, pen = (x, y), (round(x), round(y))
+    begin, found = (at, pen), ""
+    for command, told in _COMMAND.findall(path.removeprefix(_BEGIN).replace("Z", "z")):
+        numbers = [UNITS * float(number) for number in told.split()]
+        if command == "z":
+            at, pen = begin
+            found += command
+            continue
+        if command in "hv":
+            numbers.insert(command == "h", 0.0)
+        points = [(at[0] + dx, at[1] - up * dy) for dx, dy in zip(numbers[::2], numbers[1::2], strict=True)]
+        steps = [(round(to_x) - pen[0], round(to_y) - pen[1]) for to_x, to_y in points]
+        at, pen = points[-1], (pen[0] + steps[-1][0], pen[1] + steps[-1][1])
+        if command == "m":
+            begin = at, pen
+        written = [steps[0][command == "v"]] if command in "hv" else [number for step in steps for number in step]
+        found += command + "".join(f" {number}" if number >= 0 else str(number) for number in written).lstrip()
+    return found
