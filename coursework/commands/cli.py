@@ -99,10 +99,13 @@ def _tell(key: str) -> None:
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="coursework", prog_name="coursework")
 def main() -> None:
-    """Coursework on plane mechanisms: velocity equations, a table by a scheme, checks, plots, report."""
+    """Coursework on plane mechanisms: velocity equations, a table by a scheme, checks, plots, report.
+
+    coursework COMMAND --help tells the options of a command.
+    """
 
 
-@main.command("run", cls=CommandWithTemplates)
+@main.command("run", cls=CommandWithTemplates, short_help="Compute a variant and write its report.")
 @click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=offered("variants"))
 @click.option(
     "--out",
@@ -145,7 +148,7 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
     return run_variants(variants, **options)
 
 
-@main.command("animate")
+@main.command("animate", short_help="Write the mechanism in motion as one picture.")
 @VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="The picture to write (default: NAME.gif).")
 @click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
@@ -161,7 +164,7 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, budget: 
         return animate_variant(variant, out, scheme, language)
 
 
-@main.command("check")
+@main.command("check", short_help="Tell faults, mobility, and whether it can move.")
 @VARIANT
 @limited
 @spoken(passed_on=False)
@@ -188,7 +191,7 @@ def variants_command(language: str) -> int:
     return PASSED
 
 
-@main.command("new", cls=CommandWithKinds)
+@main.command("new", cls=CommandWithKinds, short_help="Write a variant file to fill in.")
 @click.argument("name")
 @click.option("--groups", "kinds", metavar="KIND,KIND…", help="Write a chain of groups of these kinds (below), a crank first.")
 @click.option("--from", "original", shell_complete=offered("variants"), help="Copy this variant, with the tables it reads.")
@@ -201,7 +204,7 @@ def new_command(name: str, original: str | None, set_values: tuple[str, ...], ki
     return new_variant(name, original, set_values, kinds, language)
 
 
-@main.command("accuracy", cls=CommandWithTemplates)
+@main.command("accuracy", cls=CommandWithTemplates, short_help="Show what accuracy costs in time.")
 @VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
@@ -232,7 +235,7 @@ def accuracy_command(
 @click.option(
     "--overrides",
     type=click.Path(path_type=Path),
-    help="Your own decisions: id,check,points,reason; check is table, equations, answers or total.",
+    help="Your own decisions: id,check,points,reason,say; check is table, equations, answers or total.",
 )
 @click.option("--worksheet", type=click.Path(path_type=Path), help="Moodle's offline grading worksheet, to be filled in.")
 @click.option("--canvas", type=click.Path(path_type=Path), help="Canvas's gradebook export, to be filled in.")
@@ -251,7 +254,7 @@ def grade_command(source: Path, **options: Any) -> int:
     return grade_source(source, **options)
 
 
-@main.command("assign", cls=CommandWithTemplates)
+@main.command("assign", cls=CommandWithTemplates, short_help="Give every student a variant, a sheet, a key.")
 @click.argument("roster", type=click.Path(path_type=Path))
 @click.option("--template", required=True, shell_complete=offered("variants"), help="The variant whose data are drawn anew.")
 @click.option("--ranges", help="What the data may be (TOML; default: those of the template in the catalogue).")
@@ -269,7 +272,7 @@ def assign_command(roster: Path, **options: Any) -> int:
     return assign_class(roster, **options)
 
 
-@main.command("precheck")
+@main.command("precheck", short_help="See how your files would be read.")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--variant", shell_complete=offered("variants"), help="The variant you were given.")
 @spoken(passed_on=False)

@@ -112,6 +112,12 @@ class CommandWithTemplates(click.Command):
 class CommandWithKinds(click.Command):
     """A command whose help ends with the table of kinds of groups, made from their records."""
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the language first: what is asked for help speaks it wherever it stands."""
+        spoken = [k for k, arg in enumerate(args) if arg == "--language" or (k and args[k - 1] == "--language")]
+        spoken += [k for k, arg in enumerate(args) if arg.startswith("--language=")]
+        return super().parse_args(ctx, [args[k] for k in spoken] + [arg for k, arg in enumerate(args) if k not in spoken])
+
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         from coursework.commands.kinds import kinds_table
 

@@ -48,7 +48,7 @@ class Fault:
             where += f":{self.column}"
         place, said = written(self.place), written(self.message)
         if place:
-            said = f"{place}{'：' if said.endswith('。') else ': '}{said}"
+            said = f"{place}{'：' if said.endswith(('。', '？')) else ': '}{said}"
         return visible(f"{self.code} {where}  {said}" if where else f"{self.code} {said}")
 
     def plain(self) -> dict[str, Any]:

@@ -195,3 +195,8 @@ def test_a_new_kind_is_in_the_table_and_in_files_by_itself(folder):
     assert done.returncode == 0, done.stderr
     assert "\n  LIFT    a rod, and a slider on a guide\n" in done.stdout
     assert done.stdout.rstrip().endswith("None")
+
+
+def test_help_speaks_the_language_asked_wherever_that_stands():
+    for arguments in (["--help", "--language", "ru"], ["--language=ru", "--help"], ["-h", "--language=ru"]):
+        assert "шарнир между ползунами" in call("new", *arguments).output

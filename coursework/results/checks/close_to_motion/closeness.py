@@ -69,7 +69,8 @@ def distance(evidence: Evidence) -> Distance | None:
         return None
     row, place = worst(evidence.errors)
     share, column = float(abs(evidence.errors[row, place])), evidence.names[place]
-    sentence = say("exact.lesson", share=percent(share), name=column, row=row + 1)
+    scale, unit = evidence.scale[column], evidence.unit(column)
+    sentence = say("exact.lesson", share=percent(share), name=column, row=row + 1, scale=scale, unit=unit)
     return Distance(evidence.motion.scheme, share, column, row + 1, sentence)
 
 
