@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from coursework.equations.codegen.programs import in_formula
 from coursework.equations.codegen.straight_line import FormulaRefused
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.equations.reduction.blocks import Reduction, angles_in_determinants, reduce
@@ -280,10 +281,9 @@ class WayToMotion:
         if isinstance(error, OutsideTable):
             section = "drive" if error.name in {law.name for law in variant.drive} else "functions"
             return InputError([Fault(error.faults[0].message, variant.file, variant.line_of(section, error.name))])
-        near = error.times if isinstance(error, NoVelocities) else ()
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))
-        fault = law_without_value(variant, (*near, *rows, *between))
+        fault = law_without_value(variant, (*getattr(error, "times", ()), *rows, *between))
         kept: Motion | None = vars(self).get("motion")
         positions: list[tuple[float, Sequence[float]]] = [(0.0, self.start)] if "start" in vars(self) else []
         if isinstance(error, NoVelocities):
@@ -295,4 +295,6 @@ class WayToMotion:
         names = [coordinate.name for coordinate in variant.coordinates]
         for t, position in () if fault else positions:
             fault = fault or without_value(variant, t, dict(zip(names, position, strict=False)))
+        if not fault and in_formula(error):
+            fault = Fault(say("fault.V527"), variant.file, variant.nearest_line("drive"))
         return InputError([fault]) if fault else None

@@ -120,7 +120,7 @@ def _closeness(edge: Edge, run: coursework.Run, verdicts: dict) -> list[str]:
     passes = verdicts["ACCURACY"].verdict == "PASS" and verdicts["CONDITION"].verdict == "PASS"
     known = 10.0 ** -max(edge.digits - 2, 0)
     bad = []
-    for name in motion.names if passes else ():
+    for name in set(motion.names) & true[0].keys() if passes else ():
         wanted = np.array([float(one[name]) for one in true])
         if name in run.variant.known_rates or not np.all(np.isfinite(wanted)):
             continue

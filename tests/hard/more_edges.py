@@ -14,7 +14,7 @@ import mpmath as mp
 from tests.hard.drives import KINDS, Law, four_bar
 from tests.hard.drives import drawn as drive
 from tests.hard.edges import Columns, Edge, of_four_bar, rate_of
-from tests.hard.more_mechanisms import SCHEMES, passed, rocking, two
+from tests.hard.more_mechanisms import SCHEMES, passed, rocking, rolling, two
 
 SIDES = tuple(mp.mpf(float(one)) for one in ("0.4", "1.0", "0.7", "1.2"))
 
@@ -148,7 +148,7 @@ def opened(random: Random) -> Edge:
     return Edge("opened", f"open by {gap:.1e}", text, lambda t: {}, -gap / b, ends if ends and ends < 0.1 else None, gap=gap)
 
 
-FAMILIES = (short, pole, endless, two, rocking, passed, folded, opened)
+FAMILIES = (short, pole, endless, two, rocking, passed, folded, opened, rolling)
 
 
 def drawn(seed: int) -> Edge:

@@ -13,6 +13,7 @@ import mpmath as mp
 from tests.hard.drives import Law, four_bar
 from tests.hard.drives import drawn as drive
 from tests.hard.edges import Columns, Edge, closing, dyad, of_four_bar, rate_of
+from tests.hard.scenes import V31
 
 SCHEMES = ["exact", "exact", "euler", "rk4"]
 FIVE = ("ra", "re", "rb", "rc", "xO")
@@ -165,3 +166,30 @@ mode = "+1"
 [ask]
 quantities = ["table", "checks"]
 """
+
+
+def rolling(random: Random) -> Edge:
+    """Return variant 31 with something sudden beside its sine: phi3 in closed form (numerics.md 1.1)."""
+    kind = random.choice(["pulse", "lorentz", "decay", "switch", "step", "fold", "twins"])
+    law = drive(kind, random, 10 ** -random.uniform(0, 7), 0.48)
+    # m that it adds: the wheel has 0.11 m and more to spare, and a Lorentz pulse turns by six radians.
+    part = mp.mpf(float(f"{random.uniform(0.01, 0.04) / (4 if kind == 'lorentz' else 1):.3g}"))
+    given = "\n".join(f'{name}_2 = "{_in_metres(value)}"' for name, value in law.given.items())
+    added = re.sub(r"\b[a-zA-Z]+\b", lambda one: f"{one[0]}_2" if one[0] in law.given else one[0], law.drive)
+    text = V31.replace("[drive]", f'part_2 = "{float(part)!r}"\n{given}\n[drive]').split("[ask]")[0]
+    text = text.replace('"V1*sin(p*t + alpha)"', f'"V1*sin(p*t + alpha) + part_2*({added})"').replace("period ", "# ")
+    text = text.replace('end       = "0.48 s"', f'end = "0.48 s"\nscheme = "{random.choice(SCHEMES)}"')
+    v, p, alpha, r3 = (mp.mpf(one) for one in (4.5, 13.08, 4.35, 0.457))
+    begin = 2 * mp.sin(mp.mpf(2.87)) - mp.cos(mp.mpf(2.87))
+
+    def true(t: mp.mpf) -> Columns:
+        way = v / p * (mp.cos(alpha) - mp.cos(p * t + alpha)) + part * law.angle(t)
+        return {"phi3": mp.pi + mp.atan(mp.mpf("0.5")) - mp.asin((begin + way / r3) / mp.sqrt(5))}
+
+    quickly = tuple(float(value.split()[0]) for name, value in law.given.items() if name in {"tm", "tn"})
+    return Edge("rolling", f"{kind} in 31", text, true, about=quickly)
+
+
+def _in_metres(value: str) -> str:
+    """Return a rate of a crank as one of a point."""
+    return value.replace("rad/s", "m/s")

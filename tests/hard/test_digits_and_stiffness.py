@@ -4,7 +4,9 @@ import math
 import re
 
 import mpmath as mp
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import coursework
 from coursework.motion.schemes import SCHEMES
@@ -132,3 +134,20 @@ def test_a_refinement_that_jumps_about_is_noticed(place):
 )
 def test_an_error_is_no_number_of_a_hundred_digits(share, told):
     assert percent(share).replace("\xa0", " ") == told.replace("\xa0", " ")
+
+
+@pytest.mark.parametrize(("end", "is_known"), [(10.0, True), (25.0, False)])
+def test_a_chaotic_motion_is_known_as_long_as_doubles_know_it(end, is_known):
+    """Lorenz: what is off grows by 0.9 a second, from 1e-16 to 1e-6 in 25 s, and then nobody's rows are the motion."""
+    coordinates = "\n".join(f'{name} = {{ start = "1 rad", rate = "w{name}" }}' for name in "xyz")
+    written = ["wx = k*10*(y - x)", "wy = k*(x*(28 - z) - y)", "wz = k*(x*y - 8/3*z)"]
+    text = scene(coordinates, given='k = "1 1/s"', step=0.001, end=end, equations=written)
+    run = solve(text, "rk4", quantities=("table", "checks"))
+    found = check(run, "ACCURACY")
+    assert (found.verdict == "SKIP") is not is_known
+    if is_known:
+        field = lambda t, q: [10 * (q[1] - q[0]), q[0] * (28 - q[2]) - q[1], q[0] * q[1] - 8 / 3 * q[2]]  # noqa: E731
+        other = solve_ivp(field, (0, end), [1.0] * 3, "DOP853", run.motion.t[::200], rtol=1e-13, atol=1e-14).y.T
+        off = np.max(np.abs(run.motion.coordinates[::200] - other))
+        assert off <= found.value * 2 * math.pi * 1.001 + 1e-6
+        assert np.max(np.abs(run.exact.coordinates[::200] - other)) < 1e-6

@@ -166,6 +166,14 @@ def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
     return columns
 
 
+def in_formula(error: Exception) -> bool:
+    """Return whether a division by zero was made by a program that was printed here, so by a formula of the file."""
+    last = error.__traceback__
+    while last is not None and last.tb_next is not None:
+        last = last.tb_next
+    return isinstance(error, ZeroDivisionError) and last is not None and last.tb_frame.f_code.co_filename.startswith("<generated")
+
+
 def _exp(value: float) -> float:
     """Return e to a power, infinite where that is beyond the largest number: 1/(1 + exp(800)) is 0."""
     try:

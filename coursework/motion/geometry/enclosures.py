@@ -19,33 +19,56 @@ from coursework.variant.record.variant import Law
 
 # The disc about a stretch has so many times its half length for a radius.
 REACH = 3.0
+# Gauss's rule of twelve points is off by this part of a disc's radius: beyond that the values alone say more.
+_TOLD = 1e-18
+_LEAST = float(np.finfo(float).tiny)  # what a part that is real has at least, so that it is known for one
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Enclosure:
     """Of n stretches: `low` and `high` (n,) of the values on it; about `middle`, `radius` (n,) of those on its complex disc.
 
-    Where data are columns (sets, 1) all are (sets, n).
+    `rest` (n,): the disc is that of the law but for a part that is real, and no larger.  Where data are columns (sets, 1) all
+    are (sets, n).
     """
 
     low: Array
     high: Array
     middle: Array
     radius: Array
+    rest: Array | float = 0.0
 
     @property
     def size(self) -> Array:
         """Return the largest |value| possible (n,)."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
 
+    @property
+    def disc(self) -> Array:
+        """Return the radius of the values of the whole law."""
+        return np.where(np.asarray(self.rest) > 0, np.inf, self.radius)
 
-def _checked(low: Array, high: Array, middle: Array, radius: Array) -> Enclosure:
+    @property
+    def parted(self) -> Enclosure:
+        """Return the enclosure with all of the law in `rest` where the disc tells less than the values do."""
+        is_value = (self.low <= self.middle) & (self.middle <= self.high)
+        middle = np.where(is_value, self.middle, (self.low + self.high) / 2)
+        around = np.maximum(np.maximum(self.high - middle, middle - self.low), _LEAST)
+        by_disc = _TOLD * self.radius <= around
+        return Enclosure(
+            self.low, self.high, np.where(by_disc, self.middle, middle), np.where(by_disc, self.radius, 0.0),
+            np.where(by_disc, self.rest, around),
+        )  # fmt: skip
+
+
+def _checked(low: Array, high: Array, middle: Array, radius: Array, rest: Array | float = 0.0) -> Enclosure:
     """Return an enclosure in which what is no number is anything: 0·∞, or what lies beyond the largest number."""
     lost = np.isnan(low) | np.isnan(high)
     apart = ~np.isfinite(middle) | np.isnan(radius)
     return Enclosure(
-        np.where(lost, -np.inf, low), np.where(lost, np.inf, high), np.where(apart, 0.0, middle), np.where(apart, np.inf, radius)
-    )
+        np.where(lost, -np.inf, low), np.where(lost, np.inf, high), np.where(apart, 0.0, middle), np.where(apart, np.inf, radius),
+        np.where(np.isnan(rest), np.inf, rest),
+    )  # fmt: skip
 
 
 def _constant(value: float | Array, count: int) -> Enclosure:
@@ -54,24 +77,27 @@ def _constant(value: float | Array, count: int) -> Enclosure:
 
 
 def _plus(a: Enclosure, b: Enclosure) -> Enclosure:
-    return _checked(a.low + b.low, a.high + b.high, a.middle + b.middle, a.radius + b.radius)
+    a, b = a.parted, b.parted
+    return _checked(a.low + b.low, a.high + b.high, a.middle + b.middle, a.radius + b.radius, a.rest + b.rest)
 
 
 def _minus(a: Enclosure) -> Enclosure:
-    return Enclosure(-a.high, -a.low, -a.middle, a.radius)
+    return Enclosure(-a.high, -a.low, -a.middle, a.radius, a.rest)
 
 
 def _times(a: Enclosure, b: Enclosure) -> Enclosure:
+    a, b = a.parted, b.parted
     ends = np.stack([a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high])
     ends[np.isnan(ends)] = 0.0  # 0·∞ is a bound, not a value
     radius = np.abs(a.middle) * b.radius + np.abs(b.middle) * a.radius + a.radius * b.radius
-    return _checked(ends.min(axis=0), ends.max(axis=0), a.middle * b.middle, radius)
+    rest = np.where(a.rest > 0, a.rest * b.size, 0.0) + np.where(b.rest > 0, (a.size + a.rest) * b.rest, 0.0)
+    return _checked(ends.min(axis=0), ends.max(axis=0), a.middle * b.middle, radius, rest)
 
 
 def _inverse(a: Enclosure) -> Enclosure:
     crosses = (a.low < 0) & (a.high > 0)
     size = np.abs(a.middle)
-    radius = np.where(size > a.radius, a.radius / (size * (size - a.radius)), np.inf)
+    radius = np.where(size > a.disc, a.disc / (size * (size - a.disc)), np.inf)
     low, high = np.where(crosses | (a.high == 0), -np.inf, 1 / a.high), np.where(crosses | (a.low == 0), np.inf, 1 / a.low)
     return _checked(low, high, 1 / a.middle, radius)
 
@@ -81,16 +107,18 @@ def _monotone(
 ) -> Enclosure:
     """Return a growing function that is analytic where `slope`, a bound of its derivative on the disc, is finite."""
     low, high = function(np.clip(a.low, *domain)), function(np.clip(a.high, *domain))
-    return _checked(low, high, function(np.clip(a.middle, *domain)), a.radius * slope(a))
+    return _checked(low, high, function(np.clip(a.middle, *domain)), a.disc * slope(a))
 
 
 def _exponential(a: Enclosure) -> Enclosure:
     middle = np.exp(a.middle)
-    return _checked(np.exp(a.low), np.exp(a.high), middle, middle * np.expm1(a.radius))
+    # Far from a pulse both factors leave the numbers, and their product, which is as good as nothing, does not.
+    radius = np.where(a.disc < 1, middle * np.expm1(a.disc), np.exp(a.middle + a.disc) - middle)
+    return _checked(np.exp(a.low), np.exp(a.high), middle, radius)
 
 
 def _logarithm(a: Enclosure) -> Enclosure:
-    room = a.middle - a.radius
+    room = a.middle - a.disc
     return _monotone(a, np.log, lambda a: np.where(room > 0, 1 / room, np.inf), (0.0, np.inf))
 
 
@@ -103,7 +131,7 @@ def _sine(a: Enclosure, phase: float = 0.0) -> Enclosure:
         turns = 2 * np.pi
         return np.asarray(unknown | (np.floor((high - place) / turns) >= np.ceil((low - place) / turns)))
 
-    radius = np.abs(np.sin(middle)) * (np.cosh(a.radius) - 1) + np.abs(np.cos(middle)) * np.sinh(a.radius)
+    radius = np.abs(np.sin(middle)) * (np.cosh(a.disc) - 1) + np.abs(np.cos(middle)) * np.sinh(a.disc)
     return _checked(
         np.where(holds(-np.pi / 2), -1.0, np.minimum(*ends)), np.where(holds(np.pi / 2), 1.0, np.maximum(*ends)),
         np.sin(middle), radius,
@@ -114,14 +142,14 @@ def _power(a: Enclosure, exponent: float) -> Enclosure:
     if exponent < 0:
         return _inverse(_power(a, -exponent))
     if exponent != int(exponent):
-        room = a.middle - a.radius
-        size = np.where(exponent < 1, room, a.middle + a.radius)
+        room = a.middle - a.disc
+        size = np.where(exponent < 1, room, a.middle + a.disc)
         return _monotone(
             a, lambda x: x**exponent, lambda a: np.where(room > 0, exponent * size ** (exponent - 1), np.inf), (0.0, np.inf)
         )
     ends = np.stack([a.low**exponent, a.high**exponent])
     low = np.where((a.low < 0) & (a.high > 0) & (exponent % 2 == 0), 0.0, ends.min(axis=0))
-    radius = (np.abs(a.middle) + a.radius) ** exponent - np.abs(a.middle) ** exponent
+    radius = (np.abs(a.middle) + a.disc) ** exponent - np.abs(a.middle) ** exponent
     return _checked(low, ends.max(axis=0), a.middle**exponent, radius)
 
 
@@ -130,29 +158,29 @@ def _to_the(a: Enclosure, exponents: Array) -> Enclosure:
     if not exponents.size:
         return a
     if np.ptp(exponents) > 0:
-        return _checked(*np.broadcast_arrays(-np.inf, np.inf, np.nan, a.radius * exponents))
+        return _checked(*np.broadcast_arrays(-np.inf, np.inf, np.nan, a.disc * exponents))
     return _power(a, float(exponents.flat[0]))
 
 
 def _absolute(a: Enclosure) -> Enclosure:
     crosses = (a.low < 0) & (a.high > 0)
     low = np.where(crosses, 0.0, np.minimum(np.abs(a.low), np.abs(a.high)))
-    return _checked(low, a.size, np.abs(a.middle), np.where(np.abs(a.middle) > a.radius, a.radius, np.inf))
+    return _checked(low, a.size, np.abs(a.middle), np.where(np.abs(a.middle) > a.disc, a.disc, np.inf))
 
 
 def _sign(a: Enclosure) -> Enclosure:
     low, high = np.where(a.low < 0, -1.0, 1.0), np.where(a.high > 0, 1.0, -1.0)
-    return Enclosure(low, high, np.sign(a.middle), np.where(np.abs(a.middle) > a.radius, 0.0, np.inf))
+    return Enclosure(low, high, np.sign(a.middle), np.where(np.abs(a.middle) > a.disc, 0.0, np.inf))
 
 
 def _arcsine(a: Enclosure) -> Enclosure:
-    room = (1 - a.middle - a.radius) * (1 + a.middle - a.radius)
-    inside = np.abs(a.middle) + a.radius < 1
+    room = (1 - a.middle - a.disc) * (1 + a.middle - a.disc)
+    inside = np.abs(a.middle) + a.disc < 1
     return _monotone(a, np.arcsin, lambda a: np.where(inside, 1 / np.sqrt(np.where(inside, room, 1.0)), np.inf), (-1.0, 1.0))
 
 
 def _arctangent(a: Enclosure) -> Enclosure:
-    room = np.hypot(1.0, a.middle) - a.radius
+    room = np.hypot(1.0, a.middle) - a.disc
     return _monotone(a, np.arctan, lambda a: np.where(room > 0, 1 / room**2, np.inf), (-np.inf, np.inf))
 
 
@@ -160,7 +188,7 @@ def _angle(y: Enclosure, x: Enclosure) -> Enclosure:
     """Return atan2(y, x), which jumps where y is zero and x below it."""
     corners = np.stack([np.arctan2(v, u) for v in (y.low, y.high) for u in (x.low, x.high)])
     jumps = (x.low <= 0) & (y.low <= 0) & (y.high >= 0)
-    right, aside = x.middle > x.radius, np.abs(y.middle) > y.radius
+    right, aside = x.middle > x.disc, np.abs(y.middle) > y.disc
     radius = np.where(right, _arctangent(_times(y, _inverse(x))).radius, _arctangent(_times(x, _inverse(y))).radius)
     return _checked(
         np.where(jumps, -np.pi, corners.min(axis=0)), np.where(jumps, np.pi, corners.max(axis=0)),
@@ -200,11 +228,11 @@ class Laws:
             return self._formula(law.formula, begin, end)
         chosen = np.searchsorted([later for later, _ in law.pieces[1:]], (begin + end) / 2, side="right")
         sets = max((np.size(value) for value in self.values.values() if np.ndim(value)), default=0)
-        columns = np.empty((4, *([sets] if sets else []), len(begin)))
+        columns = np.empty((5, *([sets] if sets else []), len(begin)))
         for place in np.unique(chosen).tolist():
             at = chosen == place
             found = self._formula(law.pieces[place][1], begin[at], end[at])
-            for column, one in zip(columns, (found.low, found.high, found.middle, found.radius), strict=True):
+            for column, one in zip(columns, (found.low, found.high, found.middle, found.radius, found.rest), strict=True):
                 column[..., at] = one
         return Enclosure(*columns)
 

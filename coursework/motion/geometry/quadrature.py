@@ -73,11 +73,11 @@ def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -
 
 
 def left_open(law: Enclosure, half: Array, points: int = POINTS) -> Array:
-    """Return by how much (n,) the rule may be off on stretches of half a length: by the disc, or by the values alone.
+    """Return by how much (n,) the rule may be off on stretches of half a length: by the disc and the rest, or by the values.
 
     With two `points` it is as good as a step of Runge-Kutta 4.
     """
     rule = 64 / 15 * _SEMIAXES ** (-2 * points) / (1 - _SEMIAXES**-2)
     with np.errstate(all="ignore"):
-        off = np.fmin(rule * law.radius * half, (law.high - law.low) * 2 * half)
+        off = np.fmin((rule * law.radius + 4 * law.rest) * half, (law.high - law.low) * 2 * half)
     return np.where(np.isnan(off), np.inf, off)

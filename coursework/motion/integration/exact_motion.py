@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -27,7 +29,8 @@ from coursework.words.sentences import say
 # Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.
 AGREEMENT = 1e-13
 # An angle of many turns has no thirteen digits behind its point: there round-off is all that two results can agree to.
-_ROUND_OFF = 4 * float(np.finfo(float).eps)
+_EPS = float(np.finfo(float).eps)
+_ROUND_OFF = 4 * _EPS
 # With half the step the error is smaller by this and 1: what is left of the difference of two results.
 _GAIN = 2**PRECISE.order - 1
 _MOST_HALVINGS = 30
@@ -35,8 +38,10 @@ _JUMP = 1e-9  # of an interval
 # Steps that a refined motion may take, some two seconds, beside twelve a row; in a long table a row takes fewer.
 MOST_STEPS, _LONG = 100_000, 2_000
 _COUNT, _FEW = 8, 2
-# Results that are further apart altogether (rad or m) are two motions.
+# Results that are further apart altogether (rad or m, or of a coordinate beyond 1) are two motions.
 _LOST = 1e-6
+# A motion beside the refined one, so far from it, shows how what it is off grows until the end.
+_BESIDE = 1e-6
 
 
 class NoVelocities(ArithmeticError):
@@ -51,8 +56,29 @@ class OutOfReach(ArithmeticError):
     """A refined motion takes more steps than are made, or its results do not come to agree."""
 
 
-def refine(rates: Rates, start: Sequence[float], times: Array, most: int = MOST_STEPS) -> tuple[Array, float, int]:
+@dataclass(slots=True)
+class Growth:
+    """How far a refined motion is `off` (rad or m) by what was left in its intervals: it grows as the way `beside` it does."""
+
+    beside: Array
+    off: float = 0.0
+
+    def go_on(self, follow: Callable[[Array], Array], begin: Array, end: Array, left: float) -> None:
+        """Add what an interval from `begin` to `end` leaves; `follow` gives where a motion that begins elsewhere gets in it."""
+        with suppress(ArithmeticError, ValueError):  # a way beside it need not exist
+            beside = follow(begin + self.beside) - end
+            before, after = (float(np.max(np.abs(way), initial=0.0)) for way in (self.beside, beside))
+            if 0 < after < np.inf:
+                self.off, self.beside = self.off * after / before, beside * (before / after)
+        self.off += left + _EPS * float(np.max(np.abs(end), initial=0.0))
+
+
+def refine(
+    rates: Rates, start: Sequence[float], times: Array, most: int = MOST_STEPS, growth: Growth | None = None
+) -> tuple[Array, float, int]:
     """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
+
+    `growth` is told what becomes of them.
 
     Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
     only.  No step reaches across a time at which the drive changes its formula, nor one interval over what it does in less.
@@ -68,7 +94,7 @@ def refine(rates: Rates, start: Sequence[float], times: Array, most: int = MOST_
         edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *_quick(cells, begin, end)}), end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
-            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q, count, most - steps)
+            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q, count, most - steps, growth)
             gap, steps = gap + left, steps + taken
         rows.append(q)
     return np.array(rows), gap, steps
@@ -87,7 +113,14 @@ def _quick(cells: Array, begin: float, end: float) -> list[float]:
 
 
 def _halved(
-    loop: Callable[..., tuple[float, ...]], begin: float, end: float, q: Array, count: int, left: int, depth: int = 0
+    loop: Callable[..., tuple[float, ...]],
+    begin: float,
+    end: float,
+    q: Array,
+    count: int,
+    left: int,
+    growth: Growth | None,
+    depth: int = 0,
 ) -> tuple[Array, float, int]:
     """Return the position after an interval, extrapolated from two results, their difference and the steps, `left` at most."""
     try:
@@ -99,12 +132,14 @@ def _halved(
     if gap < max(AGREEMENT, _ROUND_OFF * float(np.max(np.abs(q), initial=0.0))) or depth >= _MOST_HALVINGS:
         if not np.isfinite(gap):
             raise NoVelocities((begin, end), q.tolist())
+        if growth is not None:
+            growth.go_on(lambda there: np.array(loop(begin, count, (end - begin) / count, *there.tolist())), q, coarse, gap)
         return fine + (fine - coarse) / _GAIN, gap, 3 * count
     if left <= 0:
         raise OutOfReach
     middle = (begin + end) / 2
-    q, open_, steps = _halved(loop, begin, middle, q, count, left - 3 * count, depth + 1)
-    after, more, further = _halved(loop, middle, end, q, count, left - 3 * count - steps, depth + 1)
+    q, open_, steps = _halved(loop, begin, middle, q, count, left - 3 * count, growth, depth + 1)
+    after, more, further = _halved(loop, middle, end, q, count, left - 3 * count - steps, growth, depth + 1)
     return after, open_ + more, steps + further + 3 * count
 
 
@@ -153,8 +188,9 @@ def exact_motion(
     elif closure is not None and closure.complete:
         positions, label = follow_closure(closure, rates, times), say("exact.closure")
     else:
-        positions, gap, steps = refine(rates, start, times)
-        if gap > _LOST:
+        growth = Growth(np.full(len(start), _BESIDE))
+        positions, gap, steps = refine(rates, start, times, growth=growth)
+        if max(gap, growth.off) > _LOST * max(1.0, float(np.max(np.abs(positions), initial=0.0))):
             raise OutOfReach
         return _refined(rates, times, positions, gap, steps)
     return rates.motion(times, positions, EXACT, _step(times), label=label)

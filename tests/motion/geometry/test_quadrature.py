@@ -38,6 +38,20 @@ def test_the_integral_is_that_of_the_closed_form(kind, decades):
     assert resolution(equations).met
 
 
+@pytest.mark.parametrize(
+    "sudden", ["a*exp(-((t - tm)/T)^2)", "a/(1 + exp(-(t - tm)/T))", "a*exp(-t/T)", "a/(1 + ((t - tm)/T)^2)"]
+)
+def test_what_is_slow_beside_what_is_sudden_takes_no_stretches_of_its_own(sudden):
+    """Far from a switch its disc has no bound: the sum's has, but for a part that the values of the switch alone bound."""
+    given = {"a": "3 rad/s", "b": "2 rad/s", "tm": "0.50437 s", "T": "1e-6 s"}
+    alone, beside = (
+        resolution(equations_of(four_bar(Law("beside", text, given, lambda t: t)))) for text in (sudden, f"b*sin(9*t) + {sudden}")
+    )
+    assert alone.met
+    assert beside.met
+    assert len(beside.edges) < 2 * len(alone.edges) + 100 < 2000
+
+
 @pytest.mark.parametrize(("drive", "given"), [
     ("a*(t - tm)*T/((t - tm)^2 + (1e-20*T)^2)", {"a": "1 rad/s", "T": "1 s", "tm": "0.50437 s"}),
     ("a*T^2/((t - tm)^2 + (1e-20*T)^2)", {"a": "1e-20 rad/s", "T": "1 s", "tm": "0.50437 s"}),
