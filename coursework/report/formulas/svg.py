@@ -28,7 +28,8 @@ _BAR = re.compile(
 )
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
-_NAMED = re.compile(r"#(\w+)")
+_NAMED = re.compile(r'class="(g[0-9A-F]+)"')
+MARKERS = "marker{overflow:visible}"  # in units of the line, which is 1 wide
 NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
@@ -78,16 +79,18 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
         glyphs |= _cache[looks, piece][1]
     names = {glyph: f"g{number}" for number, glyph in enumerate(sorted(glyphs))}
     common = [glyphs[glyph].replace(glyph, name) for glyph, name in names.items()]
+    style = "".join(f".{name}{{marker-mid:url(#{name})}}" for name in names.values())
     drawn: dict[str, Picture] = {}
     for piece, times in wanted.items():
         picture = _cache[looks, piece][0]
-        body = _NAMED.sub(lambda told: f"#{names[told[1]]}", picture.svg)
+        body = _NAMED.sub(lambda told: f'class="{names[told[1]]}"', picture.svg)
         if times > 1:
             head, inside = body.removesuffix("</svg>").split(">", 1)
             common.append(f'<g id="f{len(common)}">{inside}</g>')
             body = f'{head}><use href="#f{len(common) - 1}"/></svg>'
         drawn[piece] = replace(picture, svg=body)
-    return Drawn({source: _joined([drawn[piece] for piece in parts]) for source, parts in listed}, "".join(common))
+    pictures = {source: _joined([drawn[piece] for piece in parts]) for source, parts in listed}
+    return Drawn(pictures, f"<style>{MARKERS}{style}</style>{''.join(common)}")
 
 
 def _joined(parts: list[Picture]) -> Picture:
@@ -136,9 +139,9 @@ def _marker(glyph: str, path: str) -> str:
 
     An element with a shift of its own for each copy, a thousand a page, is what a browser goes through whenever it paints.
     """
-    return f'<marker id="{glyph}" markerUnits="userSpaceOnUse" overflow="visible"><path d="{outline(path)}"/></marker>'
+    return f'<marker id="{glyph}"><path d="{outline(path)}"/></marker>'
 
 
 def _set(glyph: str, places: list[str]) -> str:
     """Return a line that nobody sees with the glyph at each of its corners; its ends bear none."""
-    return f'<path d="M0 0 {" ".join(places)} 0 0" marker-mid="url(#{glyph})"/>'
+    return f'<path class="{glyph}" d="M0 0 {" ".join(places)}z"/>'
