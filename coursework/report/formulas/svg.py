@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
 from coursework.report.formulas.line_breaks import pieces
@@ -78,7 +79,7 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
     for piece in wanted:
         glyphs |= _cache[looks, piece][1]
     names = {glyph: f"g{number}" for number, glyph in enumerate(sorted(glyphs))}
-    common = [glyphs[glyph].replace(glyph, name) for glyph, name in names.items()]
+    common = [_marker(name, glyphs[glyph]) for glyph, name in names.items()]
     style = "".join(f".{name}{{marker-mid:url(#{name})}}" for name in names.values())
     drawn: dict[str, Picture] = {}
     for piece, times in wanted.items():
@@ -100,8 +101,8 @@ def _joined(parts: list[Picture]) -> Picture:
 
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
-    """Return the picture without its glyphs, and the glyphs by id.  Raises `ValueError` where Typst writes another SVG."""
-    glyphs = {found[1]: _marker(found[1], found[2]) for found in _SYMBOL.finditer(svg)}
+    """Return the picture without its glyphs, and their outlines by id.  Raises `ValueError` where Typst writes another SVG."""
+    glyphs = {found[1]: found[2] for found in _SYMBOL.finditer(svg)}
     opening = _OPENING.search(svg)
     if not opening:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
@@ -134,6 +135,7 @@ def _bar(bar: re.Match[str], line: int) -> str:
     return f'<path stroke="currentColor" stroke-width="{thick:g}" d="M{round(x)} {round(y - line)}{way}"/>'
 
 
+@lru_cache(maxsize=MOST_CACHED)
 def _marker(glyph: str, path: str) -> str:
     """Return a glyph as a marker: the places of all its copies in a formula are numbers of one element.
 
