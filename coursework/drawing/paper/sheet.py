@@ -10,7 +10,6 @@ import cmath
 import itertools
 import math
 from collections.abc import Iterable, Sequence
-from html import escape
 
 import numpy as np
 
@@ -38,6 +37,8 @@ Word = tuple[str, str, str]  # text, what is set lower, what follows
 
 def plain(text: str, longest: int = LONGEST) -> str:
     """Return text fit for SVG: printable letters only, escaped, not too long."""
+    from html import escape  # only a drawing pays for it, not what is read off one
+
     kept = "".join(letter for letter in text if letter.isprintable())
     return escape(kept if len(kept) <= longest else kept[: longest - 1] + "…")
 

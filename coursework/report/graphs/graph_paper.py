@@ -18,7 +18,7 @@ import numpy as np
 from coursework.motion.integration.hermite import hermite
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, distinct
 from coursework.system.frozen import frozen
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
@@ -105,7 +105,7 @@ def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tup
 def sparse(values: Array, most: int) -> Array:
     """Return at most about `most` of the values, the last one included."""
     pace = max(1, -(-len(values) // most))
-    return values[np.union1d(np.arange(0, len(values), pace), [len(values) - 1])] if len(values) else values
+    return values[distinct(np.arange(0, len(values), pace), np.array([len(values) - 1]))] if len(values) else values
 
 
 def round_ticks(low: float, high: float, most: int) -> tuple[list[float], int]:
