@@ -10,7 +10,6 @@ import cmath
 import itertools
 import math
 from collections.abc import Iterable, Sequence
-from html import escape
 
 import numpy as np
 
@@ -31,12 +30,15 @@ BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 OFF_POINT = 1.6  # mm: a joint is seen so far around a point
 BAND = 'stroke="white" stroke-width="1.8" stroke-linecap="butt"'
 HIDDEN, ALONG = 12.0, 0.95  # mm, and cosine of the angle: such an arrow is not seen upon a link
+HALO = "<style>.halo{stroke:#fff;stroke-width:.9;stroke-linejoin:round;paint-order:stroke}</style>"  # around words on lines
 LEAD = 'stroke="#555" stroke-width="0.15"'
 Word = tuple[str, str, str]  # text, what is set lower, what follows
 
 
 def plain(text: str, longest: int = LONGEST) -> str:
     """Return text fit for SVG: printable letters only, escaped, not too long."""
+    from html import escape  # only a drawing pays for it, not what is read off one
+
     kept = "".join(letter for letter in text if letter.isprintable())
     return escape(kept if len(kept) <= longest else kept[: longest - 1] + "…")
 
@@ -52,9 +54,9 @@ def _wide(letter: str) -> float:
     return 0.9 if letter in BROAD else 0.42 if letter in NARROW else 0.71 if letter.isupper() else 0.64
 
 
-def number(value: float) -> str:
-    """Return a coordinate to 0.1 µm, without a minus before zero."""
-    text = f"{value:.4f}".rstrip("0").rstrip(".")
+def number(value: float, decimals: int = 3) -> str:
+    """Return a coordinate to 1 µm, finer than paper or screen show, without a minus before zero."""
+    text = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
 
 
@@ -201,9 +203,8 @@ class Sheet:
         if low and tail and not tail[0].isspace():
             raised += ' dx="0.5"'  # else the halo of what follows eats the subscript
         beside = f'<tspan{raised} font-size="{SIZES[2]}"{upright}>{tail}</tspan>' if tail else ""
-        halo = 'stroke="white" stroke-width="0.9" stroke-linejoin="round" paint-order="stroke"'
         place = f'x="{number(at.real)}" y="{number(at.imag)}" font-size="{size}"'
-        self.items.append(f"<text {place} {halo}{' ' if look else ''}{look}>{head}{below}{beside}</text>")
+        self.items.append(f'<text class="halo" {place}{" " if look else ""}{look}>{head}{below}{beside}</text>')
 
     def sense(self, at: complex, turn: int, radius: float = 2.3) -> None:
         """Draw the sense of a rotation: an arc of 250 degrees with an arrowhead, +1 counter-clockwise as seen."""
@@ -216,10 +217,10 @@ class Sheet:
 
     def svg(self) -> str:
         """Return the drawing."""
-        size = f'width="{number(self.width)}mm" height="{number(self.height)}mm"'
+        width, height = number(self.width, 4), number(self.height, 4)  # what stands below begins where this ends
         return "\n".join((
-            f'<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="0 0 {number(self.width)} {number(self.height)}">',
-            f'<g font-family="{FONT}" fill="black" stroke-linecap="round">',
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">',
+            f'{HALO}<g font-family="{FONT}" fill="black" stroke-linecap="round">',
             *self.items,
             "</g>",
             "</svg>",

@@ -19,7 +19,7 @@ def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
     Every point is rounded where it stands, so that nothing adds up along a shape.
 
     >>> outline("M 0 0m 8.027 3.151h -3.2775v 3.2775c 0 0.184 -0.092 0.276 -0.276 0.276Z ")
-    'm803-315h-328v-328c0-18-9-28-28-28z'
+    'm803-315h-328v-328c0-18-9-27-28-27z'
     """
     if not path.startswith(_BEGIN):
         raise ValueError("Typst's path begins elsewhere than this version of it wrote")

@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
 from coursework.report.formulas.line_breaks import pieces
@@ -28,7 +29,8 @@ _BAR = re.compile(
 )
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
-_NAMED = re.compile(r"#(\w+)")
+_NAMED = re.compile(r'class="(g[0-9A-F]+)"')
+MARKERS = "marker{overflow:visible}"  # in units of the line, which is 1 wide
 NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
@@ -77,17 +79,19 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
     for piece in wanted:
         glyphs |= _cache[looks, piece][1]
     names = {glyph: f"g{number}" for number, glyph in enumerate(sorted(glyphs))}
-    common = [glyphs[glyph].replace(glyph, name) for glyph, name in names.items()]
+    common = [_marker(name, glyphs[glyph]) for glyph, name in names.items()]
+    style = "".join(f".{name}{{marker-mid:url(#{name})}}" for name in names.values())
     drawn: dict[str, Picture] = {}
     for piece, times in wanted.items():
         picture = _cache[looks, piece][0]
-        body = _NAMED.sub(lambda told: f"#{names[told[1]]}", picture.svg)
+        body = _NAMED.sub(lambda told: f'class="{names[told[1]]}"', picture.svg)
         if times > 1:
             head, inside = body.removesuffix("</svg>").split(">", 1)
             common.append(f'<g id="f{len(common)}">{inside}</g>')
             body = f'{head}><use href="#f{len(common) - 1}"/></svg>'
         drawn[piece] = replace(picture, svg=body)
-    return Drawn({source: _joined([drawn[piece] for piece in parts]) for source, parts in listed}, "".join(common))
+    pictures = {source: _joined([drawn[piece] for piece in parts]) for source, parts in listed}
+    return Drawn(pictures, f"<style>{MARKERS}{style}</style>{''.join(common)}")
 
 
 def _joined(parts: list[Picture]) -> Picture:
@@ -97,8 +101,8 @@ def _joined(parts: list[Picture]) -> Picture:
 
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
-    """Return the picture without its glyphs, and the glyphs by id.  Raises `ValueError` where Typst writes another SVG."""
-    glyphs = {found[1]: _marker(found[1], found[2]) for found in _SYMBOL.finditer(svg)}
+    """Return the picture without its glyphs, and their outlines by id.  Raises `ValueError` where Typst writes another SVG."""
+    glyphs = {found[1]: found[2] for found in _SYMBOL.finditer(svg)}
     opening = _OPENING.search(svg)
     if not opening:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
@@ -131,14 +135,15 @@ def _bar(bar: re.Match[str], line: int) -> str:
     return f'<path stroke="currentColor" stroke-width="{thick:g}" d="M{round(x)} {round(y - line)}{way}"/>'
 
 
+@lru_cache(maxsize=MOST_CACHED)
 def _marker(glyph: str, path: str) -> str:
     """Return a glyph as a marker: the places of all its copies in a formula are numbers of one element.
 
     An element with a shift of its own for each copy, a thousand a page, is what a browser goes through whenever it paints.
     """
-    return f'<marker id="{glyph}" markerUnits="userSpaceOnUse" overflow="visible"><path d="{outline(path)}"/></marker>'
+    return f'<marker id="{glyph}"><path d="{outline(path)}"/></marker>'
 
 
 def _set(glyph: str, places: list[str]) -> str:
     """Return a line that nobody sees with the glyph at each of its corners; its ends bear none."""
-    return f'<path d="M0 0 {" ".join(places)} 0 0" marker-mid="url(#{glyph})"/>'
+    return f'<path class="{glyph}" d="M0 0 {" ".join(places)}z"/>'

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from functools import cache
 from html import escape
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
 from coursework.motion.integration.hermite import hermite
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, distinct
 from coursework.system.frozen import frozen
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
@@ -37,6 +39,7 @@ ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
 INK, SCHEME_INK, FAINT = "#111", "#0072b2", "#bbb"
 EXACT_PEN = f'class="exact" fill="none" stroke="{INK}" stroke-width="0.42" stroke-linejoin="round"'
 SCHEME_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.25"'
+DOT_PEN = f'class="dots" stroke="{SCHEME_INK}" stroke-width="{2 * RADIUS:g}" stroke-linecap="round"'
 STOP_PEN = f'class="stop" stroke="{INK}" stroke-width="0.3" stroke-dasharray="1.8 1.2"'
 
 
@@ -52,24 +55,19 @@ class Field:
     high: float
     left: float = LEFT
 
-    def x(self, t: float) -> float:
+    def x(self, t: Any) -> Any:
         """Return mm from the left edge."""
         return self.left + (t - self.first) / (self.last - self.first) * (self.width - self.left - RIGHT)
 
-    def y(self, value: float) -> float:
+    def y(self, value: Any) -> Any:
         """Return mm from the upper edge."""
         return self.height - BOTTOM - (value - self.low) / (self.high - self.low) * (self.height - TOP - BOTTOM)
 
     def path(self, t: Array, values: Array) -> str:
         """Return the d of a line through points; a value that is no number interrupts it."""
-        steps, pen = [], "M"
-        for at, value in zip(t.tolist(), values.tolist(), strict=True):
-            if not math.isfinite(value):
-                pen = "M"
-                continue
-            steps.append(f"{pen}{self.x(at):.2f} {self.y(value):.2f}")
-            pen = "L"
-        return "".join(steps)
+        known = np.flatnonzero(np.isfinite(values))
+        lines = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1)
+        return "".join(way([self.x(t[line]), self.y(values[line])]) for line in lines if len(line))
 
 
 def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Array], numbers_as: Numbers = PLAIN) -> Field:
@@ -107,7 +105,7 @@ def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tup
 def sparse(values: Array, most: int) -> Array:
     """Return at most about `most` of the values, the last one included."""
     pace = max(1, -(-len(values) // most))
-    return values[np.union1d(np.arange(0, len(values), pace), [len(values) - 1])] if len(values) else values
+    return values[distinct(np.arange(0, len(values), pace), np.array([len(values) - 1]))] if len(values) else values
 
 
 def round_ticks(low: float, high: float, most: int) -> tuple[list[float], int]:
@@ -135,11 +133,32 @@ def tick_texts(ticks: Iterable[float], decimals: int, numbers: Numbers) -> list[
 
 
 def dots(field: Field, t: Array, values: Array) -> str:
-    """Return the d of a dot at each row, or at enough of many rows."""
-    r = RADIUS
-    ring = f"a{r} {r} 0 1 0 {2 * r:g} 0a{r} {r} 0 1 0 {-2 * r:g} 0z"
-    pairs = zip(sparse(t, MOST_DOTS).tolist(), sparse(values, MOST_DOTS).tolist(), strict=True)
-    return "".join(f"M{field.x(at) - r:.2f} {field.y(value):.2f}{ring}" for at, value in pairs if math.isfinite(value))
+    """Return the d of a dot, a line of no length, at each row or at enough of many rows."""
+    t, values = sparse(t, MOST_DOTS), sparse(values, MOST_DOTS)
+    known = np.isfinite(values)
+    return way([field.x(t[known]), field.y(values[known])], "m", "h0") + "h0" if known.any() else ""
+
+
+def way(at: Sequence[Array], move: str = "l", between: str = "") -> str:
+    """Return the d of steps from point to point, x and y in mm, in hundredths; `between` stands after each but the last.
+
+    >>> way([np.array([13.5, 13.84, 14.18]), np.array([22.674, 22.36, 22.36])])
+    'M13.5 22.67l.34-.31 .34 0'
+    """
+    x, y = np.rint(100 * np.stack(at)).astype(int)
+    steps = zip(np.diff(x).tolist(), np.diff(y).tolist(), strict=True)
+    told = [_hundredths(dx) + _hundredths(dy) for dx, dy in steps]
+    begin = f"M{(_hundredths(int(x[0])) + _hundredths(int(y[0]))).lstrip()}"
+    if between:
+        return begin + "".join(f"{between}{move}{step.lstrip()}" for step in told)
+    return begin + (move + "".join(told).lstrip() if told else "")
+
+
+@cache
+def _hundredths(number: int) -> str:
+    """Return a number of hundredths as it stands behind another, as short as SVG reads it: " .34", "-.3"."""
+    text = f"{abs(number) / 100:.2f}".rstrip("0").rstrip(".")
+    return ("-" if number < 0 else " ") + (text.removeprefix("0") or "0")
 
 
 def letters(symbol: Symbol) -> str:
@@ -155,29 +174,30 @@ def letters(symbol: Symbol) -> str:
 
 def words(x: float, y: float, inside: str, anchor: str = "start", more: str = "") -> str:
     """Return an SVG text; `inside` is escaped already."""
-    return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}"{more}>{inside}</text>'
+    anchored = f' text-anchor="{anchor}"' if anchor != "start" else ""
+    return f'<text x="{round(x, 2):g}" y="{round(y, 2):g}"{anchored}{more}>{inside}</text>'
 
 
 def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
     """Return frame, ticks, zero line and the words of a graph; `label` stands above, `time` at the end of its axis."""
     left, right, top, bottom = field.left, field.width - RIGHT, TOP, field.height - BOTTOM
-    parts = [f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="M{left:g} {top}V{bottom}H{right}"/>']
+    frame, parts = f"M{left:g} {top:g}V{bottom:g}H{right:g}", []
     if field.low < 0 < field.high:
-        parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left:g} {field.y(0):.2f}H{right}"/>')
+        parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left:g} {field.y(0):.2f}H{right:g}"/>')
     ticks, decimals = round_ticks(field.low, field.high, _most_ticks(field.height))
     for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
         y = field.y(value)
-        parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{left:g} {y:.2f}h{-TICK}"/>')
+        frame += f"M{left:g} {round(y, 2):g}h{-TICK}"
         parts.append(words(left - TICK - APART, y + 1.0, text, "end"))
     ticks, decimals = round_ticks(field.first, field.last, 6)
     for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
         x = field.x(value)
-        parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{x:.2f} {bottom}v{TICK}"/>')
+        frame += f"M{round(x, 2):g} {bottom:g}v{TICK}"
         if x + 0.95 * len(text) <= right - TIME_ROOM:
             parts.append(words(x, bottom + TICK + 3.0, text, "middle"))
     parts.append(words(right, bottom + TICK + 3.0, time, "end"))
     parts.append(words(left + 1.2, TOP - 2.2, label))
-    return "".join(parts)
+    return f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="{frame}"/>' + "".join(parts)
 
 
 def sheet(field: Field, inside: str, more: str = "") -> str:

@@ -9,7 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from coursework.report.graphs.graph_paper import APART, FACE, INK, LETTERS, TICK, words
+import numpy as np
+
+from coursework.report.graphs.graph_paper import APART, FACE, INK, LETTERS, TICK, way, words
 from coursework.report.text.numbers import superscript
 from coursework.system.frozen import frozen
 
@@ -72,47 +74,42 @@ def _power(times: int, exponent: int) -> str:
 
 def across(x: Scale, bottom: float, top: float, label: str) -> str:
     """Return the axis at the `bottom` (mm) with its grid up to the `top`, ticks, and `label` below."""
-    parts = [_line(x.begin, bottom, x.end, bottom)]
-    for value, text in x.ticks():
-        parts.append(_line(x.at(value), bottom, x.at(value), top, GRID))
-        parts.append(_line(x.at(value), bottom, x.at(value), bottom + TICK))
-        parts.append(words(x.at(value), bottom + TICK + 3.0, text, "middle"))
-    return "".join(parts) + words((x.begin + x.end) / 2, bottom + TICK + 7.4, label, "middle")
+    ticks = [(round(x.at(value), 2), text) for value, text in x.ticks()]
+    grid = "".join(f"M{at:g} {bottom:g}V{top:g}" for at, _ in ticks)
+    axis = f"M{x.begin:g} {bottom:g}H{x.end:g}" + "".join(f"M{at:g} {bottom:g}v{TICK}" for at, _ in ticks)
+    told = [words(at, bottom + TICK + 3.0, text, "middle") for at, text in ticks]
+    return _lines(grid, axis) + "".join(told) + words((x.begin + x.end) / 2, bottom + TICK + 7.4, label, "middle")
 
 
 def upward(y: Scale, left: float, right: float, label: str = "") -> str:
     """Return the axis at the `left` (mm) with its grid to the `right`; a `label` stands above, without it no tick has words."""
-    parts = [_line(left, y.begin, left, y.end)]
-    for value, text in y.ticks():
-        parts.append(_line(left, y.at(value), right, y.at(value), GRID))
-        parts.append(_line(left, y.at(value), left - TICK, y.at(value)))
-        parts.append(words(left - TICK - APART, y.at(value) + RISE * LETTERS, text, "end") if label else "")
-    return "".join(parts) + (words(left + 1.2, y.end - 1.6, label) if label else "")
+    ticks = [(round(y.at(value), 2), text) for value, text in y.ticks()]
+    grid = "".join(f"M{left:g} {at:g}H{right:g}" for at, _ in ticks)
+    axis = f"M{left:g} {y.begin:g}V{y.end:g}" + "".join(f"M{left:g} {at:g}h{-TICK}" for at, _ in ticks)
+    told = [words(left - TICK - APART, at + RISE * LETTERS, text, "end") for at, text in ticks] if label else []
+    return _lines(grid, axis) + "".join(told) + (words(left + 1.2, y.end - 1.6, label) if label else "")
 
 
-def _line(x: float, y: float, to_x: float, to_y: float, ink: str = INK) -> str:
-    return f'<path stroke="{ink}" stroke-width="{0.2 if ink == INK else 0.1}" d="M{x:.2f} {y:.2f}L{to_x:.2f} {to_y:.2f}"/>'
+def _lines(grid: str, axis: str) -> str:
+    return f'<path stroke="{GRID}" stroke-width="0.1" d="{grid}"/><path stroke="{INK}" stroke-width="0.2" d="{axis}"/>'
 
 
 def polyline(points: Points, pen: str) -> str:
     """Return a line through points (mm); nothing for a single one."""
     if len(points) < 2:
         return ""
-    return f'<path fill="none" {pen} d="M{"L".join(f"{x:.2f} {y:.2f}" for x, y in points)}"/>'
+    return f'<path fill="none" {pen} d="{way(list(np.array(points).T))}"/>'
 
 
 def marks(points: Points, mark: str, ink: str) -> str:
     """Return a mark, white inside, at each point (mm)."""
     r, corners = RADIUS, MARKS[mark]
     if corners:
-        (left, above), *others = corners
-        steps, at = "", (left, above)
-        for corner in others:
-            steps += f"l{r * (corner[0] - at[0]):.2f} {r * (corner[1] - at[1]):.2f}"
-            at = corner
+        left, above = corners[0]
+        steps = way(list(r * np.array([(0, 0), *np.subtract(corners[1:], corners[0])]).T)).removeprefix("M0 0")
     else:
         left, above, steps = -1.0, 0.0, f"a{r} {r} 0 1 0 {2 * r:g} 0a{r} {r} 0 1 0 {-2 * r:g} 0"
-    path = "".join(f"M{x + r * left:.2f} {y + r * above:.2f}{steps}z" for x, y in points)
+    path = "".join(f"M{round(x + r * left, 2):g} {round(y + r * above, 2):g}{steps}z" for x, y in points)
     return f'<path fill="#fff" stroke="{ink}" stroke-width="0.3" d="{path}"/>'
 
 

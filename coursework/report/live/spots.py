@@ -16,7 +16,7 @@ from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses
 from coursework.drawing.paper.cover import clipped, shared
 from coursework.report.live.scenery import Scenery, pairs, scenery_of
-from coursework.system.arrays import Array, Complex
+from coursework.system.arrays import Array, Complex, distinct
 from coursework.system.frozen import frozen
 
 # Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.
@@ -66,7 +66,7 @@ def _scale(outline: Outline, poses: Sequence[Poses], width: float) -> float:
 
 
 def _spots(outline: Outline, poses: Poses, scale: float, names: Sequence[str]) -> list[list[float]]:
-    rows = np.unique(np.linspace(0, len(poses.t) - 1, ROWS).round().astype(int))
+    rows = distinct(np.linspace(0, len(poses.t) - 1, ROWS).round().astype(int))
     weight = np.where(rows == 0, max(1, len(rows) - 1), 1) / max(1, 2 * (len(rows) - 1))
     seen = scenery_of(outline, poses, rows, scale)
     # A name has less choice than a number, so it chooses first.

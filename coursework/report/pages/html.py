@@ -6,6 +6,7 @@ Used by `report/output/formats.py`.
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ from coursework.words.data_folders import folder
 from coursework.words.errors import OutputError
 from coursework.words.templates import filled
 
+_BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,])\s*|(?<=:)\s+""", re.DOTALL)
+
 
 def _stylesheet(name: str) -> str:
     return _text(folder("reports") / f"{name}.css")
@@ -23,7 +26,8 @@ def _stylesheet(name: str) -> str:
 
 @lru_cache
 def _text(path: Path) -> str:
-    return path.read_text(encoding="utf-8")
+    """Return a stylesheet without its remarks and margins, which only its reader needs."""
+    return _BARE.sub(lambda found: found[1] or found[2] or "", path.read_text(encoding="utf-8"))
 
 
 def render_html(model: ReportModel) -> str:

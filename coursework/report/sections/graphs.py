@@ -14,6 +14,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME, title_of
 from coursework.report.graphs import graph_paper
 from coursework.report.graphs.graph_paper import (
+    DOT_PEN,
     EXACT_PEN,
     MOST_POINTS,
     SCHEME_INK,
@@ -136,7 +137,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     if len(rows.t):
         t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
         inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
-        inside += f'<path class="dots" fill="{SCHEME_INK}" d="{dots(field, rows.t, rows.values)}"/>'
+        inside += f'<path {DOT_PEN} d="{dots(field, rows.t, rows.values)}"/>'
     is_known = len(rows.curve) and rows.name in (extremes := run.scene.extremes)
     ends = extremes[rows.name] if is_known else (float(rows.values.min()), float(rows.values.max()))
     low, high = (context.quantity(value, unit, 4) for value in ends)

@@ -97,7 +97,7 @@ def test_links_are_drawn_in_the_scale_of_the_coursework() -> None:
     svg = svg_of("31")
     drawn = {(line.get("data-from"), line.get("data-to")): length(line) for line in elements(svg, "line", "data-from")}
     expected = {("D", "A"): 95.3, ("A", "B"): 84.7, ("M", "B"): 91.4, ("B", "C"): 45.7}
-    assert drawn == pytest.approx(expected, abs=2e-4)
+    assert drawn == pytest.approx(expected, abs=2e-3)
     (wheel,) = elements(svg, "circle", "data-link")
     assert float(wheel.get("r", "")) == pytest.approx(22.85, abs=1e-4)
     assert "scale 1:10" in svg and "1 mm = 0.1 m/s" in svg
@@ -109,7 +109,7 @@ def test_the_drawing_is_similar_to_the_mechanism(name: str) -> None:
     at = check.sketch.pose.positions
     for line in elements(svg_of(name), "line", "data-from"):
         metres = abs(at[line.get("data-from", "")] - at[line.get("data-to", "")])
-        assert length(line) * check.scale / 1000 == pytest.approx(metres, abs=2e-7 * check.scale)
+        assert length(line) * check.scale / 1000 == pytest.approx(metres, abs=2e-6 * check.scale)
     layout = lay_out(check.sketch, check.findings)
     for arrow in elements(svg_of(name), "line", "data-velocity"):
         # The shaft ends where the head begins, 2.6 mm before the tip, earlier on short ones.

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from types import ModuleType
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
-from coursework.report.graphs.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
+from coursework.report.graphs.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts, way
 from coursework.report.pages import build_model
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Figure
@@ -65,7 +65,8 @@ def test_a_panel_for_every_column_with_unit_and_symbol(real: ModuleType) -> None
     assert re.search(r">ω</tspan><tspan[^>]*>1</tspan>.*, rad/s</text>", first)
     assert "stop" not in first
     assert [real.text_of(words) for _, words in panels["legend"]] == ["explicit Euler, h = 0.02\u00a0s", "exact motion"]
-    assert first.count("M") > 25
+    (dots,) = re.findall(r'class="dots"[^>]* d="([^"]*)"', first)
+    assert dots.count("h0") == 25
 
 
 def test_a_stop_is_a_broken_line_in_every_panel(real: ModuleType) -> None:
@@ -108,11 +109,30 @@ def test_the_words_of_the_gap_touch_no_line(name: str) -> None:
     assert left + wide < figure.width
     assert bottom < figure.height - 7, "the words stand above the axis"
     for drawn in (*paths(drawing, "exact"), *paths(drawing, "rows")):
-        points = [complex(*map(float, pair.split())) for pair in re.split("[ML]", drawn) if pair]
-        for a, b in pairwise(points):
+        for a, b in pairwise(points(drawn)):
             for k in range(21):
                 at = a + (b - a) * k / 20
                 assert not (left < at.real < left + wide and abs(at.imag - middle) < up / 2 + 0.3), (name, at)
+
+
+def points(way: str) -> list[complex]:
+    """Return the points of a line: the first, and those of the steps behind it."""
+    first, _, steps = way.removeprefix("M").partition("l")
+    numbers = [float(number) for number in re.findall(r"-?[\d.]+", f"{first} {steps}")]
+    return [*accumulate(complex(x, y) for x, y in zip(numbers[::2], numbers[1::2], strict=True))]
+
+
+def test_a_line_is_told_in_steps_that_do_not_add_up_their_rounding() -> None:
+    chance = np.random.default_rng(5)
+    x, y = np.cumsum(chance.uniform(-1, 1, (2, 400)), axis=1)
+    drawn = np.array(points(way([x, y])))
+    assert np.abs(drawn.real - x).max() < 0.00501 and np.abs(drawn.imag - y).max() < 0.00501
+
+
+def test_a_value_that_is_no_number_interrupts_a_line() -> None:
+    field = field_for((82, 34), [np.arange(5.0)], [np.arange(5.0)])
+    assert [piece.count("l") for piece in field.path(np.arange(5.0), np.array([0, 1, np.nan, 3, 4])).split("M")] == [0, 1, 1]
+    assert field.path(np.arange(2.0), np.full(2, np.nan)) == ""
 
 
 def paths(drawing: ElementTree.Element, kind: str) -> list[str]:
