@@ -145,14 +145,14 @@ _known: WeakValueDictionary[tuple[object, ...], Expression] = WeakValueDictionar
 
 def node(op: str, args: tuple[Expression, ...] = (), name: str = "", value: Fraction = _ZERO) -> Expression:
     """Return the one expression of a kind with these arguments, as they are."""
-    key = (op, args, name, value)
+    key = (op, args, name) if op != "number" else (op, value.numerator, value.denominator)
     found = _known.get(key)
     return _known.setdefault(key, Expression(op, args, name, value)) if found is None else found
 
 
 def number(value: Number) -> Expression:
     """Return a number."""
-    return node("number", value=Fraction(value))
+    return node("number", value=value if isinstance(value, Fraction) else Fraction(value))
 
 
 def variable(name: str) -> Expression:
@@ -207,7 +207,7 @@ def multiply(*factors: Expression) -> Expression:
 
 def power(base: Expression, exponent: Number) -> Expression:
     """Return a power."""
-    by = Fraction(exponent)
+    by = exponent if isinstance(exponent, Fraction) else Fraction(exponent)
     whole = by.denominator == 1
     if by == 0 or base is ONE:
         return ONE
