@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.report.live.page import live_part
-from coursework.report.live.sliders import followed, sliders_of
+from coursework.report.live.page import followed, live_part, sliders_of
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentences import load_phrases
 from tests.command import call

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from coursework.drawing.lettering.turns import Turn, signed, turns
+from coursework.drawing.lettering.turns import Turn, turns
 from coursework.drawing.outline.lengths import arm_base
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
@@ -23,7 +23,7 @@ from coursework.drawing.paper.sheet import ITALIC, Word, inside, plain
 from coursework.drawing.paper.symbols import angle_word
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, constant, terms
+from coursework.variant.formula.tree import Formula, constant, signed, terms
 
 PEN = 'fill="none" stroke="black" stroke-width="0.15"'
 LINE = 'stroke="black" stroke-width="0.15"'

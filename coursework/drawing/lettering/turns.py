@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from coursework.drawing.outline.lengths import is_origin
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed
 
 Values = Mapping[str, complex]
 Sum = list[tuple[Formula, int]]  # terms with their signs
@@ -144,14 +144,3 @@ def _centre(mechanism: Mechanism, rate: str, values: Values) -> complex | None:
         if link.rate == rate and first in values:
             return complex(values[first])
     return None
-
-
-def signed(formula: Formula, sign: int = 1) -> Iterator[tuple[Formula, int]]:
-    """Yield the terms of a sum with their signs."""
-    if formula.op in {"+", "-"}:
-        yield from signed(formula.args[0], sign)
-        yield from signed(formula.args[1], sign if formula.op == "+" else -sign)
-    elif formula.op == "neg":
-        yield from signed(formula.args[0], -sign)
-    else:
-        yield formula, sign

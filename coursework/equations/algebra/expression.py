@@ -207,7 +207,7 @@ def multiply(*factors: Expression) -> Expression:
 
 def power(base: Expression, exponent: Number) -> Expression:
     """Return a power."""
-    by = Fraction(exponent)
+    by = exponent if isinstance(exponent, Fraction) else Fraction(exponent)
     whole = by.denominator == 1
     if by == 0 or base is ONE:
         return ONE

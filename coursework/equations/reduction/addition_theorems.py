@@ -5,64 +5,58 @@ Enters: terms of a sum.  Leaves: fewer terms of the same value.  Used by `tidy.p
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from itertools import combinations
 
-from coursework.equations.algebra.expression import ONE, Expression
+from coursework.equations.algebra.expression import ZERO, Expression, multiply, number, power
 from coursework.equations.algebra.functions import cosine, sine
-from coursework.equations.reduction.sums import Atoms, Term
 
 Rank = Callable[[Expression], tuple[int, ...]]
+Angles = list[tuple[str, Expression]]
 
 
-def pair_angles(terms: list[Term], rank: Rank) -> list[Term]:
+def pair_angles(terms: list[Expression], rank: Rank) -> list[Expression]:
     """Join pairs of terms until none is left; `rank` is the place of a function in the author's order."""
-    merged = True
-    while merged:
-        merged = False
-        for i, first in enumerate(terms):
-            for j in range(i + 1, len(terms)):
-                joined = _join(first, terms[j], rank)
-                if joined is not None:
-                    terms = [term for k, term in enumerate(terms) if k not in {i, j}] + ([joined] if joined[0] else [])
-                    merged = True
-                    break
-            if merged:
-                break
+    turning = [k for k, term in enumerate(terms) if len(_angles(term)) > 1]
+    for i, j in combinations(turning, 2):
+        if (joined := _join(terms[i], terms[j], rank)) is not None:
+            left = [term for k, term in enumerate(terms) if k not in {i, j}]
+            return pair_angles([*left, joined] if joined is not ZERO else left, rank)
     return terms
 
 
-def _join(first: Term, second: Term, rank: Rank) -> Term | None:
-    if abs(first[0]) != abs(second[0]):
+def common(terms: Sequence[Expression], *, divisors: bool = False) -> Expression:
+    """Return the factors that all terms have, numbers apart; if `divisors`, those too by which one of them alone is divided."""
+    powers = [dict(factor.base_and_power for factor in term.split()[1].factors) for term in terms]
+    bases = dict.fromkeys(base for own in powers for base in own if divisors or all(base in other for other in powers))
+    least = {base: min(own.get(base, Fraction(0)) for own in powers) for base in bases}
+    return multiply(*[power(base, by) for base, by in least.items()])
+
+
+def _join(first: Expression, second: Expression, rank: Rank) -> Expression | None:
+    (p, a), (q, b) = first.split(), second.split()
+    if abs(p) != abs(q):
         return None
-    a, b = dict(first[1]), dict(second[1])
     # A divisor of one term only is a factor that the other has more of.
-    shared = {atom: power for atom in {**a, **b} if (power := min(a.get(atom, 0), b.get(atom, 0)))}
-    only_a = {atom: p for atom in {**a, **b} if (p := a.get(atom, 0) - shared.get(atom, 0))}
-    only_b = {atom: p for atom in {**b, **a} if (p := b.get(atom, 0) - shared.get(atom, 0))}
-    trig_a, trig_b = _two_angles(only_a), _two_angles(only_b)
-    if trig_a is None or trig_b is None:
+    shared = common([a, b], divisors=True)
+    only_a, only_b = a / shared, b / shared
+    if any(sum(factor.base_and_power[1] for factor in part.factors) != 2 for part in (only_a, only_b)):
         return None
-    found = _addition(trig_a, trig_b, first[0], second[0], rank)
-    if found is None:
+    trig_a, trig_b = _angles(only_a), _angles(only_b)
+    if len(trig_a) != 2 or len(trig_b) != 2:
         return None
-    factor, merged = found
-    times, rest = merged.split()
-    atoms = dict(shared)
-    if rest is not ONE:
-        atoms[rest] = atoms.get(rest, 0) + 1
-    return factor * times, tuple(atoms.items())
+    merged = _addition(trig_a, trig_b, p, q, rank)
+    return None if merged is None else multiply(merged, shared)
 
 
-def _two_angles(atoms: Atoms) -> list[tuple[str, Expression]] | None:
-    """Return [(sin|cos, angle), (sin|cos, angle)] of a product of exactly two such functions."""
-    found = [(atom.op, atom.args[0]) for atom, power in atoms.items() for _ in range(power) if atom.op in {"sin", "cos"}]
-    return found if len(found) == 2 and sum(atoms.values()) == 2 else None
+def _angles(part: Expression) -> Angles:
+    """Return (sin|cos, angle) for each such factor of a product."""
+    powers = [factor.base_and_power for factor in part.factors]
+    return [(base.op, base.args[0]) for base, by in powers if base.op in {"sin", "cos"} for _ in range(int(by))]
 
 
-def _addition(
-    a: list[tuple[str, Expression]], b: list[tuple[str, Expression]], p: Fraction, q: Fraction, rank: Rank
-) -> tuple[Fraction, Expression] | None:
+def _addition(a: Angles, b: Angles, p: Fraction, q: Fraction, rank: Rank) -> Expression | None:
     angles = sorted({angle for _, angle in a}, key=lambda x: rank(cosine(x)))
     if {angle for _, angle in b} != set(angles):
         return None
@@ -70,8 +64,8 @@ def _addition(
     kinds = {"".join(sorted(kind for kind, _ in part)) for part in (a, b)}
     if kinds == {"coscos", "sinsin"}:
         cosines = p if a[0][0] == a[1][0] == "cos" else q
-        return cosines, cosine(x - y) if p == q else cosine(x + y)
-    if kinds == {"cossin"} and x != y:
+        return number(cosines) * (cosine(x - y) if p == q else cosine(x + y))
+    if kinds == {"cossin"} and x is not y:
         leading = p if ("sin", x) in a else q
-        return leading, sine(x + y) if p == q else sine(x - y)
+        return number(leading) * (sine(x + y) if p == q else sine(x - y))
     return None

@@ -7,17 +7,19 @@ Used by `conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 
 from coursework.equations.algebra.calculus import content, together
-from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression
+from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, multiply, number
 from coursework.equations.codegen.names import private, public
-from coursework.equations.reduction.addition_theorems import pair_angles
-from coursework.equations.reduction.sums import Atoms, Term, gathered, written_sums
+from coursework.equations.reduction.addition_theorems import common, pair_angles
+from coursework.equations.reduction.sums import gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, named, number, product_of
+from coursework.variant.formula.tree import Formula, named, product_of
+from coursework.variant.formula.tree import number as in_digits
 from coursework.variant.record.variant import Variant
 
 # A formula of more parts, some 400 operations, is shown as it is: nobody reads it, and expanding it costs.
@@ -45,12 +47,12 @@ class Order:
 
     def rank(self, atom: Expression) -> tuple[int, ...]:
         """Return the place of a symbol, function or power: names before functions."""
+        if atom in self.sums:
+            return min(self.rank(name) for name in self.sums[atom].free_symbols)
         if atom.op == "symbol":
             return (0, self._names.get(atom.name, len(self._names)))
         if atom.op == "^":
             return self.rank(atom.args[0])
-        if atom in self.sums:
-            return min(self.rank(name) for _, names in self.sums[atom] for name, _ in names)
         inner = tuple(sorted(self._names.get(s.name, len(self._names)) for s in atom.free_symbols))
         return (1, self._calls.get(atom.op, 99), *inner)
 
@@ -58,55 +60,58 @@ class Order:
         """Return what a symbol is called in text: the declared name, or "∂r/∂phi" for a derivative."""
         return public(symbol.name, self._declared)
 
-    def term(self, term: Term) -> tuple[tuple[int, ...], ...]:
+    def term(self, term: Expression) -> tuple[tuple[int, ...], ...]:
         """Return the place of a term in a sum."""
-        return tuple(sorted(self.rank(atom) for atom, _ in term[1]))
+        return tuple(sorted(self.rank(base) for base, _ in _powers(term)))
 
 
 @frozen
 class Product:
-    """factor * product of atoms * sum of terms (empty for 1), tidied."""
+    """factor * product of `common` factors * sum of terms (empty for 1), tidied."""
 
     factor: Fraction
-    atoms: tuple[tuple[Expression, int], ...]
-    terms: tuple[Term, ...]
+    common: Expression
+    terms: tuple[Expression, ...]
 
 
 def product(expr: Expression, order: Order) -> Product:
     """Return an expression as one product; a sum that cannot be taken apart becomes its terms."""
-    if expr is ZERO:
-        return Product(Fraction(0), (), ())
     if expr.size > MOST_PARTS:
-        return Product(Fraction(1), ((expr, 1),), ())
-    terms = pair_angles(_terms(expanded(expr), order), order.rank)
+        return Product(_ONE, expr, ())
+    terms = pair_angles(_terms(expr, order), order.rank)
     if not terms:
-        return Product(Fraction(0), (), ())
-    common = _common(terms)
-    terms = [(factor, _divide(atoms, common)) for factor, atoms in terms]
+        return Product(Fraction(0), ONE, ())
+    shared = common(terms)
+    if shared is not ONE:
+        inverse = 1 / shared
+        terms = [multiply(term, inverse) for term in terms]
     terms.sort(key=order.term)
-    whole = content(factor for factor, _ in terms) * (-1 if terms[0][0] < 0 else 1)
-    terms = [(factor / whole, atoms) for factor, atoms in terms]
-    return Product(whole, tuple(common.items()), () if len(terms) == 1 else tuple(terms))
+    whole = content(term.split()[0] for term in terms) * (-1 if terms[0].split()[0] < 0 else 1)
+    return Product(whole, shared, () if len(terms) == 1 else tuple(terms) if whole == 1 else _times(1 / whole, terms))
+
+
+def _terms(expr: Expression, order: Order) -> list[Expression]:
+    return gathered([term for term in expanded(expr).terms if term is not ZERO], order.sums)
+
+
+def _times(factor: Fraction, terms: Sequence[Expression]) -> tuple[Expression, ...]:
+    return tuple(multiply(number(factor), term) for term in terms)
 
 
 def quotient(above: Expression, bottom: Product, order: Order) -> Formula:
     """Return above / bottom with common factors cancelled."""
     top = product(above, order)
-    atoms = dict(top.atoms)
-    for atom, power in bottom.atoms:
-        atoms[atom] = atoms.get(atom, 0) - power
-    up, down = top.terms, bottom.terms
-    if up == down:
-        up = down = ()
-    (above_all, up), (below_all, down) = _as_given(top.factor, up, order), _as_given(bottom.factor, down, order)
-    return _fraction(above_all, atoms, up, down, order, below_all)
+    up, down = ((), ()) if top.terms == bottom.terms else (top.terms, bottom.terms)
+    times, shared = (top.common / bottom.common).split()
+    (above_all, up), (below_all, down) = _as_given(top.factor * times, up, order), _as_given(bottom.factor, down, order)
+    return _fraction(above_all, shared, up, down, order, below_all)
 
 
-def _as_given(factor: Fraction, terms: tuple[Term, ...], order: Order) -> tuple[Fraction, tuple[Term, ...]]:
+def _as_given(factor: Fraction, terms: tuple[Expression, ...], order: Order) -> tuple[Fraction, tuple[Expression, ...]]:
     """Return a factor put back into a sum of different ones where lengths are decimals: 0.02 and 0.25, not 0.01, 2 and 25."""
-    if not order.has_decimals or all(abs(own) == 1 for own, _ in terms):
+    if not order.has_decimals or all(abs(term.split()[0]) == 1 for term in terms):
         return factor, terms
-    return Fraction(1 if factor > 0 else -1), tuple((own * abs(factor), atoms) for own, atoms in terms)
+    return Fraction(1 if factor > 0 else -1), _times(abs(factor), terms)
 
 
 def as_formula(expr: Expression, order: Order) -> Formula:
@@ -123,94 +128,74 @@ def as_sum(expr: Expression, order: Order) -> Formula:
     """Return an expression as the plain sum of its terms, as a velocity equation is written."""
     if expr.size > MOST_PARTS:
         return _plain(expr, order)
-    return _sum(tuple(sorted(_terms(expanded(expr), order), key=order.term)), order)
+    return _sum(sorted(_terms(expr, order), key=order.term), order)
 
 
-def _terms(expr: Expression, order: Order) -> list[Term]:
-    return gathered([_term(part) for part in expr.terms if part is not ZERO], order.sums)
-
-
-def _term(expr: Expression) -> Term:
-    factor, rest = expr.split()
-    atoms: Atoms = {}
-    for part in rest.factors:
-        base, exponent = part.base_and_power
-        if exponent.denominator > 1:
-            base, exponent = part, _ONE
-        if base is not ONE:
-            atoms[base] = atoms.get(base, 0) + int(exponent)
-    return factor, tuple(atoms.items())
-
-
-def _common(terms: list[Term]) -> Atoms:
-    first = dict(terms[0][1])
-    for _, atoms in terms[1:]:
-        other = dict(atoms)
-        first = {atom: min(power, other[atom]) for atom, power in first.items() if atom in other}
-    return {atom: power for atom, power in first.items() if power}
-
-
-def _divide(atoms: tuple[tuple[Expression, int], ...], common: Atoms) -> tuple[tuple[Expression, int], ...]:
-    left = {atom: power - common.get(atom, 0) for atom, power in atoms}
-    return tuple((atom, power) for atom, power in left.items() if power)
+def _powers(term: Expression) -> list[tuple[Expression, Fraction]]:
+    """Return bases and powers in a product, its number apart; a root is a base of its own."""
+    rest = term.split()[1]
+    found = [(part, _ONE) if part.op == "^" and part.base_and_power[1].denominator > 1 else part.base_and_power
+             for part in rest.factors]  # fmt: skip
+    return found if rest is not ONE else []
 
 
 def _fraction(
-    factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order, by: Fraction = _ONE
+    factor: Fraction, shared: Expression, up: Sequence[Expression], down: Sequence[Expression], order: Order, by: Fraction = _ONE
 ) -> Formula:
     value = factor / by
-    if value == 0 or not (atoms or up or down):
-        return number(value)
-    above = {atom: power for atom, power in atoms.items() if power > 0}
-    below = {atom: -power for atom, power in atoms.items() if power < 0}
+    if value == 0 or not (shared is not ONE or up or down):
+        return in_digits(value)
+    powers = _powers(shared)
+    above = {base: power for base, power in powers if power > 0}
+    below = {base: -power for base, power in powers if power < 0}
     numeral, divisor = _numerals(abs(factor), abs(by)) if order.has_decimals else _integers(abs(value))
     top, bottom = _factors(numeral, above, up, order), _factors(divisor, below, down, order)
-    tree = Formula("/", (top, bottom)) if bottom != number(1) else top
+    tree = Formula("/", (top, bottom)) if bottom != in_digits(1) else top
     return Formula("neg", (tree,)) if value < 0 else tree
 
 
 def _integers(value: Fraction) -> tuple[Formula, Formula]:
-    return number(value.numerator), number(value.denominator)
+    return in_digits(value.numerator), in_digits(value.denominator)
 
 
 def _numerals(factor: Fraction, by: Fraction) -> tuple[Formula, Formula]:
     """Return a factor above and one below as decimals, the quotient of the two where it is one: 0.4; 0.08 and 0.27."""
     for above, below in ((factor / by, _ONE), (factor, by)):
-        if all(number(part).op == "number" for part in (above, below)):
-            return number(above), number(below)
+        if all(in_digits(part).op == "number" for part in (above, below)):
+            return in_digits(above), in_digits(below)
     return _integers(factor / by)
 
 
-def _factors(numeral: Formula, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
-    parts = [] if numeral == number(1) else [numeral]
-    for atom, power in sorted(atoms.items(), key=lambda item: order.rank(item[0])):
-        base = _argument(atom, order) if atom in order.sums else _plain(atom, order)
-        parts.append(base if power == 1 else Formula("^", (base, number(power))))
-    if terms:
-        parts.append(_sum(terms, order))
-    return product_of(parts)
+def _factors(numeral: Formula, powers: Mapping[Expression, Fraction], terms: Sequence[Expression], order: Order) -> Formula:
+    parts = [] if numeral == in_digits(1) else [numeral]
+    for base, power in sorted(powers.items(), key=lambda item: order.rank(item[0])):
+        parts.append(_plain(base, order) if power == 1 else Formula("^", (_plain(base, order), in_digits(power))))
+    return product_of([*parts, _sum(terms, order)] if terms else parts)
 
 
-def _sum(terms: tuple[Term, ...], order: Order) -> Formula:
+def _sum(terms: Sequence[Expression], order: Order) -> Formula:
     total: Formula | None = None
-    for factor, atoms in terms:
-        part = _fraction(abs(factor), dict(atoms), (), (), order)
+    for term in terms:
+        factor, rest = term.split()
+        part = _fraction(abs(factor), rest, (), (), order)
         if total is None:
             total = Formula("neg", (part,)) if factor < 0 else part
         else:
             total = Formula("-" if factor < 0 else "+", (total, part))
-    return total or number(0)
+    return total or in_digits(0)
 
 
 def _plain(expr: Expression, order: Order) -> Formula:
     """Return one atom as a formula without rewriting inside."""
     match expr.op:
+        case "symbol" if expr in order.sums:
+            return _argument(order.sums[expr], order)
         case "symbol":
             return named(order.public(expr))
         case "pi":
             return named("pi")
         case "number":
-            return number(expr.value)
+            return in_digits(expr.value)
         case "^":
             base = _plain(expr.args[0], order)
             if expr.args[1] is HALF:
@@ -223,11 +208,10 @@ def _plain(expr: Expression, order: Order) -> Formula:
 
 def _argument(expr: Expression, order: Order) -> Formula:
     """Return what stands inside a function: a positive term first, so that φ1 - φ2 is not written -φ2 + φ1."""
-    terms = sorted(map(_term, expr.terms), key=lambda term: (term[0] < 0, order.term(term)))
-    return _sum(tuple(terms), order)
+    return _sum(sorted(expr.terms, key=lambda term: (term.split()[0] < 0, order.term(term))), order)
 
 
 def _joined(a: Formula, b: Formula, is_product: bool) -> Formula:
     if is_product:
-        return Formula("neg", (b,)) if a == Formula("neg", (number(1),)) else Formula("*", (a, b))
+        return Formula("neg", (b,)) if a == Formula("neg", (in_digits(1),)) else Formula("*", (a, b))
     return Formula("-", (a, b.args[0])) if b.op == "neg" else Formula("+", (a, b))

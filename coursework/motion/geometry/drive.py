@@ -1,7 +1,7 @@
 """The drive as numbers: its values, its integral from t = 0 with what that leaves open, its breaks and its fastest oscillation.
 
 Enters: the drive of a variant.  Leaves: plain functions of time.
-Used by `closure.py`, `chain.py`, the march, checks, `sets.py` and `sliders.py`.
+Used by `closure.py`, `chain.py`, the march, checks, `sets.py` and `report/live/page.py`.
 """
 
 from __future__ import annotations

@@ -5,22 +5,26 @@ Enters: a `SceneRun`, the words of a language, the writers of symbols and units.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from coursework.motion.geometry.drive import resolution
-from coursework.motion.schemes import SCHEMES, title_of
+import numpy as np
+
+from coursework.equations.reduction.blocks import angles_in_determinants
+from coursework.motion.geometry.drive import breaks, resolution, resolved
+from coursework.motion.integration.integrate import WIDEST_STEP
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, Scheme, Sum, title_of
 from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
-from coursework.report.live.functions import live_functions
-from coursework.report.live.numbers import live_numbers
+from coursework.report.live.functions import Functions, live_functions
 from coursework.report.live.script import embedded, hash_of, script_of
-from coursework.report.live.sliders import followed, sliders_of
 from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
+from coursework.variant.formula.units import UNITS
 from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 
@@ -35,6 +39,10 @@ _LABORATORY = (
     "stop_watch", "laboratory", "animation",
 )  # fmt: skip
 _RECORDED = ("recorded_motion", "page", "drawing", "names", "additions", "cursors", "animation")
+# Places of a slider at which the drive is looked at, and what may stay open of its way in one step (rad or m): a fold leaves so
+# much, a pulse far more.
+_PLACES, _POINTS, _OPEN = 5, 2, 1e-4
+_ROUNDING = 1e-12
 
 
 @frozen
@@ -121,3 +129,85 @@ def _asked(data: dict[str, Any], script: str) -> dict[str, Any]:
 def _words(phrases: Phrases) -> dict[str, str]:
     """Return the words of the live part by key, their gaps open."""
     return {key: phrases.template(f"live.{key}") for key in load_phrases().entries["live"]}
+
+
+def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:
+    """Return the data that may be moved: an angle through its whole turn, anything else from half to one and a half of itself.
+
+    A value is told in the `unit` of the file, which is `size` times that of SI.
+
+    A datum that is zero has no such range, and one that moves the times at which a law changes would need another law.
+    """
+    variant = run.variant
+    formulas = [formula for path, formula in variant.times.items() if path[0] != "time"]
+    timed = {name for formula in formulas for name in formula.names()}
+    found = {}
+    for given in variant.given:
+        if given.name in timed or not (given.value or given.si == "rad"):
+            continue
+        low, high = sorted((0.5 * given.value, 1.5 * given.value))
+        if given.si == "rad":
+            low = math.tau * math.floor(given.value / math.tau)
+            high = low + math.tau
+        size, si = UNITS.get(given.unit, (1, given.si))
+        written = given.unit if si == given.si else given.si
+        found[given.name] = {"low": low, "high": high, "unit": unit(written), "size": float(size) if si == given.si else 1.0}
+    return found
+
+
+def followed(run: SceneRun, sliders: dict[str, dict[str, Any]], step: float) -> bool:
+    """Return whether steps of this length (s) see all that the drive does, wherever a slider stands."""
+    variant = run.variant
+    driving = {name for law in (*variant.drive, *variant.functions) for formula in law.formulas for name in formula.names()}
+    ends = {name: (slider["low"], slider["high"]) for name, slider in sliders.items() if name in driving}
+    moved = [(name, place) for name in ends for place in np.linspace(*ends[name], _PLACES)]
+    data = {name: np.full(1 + len(moved), value) for name, value in variant.values.items()}
+    for index, (name, place) in enumerate(moved, start=1):
+        data[name][index] = place
+    times = np.arange(int(run.end / step * (1 + _ROUNDING)) + 1).astype(np.float64) * step
+    return bool(np.all(resolved(run.scene.equations, data, times, _POINTS, _OPEN)))
+
+
+def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
+    """Return the numbers of a run by key; `scheme` is the one its page begins with, `precise` the one of the true motion.
+
+    `stop` is the time (s) at which the mechanism itself stops, None where it does not; `own`: the table of the page is made by a
+    scheme and nothing else, as the page makes its tables.
+    """
+    scene, variant = run.scene, run.variant
+    angles = angles_in_determinants(scene.reduction.blocks, scene.equations)
+    return {
+        "coordinates": [c.name for c in variant.coordinates],
+        "velocities": [*variant.rates, *(name for name, _ in variant.unknowns)],
+        "units": {name: variant.unit_of(name) for name in variant.columns},
+        "shown": list(run.motion.names),
+        "start": scene.start,
+        "step": run.step,
+        "end": variant.time.end,
+        "rows": len(run.motion.t),
+        "given": variant.values,
+        "numbers": list(functions.numbers),
+        "closed": functions.closed,
+        "moved": list(functions.moved),
+        "followed": list(functions.followed),
+        "tables": functions.tables,
+        "determinants": len(scene.reduction.blocks),
+        "guarded": [place for place, c in enumerate(variant.coordinates) if c.name in angles],
+        "widest": WIDEST_STEP,
+        "breaks": list(breaks(variant)),
+        "stop": None if scene.stop is None else scene.stop.time,
+        "schemes": {scheme.name: _tableau(scheme) for scheme in SCHEMES.values()},
+        "scheme": run.scheme if run.scheme in SCHEMES else DEFAULT_SCHEME.name,
+        "own": run.scheme in SCHEMES and scene.correction is None,
+        "precise": PRECISE.name,
+    }
+
+
+def _tableau(scheme: Scheme) -> dict[str, Any]:
+    """Return a tableau with the common factor of each row taken out, fractions as pairs of whole numbers."""
+    nodes = [[node.numerator, node.denominator] for node in scheme.nodes]
+    return {"order": scheme.order, "nodes": nodes, "inner": [*map(_row, scheme.inner)], "outer": _row(scheme.outer)}
+
+
+def _row(row: Sum) -> dict[str, Any]:
+    return {"factor": [row.factor.numerator, row.factor.denominator], "terms": [*map(list, row.terms)]}

@@ -141,6 +141,17 @@ def terms(formula: Formula) -> Iterator[Formula]:
         yield formula
 
 
+def signed(formula: Formula, sign: int = 1) -> Iterator[tuple[Formula, int]]:
+    """Yield the terms of a sum with their signs."""
+    if formula.op in {"+", "-"}:
+        yield from signed(formula.args[0], sign)
+        yield from signed(formula.args[1], sign if formula.op == "+" else -sign)
+    elif formula.op == "neg":
+        yield from signed(formula.args[0], -sign)
+    else:
+        yield formula, sign
+
+
 def constant(tree: Formula) -> Fraction | None:
     """Return the exact value of a formula of numbers only (+ - * /), else None."""
     if tree.op == "number":

@@ -6,14 +6,14 @@ Enters: a `Variant`, what its names measure, the places of grads.  Leaves: `Rema
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from coursework.variant.dimensions.exponents import LENGTH
 from coursework.variant.formula.tree import Formula, terms
 from coursework.variant.formula.units import UNITS
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
-from coursework.variant.judging.frequencies import frequencies_turned_twice
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.places import Place
 from coursework.variant.record.variant import Given, Remark, Variant
 from coursework.variant.toml.positions import KeyPath
@@ -25,6 +25,11 @@ _TURN = 2 * math.pi
 # In a mechanism all lengths are of one order: in 66 files the widest gap between neighbours was a factor of four.
 _FAR = 30.0
 _LENGTHS = ("mm", "cm", "m"), ("мм", "см", "м")
+_Found = tuple[str, KeyPath, Sentence]
+# 0.1047, 0.105, 3.14/30, 1/9.55: a factor is the one of the unit where it has that many of its digits.
+_NEAR = 0.005
+_MINUTE = 60.0
+_PLAIN = {"", "1"}  # SI units of a datum that may itself be the factor
 
 
 def remarks_on(
@@ -40,9 +45,6 @@ def remarks_on(
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
     return tuple(Remark(code, line, sentence) for line, code, sentence in sorted(lines))
-
-
-_Found = tuple[str, KeyPath, Sentence]
 
 
 def _angles(
@@ -165,3 +167,68 @@ def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]
                     yield from ((place, term) for term in terms(node.args[0]))
                 elif node.op == "@":
                     yield from ((place, term) for term in terms(node.args[1]))
+
+
+def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, Sentence]]:
+    """Yield a remark for each law whose datum has a unit of frequency and is multiplied by the size of that unit, or by pi/30."""
+    turned = {given.name: given for given in variant.given if given.si == "1/s"}
+    if not turned:
+        return
+    plain = {given.name: given.value for given in variant.given if given.si in _PLAIN}
+    told = set()
+    for path, formula in _laws(variant):
+        for name, factor, whole in _factors(formula, 1.0, formula, plain):
+            given = turned.get(name)
+            if given is None or (path, name) in told or not factor:
+                continue
+            sizes = {_unit_size(given), math.pi / 30} - {1.0}
+            key = "remark.rpm" if any(abs(factor / size - 1) < _NEAR for size in sizes) else ""
+            if path[0] == "time" and factor == -_MINUTE and _unit_size(given) < 1.0:
+                key = "remark.rpm_turn"
+            if key:
+                told.add((path, name))
+                known = {"name": name, "text": given.text, "unit": given.unit, "place": _place(path, variant)}
+                yield "RPM", path, say(key, **known, term=text_of(whole))
+
+
+def _place(path: KeyPath, variant: Variant) -> str:
+    if path[0] == "constraint":
+        return say("place.constraint", name=variant.constraints[int(path[1])].name)
+    return str(path[1])
+
+
+def _unit_size(given: Given) -> float:
+    return float(UNITS[given.unit][0]) if given.unit in UNITS else 1.0
+
+
+def _laws(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
+    for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
+        for law in laws:
+            if law.formula:
+                yield (section, law.name), law.formula
+            yield from (((section, law.name, "pieces", place, 1), formula) for place, (_, formula) in enumerate(law.pieces))
+    for index, constraint in enumerate(variant.constraints):
+        yield from ((("constraint", index, constraint.key), side) for side in constraint.sides)
+    yield from variant.times.items()
+
+
+def _factors(tree: Formula, factor: float, whole: Formula, plain: Mapping[str, float]) -> Iterator[tuple[str, float, Formula]]:
+    """Yield (name, size of the number it is multiplied by, product it stands in); in a denominator the number is negative."""
+    if tree.op == "name":
+        yield tree.name, factor, whole
+    elif tree.op in {"neg", "+", "-"}:
+        for arg in tree.args:
+            yield from _factors(arg, factor, whole if factor != 1.0 else arg, plain)
+    elif tree.op in {"*", "/"}:
+        first, second = tree.args
+        left, right = known_value(first, plain), known_value(second, plain)
+        is_quotient = tree.op == "/"
+        if left is None and right != 0:
+            number = 1.0 if right is None else abs(1 / right if is_quotient else right)
+            yield from _factors(first, factor * number, whole, plain)
+        if right is None:
+            number = factor * (1.0 if left is None else abs(left))
+            yield from _factors(second, -number if is_quotient else number, whole, plain)
+    else:
+        for arg in tree.args:
+            yield from _factors(arg, 1.0, arg, plain)

@@ -1,19 +1,20 @@
 """Cramer's rule and its compact forms as functions: at random points what is shown and what is computed solve the equations."""
 
 import json
-from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 import pytest
-import sympy as sp
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import coursework
+from coursework.equations.algebra.calculus import expand, replaced
+from coursework.equations.algebra.expression import ZERO, add
 from coursework.equations.reduction.cramer import cramer
 from coursework.equations.reduction.sums import gathered
+from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_system
 from coursework.variant.formula.tree import evaluate, spelled
 from coursework.variant.reading.reader import parse_variant
@@ -242,11 +243,8 @@ def test_the_square_of_such_a_length_is_one_factor_too():
 
 @pytest.mark.parametrize("powers", [(2, 0), (2, 1), (3, 0), (0, 1), (1, 2)])
 def test_what_is_gathered_is_worth_what_was_multiplied_out(powers):
-    a, b, x, y = sp.symbols("a b x y")
-    whole = sum((a - b) ** power * name for power, name in zip(powers, (x, y), strict=True))
-    terms = [(Fraction(int(number)), tuple(rest.as_powers_dict().items()))
-             for number, rest in (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(whole)))]  # fmt: skip
-    shorter = gathered(terms, {a - b: ((Fraction(1), ((a, 1),)), (Fraction(-1), ((b, 1),)))})
-    told = sum(sp.Integer(number) * sp.prod(atom**power for atom, power in atoms) for number, atoms in shorter)
-    assert sp.expand(told - whole) == 0
-    assert len(shorter) < len(terms)
+    a, b, x, y, name = map(symbol, ("a", "b", "x", "y", "s"))
+    whole = expand(add(*[(a - b) ** power * factor for power, factor in zip(powers, (x, y), strict=True)]))
+    shorter = gathered([*whole.terms], {name: a - b})
+    assert expand(replaced(add(*shorter), {name: a - b}) - whole) is ZERO
+    assert len(shorter) < len(whole.terms)

@@ -11,7 +11,7 @@ import pytest
 
 import coursework
 from coursework.report.live.functions import live_functions
-from coursework.report.live.numbers import live_numbers
+from coursework.report.live.page import live_numbers
 from coursework.report.live.script import script_of
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.catalogue import names

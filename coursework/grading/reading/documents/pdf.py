@@ -20,8 +20,7 @@ from functools import cache
 from typing import Any
 
 from coursework.grading.reading.documents.document import Document, place_of
-from coursework.grading.reading.documents.pdf_fractions import MOST_BARS, Bar, with_fractions
-from coursework.grading.reading.documents.pdf_lines import Letter, lines_of, tables_in
+from coursework.grading.reading.documents.pdf_lines import MOST_BARS, Bar, Letter, lines_of, tables_in, with_fractions
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, doubtful, unreadable
 from coursework.grading.reading.student_work import Trouble
