@@ -1,0 +1,108 @@
+// The report replaced part by part: what did not change stays as it is, the place on the screen and the laboratory too.
+// Enters: the HTML of a whole page.  Leaves: `patch`.  The nonce lets the page's own script run, and no other.
+const nonce = document.currentScript?.nonce ?? "";
+
+/** The parts of a page by name: head, title, contents and each section, in order.
+ * @param {Document} page */
+const partsOf = (page) => {
+  /** @type {Map<string, {into: string, element: Element}>} */
+  const parts = new Map();
+  for (const element of page.body.children) {
+    if (element.matches("main")) for (const one of element.children) if (!one.matches("script")) parts.set(one.id || one.localName, { into: "main", element: one });
+    if (!element.matches("main, script")) parts.set(element.id || element.getAttribute("class") || element.localName, { into: "body", element });
+  }
+  return parts;
+};
+
+/** What stands at the top of the window: its part and how far above the window that begins. */
+const topmost = () => {
+  for (const element of document.querySelectorAll("body > .top, main > *")) {
+    const { top, bottom } = element.getBoundingClientRect();
+    if (bottom > 0 && element.id) return { id: element.id, part: (Math.min(top, 0)) / (bottom - top || 1), top };
+  }
+  return null;
+};
+
+/** @type {Map<string, string>} */
+let sources = new Map();
+let style = "", script = "";
+
+/** Run the page's script: what it hears of the window is let go of when the next one comes.
+ * @type {[string, EventListenerOrEventListenerObject][]} */
+let heard = [];
+/** @param {Document} page */
+const runScript = (page) => {
+  for (const [kind, listener] of heard) removeEventListener(kind, listener);
+  heard = [];
+  const data = page.querySelector("script#coursework"), code = page.querySelector("script:not([type])");
+  document.querySelectorAll("script[data-page]").forEach((old) => old.remove());
+  document.documentElement.classList.remove("live-on");
+  if (!data || !code) return;
+  const numbers = Object.assign(document.createElement("script"), { type: "application/json", id: "coursework", textContent: data.textContent });
+  const running = Object.assign(document.createElement("script"), { nonce, textContent: code.textContent });
+  for (const one of [numbers, running]) one.dataset.page = "";
+  document.body.append(numbers);
+  const listen = window.addEventListener;
+  window.addEventListener = (/** @type {string} */ kind, /** @type {EventListenerOrEventListenerObject} */ listener) => {
+    heard.push([kind, listener]);
+    listen.call(window, kind, listener);
+  };
+  try {
+    document.body.append(running);
+  } finally {
+    window.addEventListener = listen;
+  }
+  // The page is there already: what waits for that is told at once.
+  for (const [kind, listener] of heard) if (kind === "DOMContentLoaded" && typeof listener === "function") listener.call(window, new Event(kind));
+};
+
+/** Show a page; returns the names of the parts that were made anew.
+ * @param {string} html */
+const patch = (html) => {
+  const page = new DOMParser().parseFromString(html, "text/html");
+  const parts = partsOf(page), at = topmost(), code = [...page.querySelectorAll("script")].map((one) => one.textContent).join("\n");
+  const text = [...page.querySelectorAll("style")].map((one) => one.textContent).join("\n");
+  if (text !== style) {
+    style = text;
+    const place = document.getElementById("report-style");
+    if (place) place.textContent = text;
+  }
+  document.documentElement.lang = page.documentElement.lang;
+  document.title = page.title;
+  // The script reaches into all parts: where it changed none of them stays.
+  const alive = code !== script, before = sources;
+  if (alive) laboratory.keep();
+  sources = new Map();
+  const main = document.querySelector("main") ?? document.body.appendChild(document.createElement("main"));
+  const made = [];
+  /** @type {Record<string, Element | null>} */
+  const behind = { main: null, body: null };
+  for (const [name, { into, element }] of parts) {
+    const source = element.outerHTML, parent = into === "main" ? main : document.body;
+    sources.set(name, source);
+    let old = standing.get(name);
+    if (!old || alive || before.get(name) !== source) {
+      made.push(name);
+      const fresh = document.importNode(element, true);
+      if (fresh instanceof HTMLElement && fresh.matches("[data-later]") && old) fresh.style.minHeight = `${old.getBoundingClientRect().height}px`;
+      if (old?.parentElement === parent) old.replaceWith(fresh);
+      standing.set(name, (old = fresh));
+    }
+    const last = behind[into], next = last ? last.nextElementSibling : parent.firstElementChild;
+    if (next !== old) parent.insertBefore(old, next);
+    behind[into] = old;
+  }
+  for (const [name, element] of standing) if (!parts.has(name)) element.remove(), standing.delete(name);
+  if (main.previousElementSibling !== behind.body) behind.body?.after(main);
+  if (alive) {
+    script = code;
+    runScript(page);
+    laboratory.restore();
+  }
+  const place = at && document.getElementById(at.id);
+  if (place && at) scrollBy({ top: place.getBoundingClientRect().top - (at.top < 0 ? at.part * place.getBoundingClientRect().height : at.top), behavior: "instant" });
+  return made;
+};
+/** What stands on the page by the name of its part.
+ * @type {Map<string, Element>} */
+const standing = new Map();

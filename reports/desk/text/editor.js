@@ -1,0 +1,68 @@
+// The editor of the text: CodeMirror with what a variant file needs.  Enter, Tab and quotes do what a plain text box does, too.
+
+import {
+  EditorState, EditorView, Compartment, bracketMatching, classHighlighter, closeBrackets, closeBracketsKeymap, defaultKeymap,
+  drawSelection, highlightActiveLine, highlightActiveLineGutter, highlightSelectionMatches, highlightSpecialChars, history,
+  historyKeymap, insertNewline, keymap, lineNumbers, lintKeymap, search, searchKeymap, syntaxHighlighting, Transaction,
+} from "../editor/codemirror.js";
+import { followWords, say } from "../words.js";
+import { variantLanguage } from "./language.js";
+import { change } from "./places.js";
+
+const PHRASES = ["Find", "Replace", "next", "previous", "all", "match case", "regexp", "by word", "replace", "replace all", "close"];
+
+/**
+ * @typedef {{nonce: string, extensions: import("@codemirror/state").Extension[], save: () => void,
+ *   changed: (update: import("@codemirror/view").ViewUpdate) => void}} Wanted
+ */
+
+/**
+ * @param {HTMLElement} place
+ * @param {Wanted} wanted
+ */
+export function editorIn(place, { nonce, extensions, save, changed }) {
+  const spoken = new Compartment(), lit = new Compartment();
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const words = () => [
+    EditorState.phrases.of(Object.fromEntries(PHRASES.map((phrase) => [phrase, say(`find_${phrase.replaceAll(" ", "_")}`)]))),
+    EditorView.contentAttributes.of({ "aria-label": say("text_label") }),
+  ];
+  const light = () => EditorView.theme({}, { dark: dark.matches });
+  const saving = { key: "Mod-s", preventDefault: true, run: () => (save(), true) };
+  const view = new EditorView({
+    parent: place,
+    state: EditorState.create({
+      extensions: [
+        EditorView.cspNonce.of(nonce),
+        lit.of(light()),
+        spoken.of(words()),
+        lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), bracketMatching(),
+        highlightActiveLine(), highlightSelectionMatches(), search({ top: true }),
+        closeBrackets(),
+        variantLanguage, variantLanguage.data.of({ closeBrackets: { brackets: ["(", "[", "{", '"'] } }),
+        syntaxHighlighting(classHighlighter),
+        EditorView.lineWrapping,
+        ...extensions,
+        keymap.of([saving, { key: "Enter", run: insertNewline }, ...closeBracketsKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+        EditorView.updateListener.of((update) => update.docChanged && changed(update)),
+      ],
+    }),
+  });
+  dark.addEventListener("change", () => view.dispatch({ effects: lit.reconfigure(light()) }));
+  followWords(() => view.dispatch({ effects: spoken.reconfigure(words()) }));
+  return view;
+}
+
+/**
+ * Put another text into the editor as one small change: cursor, undo and what is marked stay.
+ * @param {EditorView} view
+ * @param {string} text
+ * @param {{kind?: string, undo?: boolean}} [how]
+ * @returns {{from: number, to: number} | null} Where it changed.
+ */
+export function rewrite(view, text, { kind = "input.desk", undo = true } = {}) {
+  const found = change(view.state.doc.toString(), text.replaceAll("\r\n", "\n"));
+  if (!found) return null;
+  view.dispatch({ changes: found, userEvent: kind, annotations: Transaction.addToHistory.of(undo) });
+  return { from: found.from, to: found.from + found.insert.length };
+}
