@@ -41,6 +41,7 @@ export function commandsIn(desk) {
     button?.addEventListener("click", () => void Promise.resolve(act(place)).catch(refused));
   }
 
+  on("desk-more", (button) => button.setAttribute("aria-expanded", String(button.getAttribute("aria-expanded") !== "true")));
   on("desk-save", () => saving.save());
   on("desk-new", (host) => openNew(host, desk));
   on("desk-take", (host) => openTake(host, desk));

@@ -24,7 +24,7 @@ import { folderWorks } from "./work/folder.js";
 import { savingIn } from "./work/saving.js";
 import { keeps, kept } from "./work/store.js";
 
-/** @import { Answer, Ask, Config } from "./types" */
+/** @import { Answer, Config } from "./types" */
 
 const config = /** @type {Config} */ (JSON.parse(found("desk-config", HTMLScriptElement).textContent ?? ""));
 standBehind(config.root);

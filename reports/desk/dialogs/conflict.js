@@ -25,7 +25,7 @@ export function compared(name, mine, theirs, nonce) {
     const { dialog } = openDialog(document.body, say("conflict", { name }), [row, heads, place], { wide: true });
     /** @param {string} label */
     const extensions = (label) => [
-      EditorView.cspNonce.of(nonce), EditorState.readOnly.of(true), lineNumbers(), EditorView.lineWrapping,
+      EditorView.cspNonce.of(nonce), EditorState.readOnly.of(true), EditorState.phrases.of({ "$ unchanged lines": say("unchanged") }), lineNumbers(), EditorView.lineWrapping,
       variantLanguage, syntaxHighlighting(classHighlighter), EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
     ];
     const merge = new MergeView({

@@ -13,7 +13,6 @@ export async function openFiles({ works, saving, view }) {
   const told = make("output", { className: "told" });
   const list = make("ul", { className: "files" });
   const { dialog } = openDialog(document.body, say("files"), [list, told]);
-  await fill();
 
   /** @param {() => Promise<unknown>} act */
   async function done(act) {
@@ -76,4 +75,5 @@ export async function openFiles({ works, saving, view }) {
         if (mine) saving.begin(name, view.state.doc.toString(), null);
       })));
   }
+  await fill();
 }

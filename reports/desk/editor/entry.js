@@ -1,5 +1,5 @@
 // What the desk uses of CodeMirror 6, and nothing else: esbuild leaves out what no name here leads to.
-export { autocompletion, closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
+export { autocompletion } from "@codemirror/autocomplete";
 export { defaultKeymap, history, historyKeymap, insertNewline, redo, undo } from "@codemirror/commands";
 export { StreamLanguage, bracketMatching, syntaxHighlighting } from "@codemirror/language";
 export { lintKeymap, setDiagnostics } from "@codemirror/lint";

@@ -20,7 +20,7 @@ class Place extends RangeValue {
 Place.prototype.startSide = -1;
 Place.prototype.endSide = 1;
 
-const placed = StateEffect.define();
+const placed = /** @type {import("@codemirror/state").StateEffectType<RangeSet<Place>>} */ (StateEffect.define());
 export const places = StateField.define({
   /** @returns {RangeSet<Place>} */
   create: () => RangeSet.empty,

@@ -1,7 +1,8 @@
-// The editor of the text: CodeMirror with what a variant file needs.  Enter, Tab and quotes do what a plain text box does, too.
+// The editor of the text: CodeMirror with what a variant file needs.  What is typed stands there letter by letter: nothing is closed
+// or indented by itself, and Tab leaves it.
 
 import {
-  EditorState, EditorView, Compartment, bracketMatching, classHighlighter, closeBrackets, closeBracketsKeymap, defaultKeymap,
+  EditorState, EditorView, Compartment, bracketMatching, classHighlighter, defaultKeymap,
   drawSelection, highlightActiveLine, highlightActiveLineGutter, highlightSelectionMatches, highlightSpecialChars, history,
   historyKeymap, insertNewline, keymap, lineNumbers, lintKeymap, search, searchKeymap, syntaxHighlighting, Transaction,
 } from "../editor/codemirror.js";
@@ -38,12 +39,10 @@ export function editorIn(place, { nonce, extensions, save, changed }) {
         spoken.of(words()),
         lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), bracketMatching(),
         highlightActiveLine(), highlightSelectionMatches(), search({ top: true }),
-        closeBrackets(),
-        variantLanguage, variantLanguage.data.of({ closeBrackets: { brackets: ["(", "[", "{", '"'] } }),
-        syntaxHighlighting(classHighlighter),
+        variantLanguage, syntaxHighlighting(classHighlighter),
         EditorView.lineWrapping,
         ...extensions,
-        keymap.of([saving, { key: "Enter", run: insertNewline }, ...closeBracketsKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+        keymap.of([saving, { key: "Enter", run: insertNewline }, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
         EditorView.updateListener.of((update) => update.docChanged && changed(update)),
       ],
     }),

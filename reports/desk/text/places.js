@@ -1,6 +1,6 @@
 // Places in a text: line and column of the server (from 1) and offsets of the editor, and the smallest change to another text.
 
-/** @import { Text } from "../editor/codemirror.js" */
+/** @import { Text } from "@codemirror/state" */
 
 /**
  * The offset of line and column; what lies outside is moved inside.
@@ -17,7 +17,7 @@ export function offset(doc, line, column) {
 }
 
 /**
- * The letters that a fault at a place is about: the word or the sign there, else what stands on the line.
+ * The letters that a fault at a place is about: the word, the sign or what is in quotes there, else what stands on the line.
  * @param {Text} doc
  * @param {number | null} line
  * @param {number | null} column
@@ -29,7 +29,7 @@ export function extent(doc, line, column) {
     return { from: at.from + Math.min(lead, at.text.trimEnd().length), to: at.from + at.text.trimEnd().length };
   }
   const from = offset(doc, line, column);
-  const word = /^(?:[\p{L}\p{N}_]+|\S)/u.exec(at.text.slice(from - at.from))?.[0] ?? "";
+  const word = /^(?:"[^"]*"|'[^']*'|[\p{L}\p{N}_]+|\S)/u.exec(at.text.slice(from - at.from))?.[0] ?? "";
   return word ? { from, to: from + word.length } : { from: Math.max(at.from, from - 1), to: from };
 }
 

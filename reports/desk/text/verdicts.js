@@ -28,26 +28,25 @@ class Beside extends WidgetType {
   }
 }
 
-const told = StateEffect.define(), marked = StateEffect.define();
+/** @returns {import("@codemirror/state").StateEffectType<RangeSet<Decoration>>} */
+const effect = () => StateEffect.define();
+const told = effect(), marked = effect();
 const MOVED = Decoration.mark({ class: "desk-moved" });
 
-/** @param {(value: RangeSet<Decoration>, effect: any) => RangeSet<Decoration> | null} taken */
-const field = (taken) =>
+/** @param {import("@codemirror/state").StateEffectType<RangeSet<Decoration>>} kind */
+const field = (kind) =>
   StateField.define({
     /** @returns {RangeSet<Decoration>} */
     create: () => Decoration.none,
     update(value, { changes, effects }) {
       let now = value.map(changes);
-      for (const effect of effects) now = taken(now, effect) ?? now;
+      for (const one of effects) if (one.is(kind)) now = one.value;
       return now;
     },
     provide: (one) => EditorView.decorations.from(one),
   });
 
-export const verdicts = [
-  field((_, effect) => (effect.is(told) ? effect.value : null)),
-  field((_, effect) => (effect.is(marked) ? effect.value : null)),
-];
+export const verdicts = [field(told), field(marked)];
 
 /**
  * @param {EditorView} view
