@@ -100,7 +100,7 @@ def prepare(extra: str) -> Path:
         return python
     print(
         f"Preparing coursework in {HOME}, once: a virtual environment (some seconds), then its packages from the Python "
-        f"package index (about {250 if extra == EXTRAS["test"] else 95} MB; one to five minutes, as the connection allows).",
+        f"package index (about {250 if extra == EXTRAS['test'] else 95} MB; one to five minutes, as the connection allows).",
         flush=True,
     )
     if not version or not answers(python, "-m", "pip", "--version"):

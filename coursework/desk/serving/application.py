@@ -22,8 +22,9 @@ from starlette.routing import Route
 from coursework.desk.job import Answer, Bounds, Job, Policy, Setup
 from coursework.desk.serving import assets
 from coursework.desk.serving.bodies import TEXT, body_of
+from coursework.desk.serving.config import config_of
 from coursework.desk.serving.files import Files
-from coursework.desk.serving.guard import Gate, Guard
+from coursework.desk.serving.guard import Gate, Guard, new_cookie
 from coursework.desk.serving.metrics import Metrics
 from coursework.desk.serving.refusals import refusal
 from coursework.desk.serving.renderers import Renderers
@@ -82,11 +83,17 @@ class Application:
 
     async def shell(self, request: Request) -> Response:
         """Return the page of the desk."""
-        return assets.shell(request.scope.get("root_path", ""), {})
+        plan, root = self.plan, self.plan.gate.root
+        language = language_of(request, plan.policy.language, plan.language)
+        config = await asyncio.to_thread(config_of, language, root, plan.policy, self.files, plan.opened)
+        page = assets.shell(root, config, language=language, languages=config["languages"], words=config["words"])
+        if not plan.gate.secret and not request.scope["state"]["client"]:
+            new_cookie(page, plan.gate, secure=request.headers.get("x-forwarded-proto") == "https" and plan.gate.proxied)
+        return page
 
     async def frame(self, request: Request) -> Response:
         """Return the page that the report is put into."""
-        return assets.frame(request.scope.get("root_path", ""))
+        return assets.frame(self.plan.gate.root, language_of(request, self.plan.policy.language, self.plan.language))
 
     async def health(self, request: Request) -> Response:
         """Say that the server answers."""

@@ -59,9 +59,9 @@ def shell(root: str, config: Mapping[str, Any], **content: Any) -> Response:
     return _page("index.html.j2", SHELL, root, config=dict(config), **content)
 
 
-def frame(root: str) -> Response:
+def frame(root: str, language: str) -> Response:
     """Return the empty page, of an origin of its own, into which the shell puts the report."""
-    return _page("frame.html.j2", FRAME, root)
+    return _page("frame.html.j2", FRAME, root, language=language)
 
 
 def _page(template: str, policy: str, root: str, **content: Any) -> Response:
@@ -72,10 +72,7 @@ def _page(template: str, policy: str, root: str, **content: Any) -> Response:
     def asset(name: str) -> str:
         return f"{root}/{PLACE}/{name}?v={_piece(_path(name))[2]}"
 
-    def inlined(name: str) -> str:
-        return _path(name).read_text(encoding="utf-8")
-
-    page = filled(f"{PLACE}/{template}", root=root, nonce=nonce, asset=asset, inlined=inlined, **content)
+    page = filled(f"{PLACE}/{template}", root=root, nonce=nonce, asset=asset, **content)
     return HTMLResponse(page, headers={"Content-Security-Policy": policy.format(nonce=nonce)})
 
 
