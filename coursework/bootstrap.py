@@ -25,6 +25,7 @@ OLDEST = (3, 11)
 WRONG_INPUT, NOT_PREPARED, INTERRUPTED = 2, 3, 130
 MEASURED = "tests/benchmarks"  # their ratios want a machine that is not at work beside them
 LONG = "--long"
+MEGABYTES = {"[test]": 250, "[desk]": 95}
 EXTRAS = {"test": "[test]", "edit": "[desk]", "serve": "[desk]"}
 SILENCE = 15  # seconds after which a word is due that the installation is still at work
 
@@ -100,7 +101,7 @@ def prepare(extra: str) -> Path:
         return python
     print(
         f"Preparing coursework in {HOME}, once: a virtual environment (some seconds), then its packages from the Python "
-        f"package index (about {250 if extra == EXTRAS['test'] else 95} MB; one to five minutes, as the connection allows).",
+        f"package index (about {MEGABYTES.get(extra, 90)} MB; one to five minutes, as the connection allows).",
         flush=True,
     )
     if not version or not answers(python, "-m", "pip", "--version"):

@@ -5,7 +5,7 @@ Enters: a `Plan`'s parts and a language.  Leaves: plain data.  Used by `applicat
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from coursework.desk.job import Policy
@@ -15,7 +15,8 @@ from coursework.desk.serving.replies import languages
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.output.formats import formats_for
 from coursework.system.version import VERSION
-from coursework.variant.record.vocabulary import EXACT, scheme_names
+from coursework.variant.record.vocabulary import EXACT
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 
@@ -30,7 +31,7 @@ def config_of(
     return {
         **now, "root": root, "mode": "edit" if files else "serve", "version": VERSION, "language": language,
         "languages": [[each, load_phrases(each).template("desk.language_name")] for each in languages()],
-        "schemes": [[name, phrases.written(title_of(SCHEMES[name]) if name in SCHEMES else say("exact.title"))] for name in scheme_names() if policy.exact or name != EXACT],
+        "schemes": [[name, phrases.written(title)] for name, title in _schemes(policy)],
         "formats": [each for each in formats_for("run") if not policy.formats or each in policy.formats],
         "policy": {"equations": policy.equations, "exact": policy.exact, "language": policy.language},
         "folder": str(files.folder.path) if files else None, "writable": bool(files and files.folder.is_writable()),
@@ -42,3 +43,9 @@ def shell_words(language: str) -> dict[str, str]:
     """Return the words of the shell, in English where a language has none yet."""
     own, english = (load_phrases(each).entries.get("desk", {}).get("shell", {}) for each in (language, ENGLISH))
     return {**english, **own}
+
+
+def _schemes(policy: Policy) -> Iterator[tuple[str, Sentence]]:
+    yield from ((name, title_of(scheme)) for name, scheme in SCHEMES.items())
+    if policy.exact:
+        yield EXACT, say("exact.title")
