@@ -1,0 +1,46 @@
+"""A text -> the very report of `run`, or its faults.
+
+Enters: a `Desk`.  Leaves: what `/api/page` and `/api/check` answer.  Used by `bench.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from coursework.desk.answering.typed import Desk, remarks_of
+from coursework.report.output.results import Results
+from coursework.report.pages.html import render_html
+from coursework.scene.quantities import ACCURACY, TABLE
+from coursework.words.data_folders import folder
+from coursework.words.sentences import ENGLISH
+
+
+def page(desk: Desk) -> dict[str, Any]:
+    """Return the page and what stands around it; without the study of accuracy where that is asked for later."""
+    run = desk.run
+    later = [ACCURACY.name] if desk.body.get("study") is False and run.asks(ACCURACY) else []
+    if later:
+        run = replace(run, asked=tuple(name for name in run.asked if name not in later) or (TABLE.name,))
+    results = Results(run, desk.language)
+    results.compute(pages=True)
+    return found(desk) | {"page": render_html(results.model), "later": later}
+
+
+def check(desk: Desk) -> dict[str, Any]:
+    """Return faults, none, and the first sentence of `run`."""
+    Results(desk.run, desk.language).compute(pages=False)
+    return found(desk)
+
+
+def found(desk: Desk) -> dict[str, Any]:
+    """Return what is told of a text without faults."""
+    summary = desk.run.summary if desk.language == ENGLISH else desk.run.named_summary
+    return {"faults": [], "summary": desk.words.written(summary) or None, "remarks": remarks_of(desk)}
+
+
+def warm(desk: Desk) -> dict[str, Any]:
+    """Make one page, so that the next one finds everything loaded."""
+    text = (folder("variants") / "31.toml").read_text(encoding="utf-8")
+    page(Desk({"text": text}, desk.language, desk.setup))
+    return {}
