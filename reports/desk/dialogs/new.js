@@ -96,7 +96,7 @@ async function hangPiece(piece, desk) {
     const select = make("select", { id: `desk-on-${key}` }, ...points.map((name) => make("option", {}, name)));
     return { label: make("label", { for: select.id }, means), select };
   });
-  fields.forEach(({ select }, k) => (select.selectedIndex = Math.min(k, points.length - 1)));
+  for (const [k, { select }] of fields.entries()) select.selectedIndex = Math.min(k, points.length - 1);
   const why = make("output", {});
   const form = make("form", { className: "line" }, ...fields.flatMap(({ label, select }) => [label, select]), make("button", { className: "main" }, say("add_piece")), why);
   const { dialog } = openDialog(document.body, piece.title, [piece.svg ? picture(piece.svg, piece.title) : "", form]);

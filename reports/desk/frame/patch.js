@@ -35,7 +35,7 @@ const runScript = (page) => {
   for (const [kind, listener] of heard) removeEventListener(kind, listener);
   heard = [];
   const data = page.querySelector("script#coursework"), code = page.querySelector("script:not([type])");
-  document.querySelectorAll("script[data-page]").forEach((old) => old.remove());
+  for (const old of document.querySelectorAll("script[data-page]")) old.remove();
   document.documentElement.classList.remove("live-on");
   if (!data || !code) return;
   const numbers = Object.assign(document.createElement("script"), { type: "application/json", id: "coursework", textContent: data.textContent });

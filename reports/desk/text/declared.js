@@ -36,6 +36,6 @@ export function whereIn(before) {
   let section = "";
   for (const line of lines.slice(0, -1)) section = HEAD.exec(line)?.[1] ?? section;
   const unquoted = last.replace(/"[^"]*"/g, (text) => "_".repeat(text.length)), inside = (unquoted.match(/"/g)?.length ?? 0) % 2 === 1;
-  const entries = [...unquoted.matchAll(/([\p{L}\p{N}_.-]+)\s*=/gu)];
+  const entries = [...unquoted.replace(/"[^"]*$/, "").matchAll(/([\p{L}\p{N}_.-]+)\s*=/gu)];
   return { section, key: entries.at(-1)?.[1] ?? "", inside, before: last };
 }

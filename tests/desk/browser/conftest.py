@@ -1,0 +1,114 @@
+"""A desk as a person meets it: the command is started, a real browser opens the address that it prints."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import coursework
+
+ROOT = Path(coursework.__file__).parents[1]
+PATIENCE = 60_000  # ms: a machine may be busy; no test says how long anything takes
+TEXT_OF = "document.querySelector('#desk-text .cm-content').cmTile.view.state.doc.toString()"
+RESTS = "#desk-state:not([data-state=computing])"
+
+
+class Desk:
+    """A page of a desk with all that it said and asked; `asked` counts requests by method and path."""
+
+    def __init__(self, page: Any, address: str) -> None:
+        self.page, self.address, self.said, self.asked = page, address, list[str](), Counter[str]()
+        page.set_default_timeout(PATIENCE)
+        page.on("console", lambda message: self.said.append(message.text))
+        page.on("pageerror", lambda error: self.said.append(str(error)))
+        page.on(
+            "request",
+            lambda request: self.asked.update(
+                [f"{request.method} {request.url.partition('?')[0].partition('//')[2].partition('/')[2]}"]
+            ),
+        )
+        self.open(address)
+
+    def open(self, address: str) -> None:
+        self.page.goto(address)
+        self.rest()
+
+    def rest(self, *state: str) -> None:
+        """Wait until the desk has answered for the text that stands there, in one of the states."""
+        wanted = ",".join(f"#desk-state[data-state={one}]" for one in state) or RESTS
+        self.page.wait_for_selector(wanted)
+
+    @property
+    def text(self) -> str:
+        return str(self.page.evaluate(TEXT_OF))
+
+    @property
+    def state(self) -> tuple[str, str]:
+        """Return data-state and data-file."""
+        return tuple(self.page.get_attribute("#desk-state", f"data-{name}") for name in ("state", "file"))  # type: ignore[return-value]
+
+    @property
+    def report(self) -> Any:
+        """Return the frame with the report."""
+        return next(frame for frame in self.page.frames if frame.url.endswith("/desk/frame"))
+
+    def replace(self, before: str, after: str) -> None:
+        """Select a piece of the text and type another over it."""
+        at = self.text.index(before)
+        self.page.focus("#desk-text .cm-content")
+        self.page.evaluate(
+            "([from, to]) => document.querySelector('#desk-text .cm-content').cmTile.view.dispatch({selection: {anchor: from, head: to}})",
+            [at, at + len(before)],
+        )
+        self.page.keyboard.insert_text(after)
+
+    def faults(self) -> list[tuple[int, int, str]]:
+        """Return line, column and sentence of each line below the text."""
+        read = "list => list.map(one => [Number(one.dataset.line), Number(one.dataset.column), one.querySelector('.go').textContent])"
+        return [tuple(one) for one in self.page.eval_on_selector_all("#desk-faults li", read)]
+
+
+@pytest.fixture(scope="session")
+def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., tuple[str, Path]]]:
+    """Start `coursework edit NAME` in a folder of its own; each is ended behind the tests."""
+    running = []
+
+    def start(name: str = "31", command: str = "edit", *options: str) -> tuple[str, Path]:
+        folder = tmp_path_factory.mktemp("desk")
+        words = [sys.executable, "-m", "coursework", command, *([name] if name else []), "--port", "0", *options]
+        surroundings = os.environ | {"PYTHONPATH": str(ROOT)}
+        process = subprocess.Popen(words, cwd=folder, env=surroundings, stdout=subprocess.PIPE, text=True)
+        running.append(process)
+        assert process.stdout is not None
+        return process.stdout.readline().strip(), folder
+
+    yield start
+    for process in running:
+        process.send_signal(signal.SIGINT)
+    for process in running:
+        process.wait(timeout=30)
+
+
+@pytest.fixture
+def desk(browser: Any, served: Callable[..., tuple[str, Path]]) -> Iterator[Callable[..., tuple[Desk, Path]]]:
+    """Open a desk of its own: its page and its folder."""
+    contexts = []
+
+    def start(name: str = "31", command: str = "edit", *options: str, **look: Any) -> tuple[Desk, Path]:
+        quiet = () if command == "serve" else ("--no-browser",)
+        address, folder = served(name, command, *quiet, *options)
+        context = browser.new_context(viewport={"width": 1400, "height": 900}, **look)
+        contexts.append(context)
+        return Desk(context.new_page(), address), folder
+
+    yield start
+    for context in contexts:
+        context.close()
