@@ -14,7 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursework.desk.answering import variant_page
+from coursework.desk.answering import takeaway, variant_page
 from coursework.desk.answering.typed import Desk, faults_of
 from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
 from coursework.system.budget import MIB, Budget, watched
@@ -26,6 +26,8 @@ PACKED_FROM = 2000  # bytes, below which compressing an answer costs more than i
 KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
     "page": variant_page.page,
     "check": variant_page.check,
+    "take": takeaway.take,
+    "table": takeaway.table,
     "warm": variant_page.warm,
 }
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from coursework.desk.answering.controls import controls
 from coursework.desk.answering.typed import Desk, remarks_of
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
@@ -24,7 +25,7 @@ def page(desk: Desk) -> dict[str, Any]:
         run = replace(run, asked=tuple(name for name in run.asked if name not in later) or (TABLE.name,))
     results = Results(run, desk.language)
     results.compute(pages=True)
-    return found(desk) | {"page": render_html(results.model), "later": later}
+    return found(desk) | {"page": render_html(results.model), "later": later, "data": controls(desk)}
 
 
 def check(desk: Desk) -> dict[str, Any]:

@@ -21,7 +21,7 @@ from starlette.routing import Route
 
 from coursework.desk.job import Answer, Bounds, Job, Policy, Setup
 from coursework.desk.serving import assets
-from coursework.desk.serving.bodies import TEXT, body_of
+from coursework.desk.serving.bodies import MOST_BYTES, MOST_TABLE_BYTES, TEXT, body_of
 from coursework.desk.serving.config import config_of
 from coursework.desk.serving.files import Files
 from coursework.desk.serving.guard import Gate, Guard, new_cookie
@@ -35,6 +35,8 @@ from coursework.words.errors import OutputError
 COMPUTED: dict[str, dict[str, str]] = {
     "page": {"text": TEXT},
     "check": {"text": TEXT},
+    "table": {"text": TEXT, "name": TEXT, "data": TEXT},
+    "take": {"text": TEXT},
 }
 
 
@@ -64,7 +66,8 @@ class Application:
         routes = [
             Route("/", self.shell), Route("/desk/frame", self.frame), Route("/desk/{name:path}", assets.file),
             Route("/health", self.health), Route("/metrics", self.told_metrics),
-            *(Route(f"/api/{kind}", self.computed, methods=["POST"]) for kind in COMPUTED),
+            Route("/api/take/{format}", self.computed, methods=["POST"]),
+            *(Route(f"/api/{kind}", self.computed, methods=["POST"]) for kind in COMPUTED if kind != "take"),
             *(self.files.routes() if self.files else ()),
         ]  # fmt: skip
         handlers: dict[Any, Any] = {HTTPException: refusal, OutputError: refusal}
@@ -105,8 +108,11 @@ class Application:
 
     async def computed(self, request: Request) -> Response:
         """Have something computed."""
-        begun, kind = time.monotonic(), request.url.path.rpartition("/")[2]
-        body = await body_of(request, COMPUTED[kind])
+        begun, wanted = time.monotonic(), request.path_params.get("format")
+        kind = "take" if wanted else request.url.path.rpartition("/")[2]
+        body = await body_of(request, COMPUTED[kind], MOST_TABLE_BYTES if kind == "table" else MOST_BYTES)
+        if wanted:
+            body["format"] = wanted
         answer = await self.answer(request, kind, body)
         self.metrics.count(kind, answer.status, time.monotonic() - begun)
         return reply(answer, {"Retry-After": "1"} if answer.status == 503 else None)

@@ -10,14 +10,16 @@ import json
 from pathlib import Path
 
 from starlette.requests import Request
-from starlette.responses import Response
+from starlette.responses import Response, StreamingResponse
 from starlette.routing import Route
 
-from coursework.desk.job import OK, plain
-from coursework.desk.serving.bodies import NO_JSON, OTHER_SHAPE, Refused, bytes_of
+from coursework.desk.job import OK, Answer, plain
+from coursework.desk.serving.bodies import MOST_TABLE_BYTES, NO_JSON, OTHER_SHAPE, Refused, bytes_of
+from coursework.desk.serving.changes import events
 from coursework.desk.serving.folder import CONFLICT, NOT_THERE, Folder, Stale, etag_of
-from coursework.desk.serving.replies import reply
-from coursework.words.sentences import say
+from coursework.desk.serving.replies import language_of, reply
+from coursework.desk.serving.zips import packed, unpacked
+from coursework.words.sentences import load_phrases, say
 
 NEW, NO_VERSION, NO_CONTENT = 201, 428, 204
 TEXT = "text/plain; charset=utf-8"
@@ -34,13 +36,29 @@ class Files:
         """Return the routes."""
         one = "/api/file/{name}"
         return [
-            Route("/api/files", self.listed), Route(one, self.read), Route(one, self.write, methods=["PUT"]),
+            Route("/api/files", self.listed), Route("/api/events", self.changes), Route("/api/zip", self.packed),
+            Route("/api/zip", self.unpacked, methods=["POST"]), Route(one, self.read), Route(one, self.write, methods=["PUT"]),
             Route(one, self.delete, methods=["DELETE"]), Route(one, self.change, methods=["POST"]),
         ]  # fmt: skip
 
     async def listed(self, request: Request) -> Response:
         """Return the variants of the folder."""
         return reply(plain(OK, await asyncio.to_thread(self.folder.listed)))
+
+    async def changes(self, request: Request) -> Response:
+        """Tell what changes in the folder, as long as the browser listens."""
+        return StreamingResponse(events(self.folder), media_type="text/event-stream")
+
+    async def packed(self, request: Request) -> Response:
+        """Return all variants with their tables as one zip."""
+        content = await asyncio.to_thread(packed, self.folder)
+        return reply(Answer(OK, "application/zip", content, f"{self.folder.path.name or 'work'}.zip"))
+
+    async def unpacked(self, request: Request) -> Response:
+        """Write what is in a zip and not yet in the folder."""
+        content = await bytes_of(request, MOST_TABLE_BYTES)
+        words = load_phrases(language_of(request))
+        return reply(plain(OK, await asyncio.to_thread(unpacked, self.folder, content, words)))
 
     async def read(self, request: Request) -> Response:
         """Return a text with its version."""
