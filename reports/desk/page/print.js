@@ -12,19 +12,22 @@ export function printed(place, nonce, html) {
   addEventListener("beforeprint", () => {
     const text = html();
     if (!text) return;
-    const page = new DOMParser().parseFromString(text, "text/html");
+    // The policy drops styles that come as text: sheets get the nonce, attributes are set through their element.
+    /** @type {HTMLElement[]} */
+    const sheets = [];
+    const bare = text.replaceAll(/ style="/g, ' data-style="').replaceAll(/<style>([^]*?)<\/style>/g, (_, sheet) => {
+      sheets.push(make("style", { nonce, media: "print", textContent: sheet }));
+      return "";
+    });
+    const page = new DOMParser().parseFromString(bare, "text/html");
     for (const bad of page.querySelectorAll("script, #live")) bad.remove();
-    const styles = [...page.querySelectorAll("style")].map((style) => make("style", { nonce, media: "print", textContent: style.textContent }));
-    place.replaceChildren(...styles, ...[...page.body.childNodes].map((node) => document.importNode(node, true)));
-    // The policy drops style attributes that come as text; set through the element they are none.
-    for (const one of /** @type {NodeListOf<HTMLElement>} */ (place.querySelectorAll("[style]"))) one.style.cssText = one.getAttribute("style") ?? "";
+    place.replaceChildren(...sheets, ...[...page.body.childNodes].map((node) => document.importNode(node, true)));
+    for (const one of /** @type {NodeListOf<HTMLElement>} */ (place.querySelectorAll("[data-style]"))) one.style.cssText = one.dataset.style ?? "";
     place.lang = page.documentElement.lang;
     document.title = page.title || title;
-    document.documentElement.classList.add("desk-printing");
   });
   addEventListener("afterprint", () => {
     place.replaceChildren();
     document.title = title;
-    document.documentElement.classList.remove("desk-printing");
   });
 }

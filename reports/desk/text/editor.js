@@ -26,7 +26,7 @@ export function editorIn(place, { nonce, extensions, save, changed }) {
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const words = () => [
     EditorState.phrases.of(Object.fromEntries(PHRASES.map((phrase) => [phrase, say(`find_${phrase.replaceAll(" ", "_")}`)]))),
-    EditorView.contentAttributes.of({ "aria-label": say("text_label") }),
+    EditorView.contentAttributes.of({ "aria-label": say("text_label"), tabindex: "0" }),
   ];
   const light = () => EditorView.theme({}, { dark: dark.matches });
   const saving = { key: "Mod-s", preventDefault: true, run: () => (save(), true) };

@@ -17,7 +17,7 @@ import coursework
 
 ROOT = Path(coursework.__file__).parents[1]
 PATIENCE = 60_000  # ms: a machine may be busy; no test says how long anything takes
-TEXT_OF = "document.querySelector('#desk-text .cm-content').cmTile.view.state.doc.toString()"
+VIEW = "document.querySelector('#desk-text .cm-content').cmTile.view"
 RESTS = "#desk-state:not([data-state=computing])"
 
 
@@ -48,7 +48,7 @@ class Desk:
 
     @property
     def text(self) -> str:
-        return str(self.page.evaluate(TEXT_OF))
+        return str(self.page.evaluate(f"{VIEW}.state.doc.toString()"))
 
     @property
     def state(self) -> tuple[str, str]:
@@ -64,16 +64,14 @@ class Desk:
         """Select a piece of the text and type another over it."""
         at = self.text.index(before)
         self.page.focus("#desk-text .cm-content")
-        self.page.evaluate(
-            "([from, to]) => document.querySelector('#desk-text .cm-content').cmTile.view.dispatch({selection: {anchor: from, head: to}})",
-            [at, at + len(before)],
-        )
+        select = f"([anchor, head]) => {VIEW}.dispatch({{selection: {{anchor, head}}}})"
+        self.page.evaluate(select, [at, at + len(before)])
         self.page.keyboard.insert_text(after)
 
     def faults(self) -> list[tuple[int, int, str]]:
         """Return line, column and sentence of each line below the text."""
-        read = "list => list.map(one => [Number(one.dataset.line), Number(one.dataset.column), one.querySelector('.go').textContent])"
-        return [tuple(one) for one in self.page.eval_on_selector_all("#desk-faults li", read)]
+        read = "list => list.map(({dataset: {line, column}, textContent}) => [Number(line), Number(column), textContent])"
+        return [tuple(one) for one in self.page.eval_on_selector_all("#desk-faults li.fault", read)]
 
 
 @pytest.fixture(scope="session")
