@@ -24,7 +24,7 @@ import { folderWorks } from "./work/folder.js";
 import { savingIn } from "./work/saving.js";
 import { keeps, kept } from "./work/store.js";
 
-/** @import { Answer, Config } from "./types" */
+/** @import { Answer, Ask, Config } from "./types" */
 
 const config = /** @type {Config} */ (JSON.parse(found("desk-config", HTMLScriptElement).textContent ?? ""));
 standBehind(config.root);
@@ -70,13 +70,16 @@ function ask() {
   asks.moved();
 }
 
-/** @param {Answer} answer */
-function answered(answer) {
+/**
+ * @param {Answer} answer
+ * @param {Ask} asked
+ */
+function answered(answer, asked) {
   showFaults(view, faults, answer, doc, since);
   showVerdicts(view, answer.equations ?? [], doc, since);
   if (!answer.faults.length) data.show(answer.data ?? [], doc, since);
   state.set({ unreachable: null, faults: answer.faults.length });
-  if (answer.page !== null) showing = page.show(answer.page);
+  if (answer.page !== null) showing = page.show(answer.page, !asked.study);
   else settle();
   const first = answer.faults[0], pale = found("desk-pale", HTMLElement);
   frame.classList.toggle("pale", Boolean(first));

@@ -43,8 +43,14 @@ addEventListener("message", ({ source, data }) => {
     patch(data.html);
     explain();
     joints.prepare();
+    // What is computed only when somebody looks at the end of the page.
     later.disconnect();
-    for (const place of document.querySelectorAll("[data-later]")) later.observe(place);
+    document.getElementById("desk-later")?.remove();
+    if (data.later) {
+      const end = Object.assign(document.createElement("p"), { id: "desk-later", textContent: "…" });
+      document.querySelector("main")?.append(end);
+      later.observe(end);
+    }
     tell({ kind: "shown", id: data.id });
   }
 });

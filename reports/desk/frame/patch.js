@@ -14,11 +14,11 @@ const partsOf = (page) => {
   return parts;
 };
 
-/** What stands at the top of the window: its part and how far above the window that begins. */
+/** What is read: the part a third down the window, and how far above the window it begins. */
 const topmost = () => {
   for (const element of document.querySelectorAll("body > .top, main > *")) {
     const { top, bottom } = element.getBoundingClientRect();
-    if (bottom > 0 && element.id) return { id: element.id, part: (Math.min(top, 0)) / (bottom - top || 1), top };
+    if (bottom > innerHeight / 3 && element.id) return { id: element.id, top };
   }
   return null;
 };
@@ -84,7 +84,6 @@ const patch = (html) => {
     if (!old || alive || before.get(name) !== source) {
       made.push(name);
       const fresh = document.importNode(element, true);
-      if (fresh instanceof HTMLElement && fresh.matches("[data-later]") && old) fresh.style.minHeight = `${old.getBoundingClientRect().height}px`;
       if (old?.parentElement === parent) old.replaceWith(fresh);
       standing.set(name, (old = fresh));
     }
@@ -100,7 +99,7 @@ const patch = (html) => {
     laboratory.restore();
   }
   const place = at && document.getElementById(at.id);
-  if (place && at) scrollBy({ top: place.getBoundingClientRect().top - (at.top < 0 ? at.part * place.getBoundingClientRect().height : at.top), behavior: "instant" });
+  if (place && at && scrollY) scrollBy({ top: place.getBoundingClientRect().top - at.top, behavior: "instant" });
   return made;
 };
 /** What stands on the page by the name of its part.

@@ -16,7 +16,7 @@
  */
 export function pageIn(frame, words, heard) {
   let ready = false, id = 0;
-  /** @type {{kind: "page", id: number, html: string} | null} */
+  /** @type {{kind: "page", id: number, html: string, later: boolean} | null} */
   let last = null;
 
   /** @param {unknown} message */
@@ -45,9 +45,10 @@ export function pageIn(frame, words, heard) {
     /**
      * Show a page; `shown` is called with the number that this returns.
      * @param {string} html
+     * @param {boolean} later Whether more of it is to come when its end is looked at.
      */
-    show(html) {
-      last = { kind: "page", id: ++id, html };
+    show(html, later) {
+      last = { kind: "page", id: ++id, html, later };
       if (ready) send(last);
       return id;
     },

@@ -46,23 +46,24 @@ export function savingIn({ works, view, state, notices, named, askName, compare 
   function collide(theirs) {
     conflict = theirs;
     tell();
-    notices.show("conflict", say("conflict", { name }), { [say("compare")]: () => void settle() });
+    notices.show("conflict", say("conflict", { name }), { [say("compare")]: () => void save() });
   }
 
+  /** Let a person choose between two texts; what was chosen stands in the editor behind it. */
   async function settle() {
-    if (!conflict) return;
-    const theirs = conflict, choice = await compare(theirs, text());
+    const theirs = conflict, choice = theirs && (await compare(theirs, text()));
+    if (!theirs) return;
     if (!choice) return collide(theirs);
     notices.drop("conflict");
     conflict = null;
     base = theirs;
     if (choice === "theirs") rewrite(view, theirs.text);
-    else await save();
     changed();
   }
 
   async function write() {
-    if (conflict) return void (await settle());
+    await settle();
+    if (conflict || (text() === base.text && base.etag !== null)) return;
     const whole = text();
     try {
       const done = await works.write(name, whole, base.etag);
@@ -132,15 +133,12 @@ export function savingIn({ works, view, state, notices, named, askName, compare 
   works.watch((entries) => void outside(entries));
 
   return {
-    save, begin, changed, settle,
+    save, begin, changed,
     get name() {
       return name;
     },
     get unsaved() {
       return text() !== base.text;
-    },
-    get etag() {
-      return base.etag;
     },
   };
 }

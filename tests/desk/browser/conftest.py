@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -76,34 +77,37 @@ class Desk:
 
 @pytest.fixture(scope="session")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., tuple[str, Path]]]:
-    """Start `coursework edit NAME` in a folder of its own; each is ended behind the tests."""
-    running = []
+    """Start a desk in a folder of its own, one for all tests that ask for the same; all are ended behind them."""
+    running: dict[tuple[str, ...], tuple[subprocess.Popen[str], str, Path]] = {}
 
-    def start(name: str = "31", command: str = "edit", *options: str) -> tuple[str, Path]:
-        folder = tmp_path_factory.mktemp("desk")
-        words = [sys.executable, "-m", "coursework", command, *([name] if name else []), "--port", "0", *options]
-        surroundings = os.environ | {"PYTHONPATH": str(ROOT)}
-        process = subprocess.Popen(words, cwd=folder, env=surroundings, stdout=subprocess.PIPE, text=True)
-        running.append(process)
-        assert process.stdout is not None
-        return process.stdout.readline().strip(), folder
+    def start(*words: str) -> tuple[str, Path]:
+        if words not in running:
+            folder = tmp_path_factory.mktemp("desk")
+            command = [sys.executable, "-m", "coursework", *words, "--port", "0"]
+            process = subprocess.Popen(
+                command, cwd=folder, env=os.environ | {"PYTHONPATH": str(ROOT)}, stdout=subprocess.PIPE, text=True
+            )
+            assert process.stdout is not None
+            running[words] = process, process.stdout.readline().strip(), folder
+        return running[words][1:]
 
     yield start
-    for process in running:
+    for process, *_ in running.values():
         process.send_signal(signal.SIGINT)
-    for process in running:
-        process.wait(timeout=30)
+    for process, *_ in running.values():
+        process.communicate(timeout=30)
 
 
 @pytest.fixture
 def desk(browser: Any, served: Callable[..., tuple[str, Path]]) -> Iterator[Callable[..., tuple[Desk, Path]]]:
-    """Open a desk of its own: its page and its folder."""
+    """Open a desk in a browser that knows nothing yet, over an empty folder: its page and its folder."""
     contexts = []
 
-    def start(name: str = "31", command: str = "edit", *options: str, **look: Any) -> tuple[Desk, Path]:
-        quiet = () if command == "serve" else ("--no-browser",)
-        address, folder = served(name, command, *quiet, *options)
-        context = browser.new_context(viewport={"width": 1400, "height": 900}, **look)
+    def start(*words: str, **look: Any) -> tuple[Desk, Path]:
+        address, folder = served(*(words or ("edit", "31", "--no-browser")))
+        for path in folder.iterdir():
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+        context = browser.new_context(**({"viewport": {"width": 1400, "height": 900}} | look))
         contexts.append(context)
         return Desk(context.new_page(), address), folder
 
