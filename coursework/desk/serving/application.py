@@ -25,6 +25,7 @@ from coursework.desk.serving.bodies import MOST_BYTES, MOST_TABLE_BYTES, TEXT, b
 from coursework.desk.serving.config import config_of
 from coursework.desk.serving.files import Files
 from coursework.desk.serving.guard import Gate, Guard, new_cookie
+from coursework.desk.serving.library import Library
 from coursework.desk.serving.metrics import Metrics
 from coursework.desk.serving.refusals import refusal
 from coursework.desk.serving.renderers import Renderers
@@ -68,7 +69,7 @@ class Application:
             Route("/health", self.health), Route("/metrics", self.told_metrics),
             Route("/api/take/{format}", self.computed, methods=["POST"]),
             *(Route(f"/api/{kind}", self.computed, methods=["POST"]) for kind in COMPUTED if kind != "take"),
-            *(self.files.routes() if self.files else ()),
+            *Library(self.answer).routes(), *(self.files.routes() if self.files else ()),
         ]  # fmt: skip
         handlers: dict[Any, Any] = {HTTPException: refusal, OutputError: refusal}
         return Guard(Starlette(routes=routes, exception_handlers=handlers, lifespan=self.life), self.plan.gate)
