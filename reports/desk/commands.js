@@ -5,10 +5,9 @@ import { confirmed } from "./dialogs/dialog.js";
 import { openNew } from "./dialogs/new.js";
 import { openTable } from "./dialogs/table.js";
 import { openTake } from "./dialogs/take.js";
-import { rewrite } from "./text/editor.js";
 import { found } from "./elements.js";
 import { post } from "./requests.js";
-import { markMoved } from "./text/verdicts.js";
+import { edited } from "./text/verdicts.js";
 import { say } from "./words.js";
 import { forgetAll } from "./work/store.js";
 
@@ -48,12 +47,11 @@ export function commandsIn(desk) {
   on("desk-table", () => openTable(desk));
   on("desk-files", () => openFiles(desk));
   on("desk-equations", async () => {
-    const text = view.state.doc.toString();
-    const written = await post("/api/equations", { ...settings.given(), text, tables: works.tables() });
-    const place = rewrite(view, written.text);
-    if (place) {
-      markMoved(view, [place]);
-      view.dispatch({ selection: { anchor: place.from }, scrollIntoView: true });
+    const { doc } = view.state;
+    const written = await post("/api/equations", { ...settings.given(), text: doc.toString(), tables: works.tables() });
+    const from = edited(view, doc, written.edits, "input.equations");
+    if (from !== null) {
+      view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
       view.focus();
     } else notices.show("refused", say("equations_there"));
   });

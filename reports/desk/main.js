@@ -8,13 +8,13 @@ import { found } from "./elements.js";
 import { noticesIn } from "./notices.js";
 import { pageIn } from "./page/page.js";
 import { printed } from "./page/print.js";
-import { post, speakIn, standBehind } from "./requests.js";
+import { speakIn, standBehind } from "./requests.js";
 import { settingsIn } from "./settings.js";
 import { stateIn } from "./state.js";
 import { completing } from "./text/completion.js";
 import { dataIn, places } from "./text/data.js";
 import { draggingIn } from "./text/dragging.js";
-import { editorIn, rewrite } from "./text/editor.js";
+import { editorIn } from "./text/editor.js";
 import { showFaults } from "./text/faults.js";
 import { showVerdicts, verdicts } from "./text/verdicts.js";
 import { followWords, say, speak, spoken } from "./words.js";
@@ -24,7 +24,7 @@ import { folderWorks } from "./work/folder.js";
 import { savingIn } from "./work/saving.js";
 import { keeps, kept } from "./work/store.js";
 
-/** @import { Answer, Ask, Config } from "./types" */
+/** @import { Answer, Config } from "./types" */
 
 const config = /** @type {Config} */ (JSON.parse(found("desk-config", HTMLScriptElement).textContent ?? ""));
 standBehind(config.root);
@@ -70,16 +70,13 @@ function ask() {
   asks.moved();
 }
 
-/**
- * @param {Answer} answer
- * @param {Ask} asked
- */
-function answered(answer, asked) {
+/** @param {Answer} answer */
+function answered(answer) {
   showFaults(view, faults, answer, doc, since);
   showVerdicts(view, answer.equations ?? [], doc, since);
   if (!answer.faults.length) data.show(answer.data ?? [], doc, since);
   state.set({ unreachable: null, faults: answer.faults.length });
-  if (answer.page !== null) showing = page.show(answer.page, !asked.study);
+  if (answer.page !== null) showing = page.show(answer.page, Boolean(answer.later?.length));
   else settle();
   const first = answer.faults[0], pale = found("desk-pale", HTMLElement);
   frame.classList.toggle("pale", Boolean(first));
@@ -110,13 +107,7 @@ const page = pageIn(frame, spoken, {
   },
   drag: draggingIn(view, { given: () => ({ ...settings.given(), tables: works.tables() }), moved: ask, refuse: (sentence) => page.refuse(sentence) }),
 });
-const data = dataIn(found("desk-data", HTMLElement), view, {
-  moved: ask,
-  async elsewhere(name, value) {
-    const found = await post("/api/value", { ...settings.given(), text: text(), name, value, tables: works.tables() });
-    if (rewrite(view, found.text, { kind: "move.datum" })) ask();
-  },
-});
+const data = dataIn(found("desk-data", HTMLElement), view, ask);
 const saving = savingIn({
   works, view, state, notices,
   named(name) {

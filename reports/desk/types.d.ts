@@ -2,8 +2,9 @@
 
 /** A place in a text, counted from 1; the end is the first letter behind it. */
 export interface Span { line: number; column: number; end_line: number; end_column: number }
-export interface Mend extends Span { text: string }
-export interface Fault { code: string; line: number | null; column: number | null; sentence: string; mend: Mend | null }
+/** What shall stand at a place of a text. */
+export interface Edit extends Span { text: string }
+export interface Fault { code: string; line: number | null; column: number | null; sentence: string; mend: Edit | null }
 export interface Remark { line: number | null; column: number | null; sentence: string }
 /** What the geometry says of an equation of the text. */
 export interface Verdict { line: number; right: boolean | null; sentence: string }
@@ -13,7 +14,7 @@ export interface Datum {
   low: number; high: number; step: number; text: string; place: Span | null;
 }
 export interface Answer {
-  faults: Fault[]; summary: string | null; page: string | null; remarks?: Remark[]; data?: Datum[]; equations?: Verdict[];
+  faults: Fault[]; summary: string | null; page: string | null; remarks?: Remark[]; data?: Datum[]; equations?: Verdict[]; later?: string[];
 }
 export interface Ask {
   text: string; language: string; scheme?: string; step?: string; tables?: Record<string, string>; study?: boolean;
@@ -32,7 +33,7 @@ export interface Works {
   list(): Promise<Entry[]>;
   read(name: string): Promise<Kept | null>;
   /** Writes over the version `etag`, null for a new text; what stands there instead comes back as a conflict. */
-  write(name: string, text: string, etag: string | null): Promise<{ etag: string } | { theirs: Kept }>;
+  write(name: string, text: string, etag: string | null): Promise<{ etag: string } | { theirs: Kept | null }>;
   rename(name: string, other: string): Promise<void>;
   duplicate(name: string, other: string): Promise<void>;
   remove(name: string, etag: string): Promise<void>;
@@ -46,9 +47,10 @@ export interface Works {
 }
 export interface CatalogueEntry { name: string; title: string; teaches: string; links: number; groups: string[]; svg: string }
 export interface Piece { kind: string; title: string; svg: string; asks: { key: string; means: string }[] }
-export interface Key { name: string; means: string; example?: string }
-export interface Section { name: string; means: string; keys: Key[]; many?: boolean }
-export interface Keys { sections: Section[]; functions: string[]; units: string[]; quantities: Key[]; schemes: string[] }
+export interface Key { name: string; means: string }
+/** A table of a text, once or `several` times; `named` where a person chooses its keys.  Without keys it is a key at the top. */
+export interface Section extends Key { keys: Key[]; several: boolean; named: boolean }
+export interface Keys { sections: Section[]; functions: string[]; units: string[]; quantities: Key[]; schemes: Key[]; kinds: Key[] }
 /** What the frame tells the shell; nothing in it is trusted. */
 export type Told =
   | { kind: "ready" } | { kind: "shown"; id: number } | { kind: "later" }

@@ -3,13 +3,11 @@
 import { make, picture } from "../elements.js";
 import { get, post, request } from "../requests.js";
 import { declaredIn } from "../text/declared.js";
-import { rewrite } from "../text/editor.js";
-import { offset } from "../text/places.js";
-import { markMoved } from "../text/verdicts.js";
+import { edited } from "../text/verdicts.js";
 import { say } from "../words.js";
 import { askLine, openDialog, refusedName } from "./dialog.js";
 
-/** @import { CatalogueEntry, Piece, Span } from "../types" */
+/** @import { CatalogueEntry, Piece } from "../types" */
 /** @import { Desk } from "../commands.js" */
 
 /**
@@ -56,7 +54,7 @@ export async function openNew(host, desk) {
   function fill(entries) {
     const made = entries.map((entry) => {
       const card = make("button", { type: "button", className: "card", "data-variant": entry.name, onclick: () => void choose(entry) },
-        entry.svg ? picture(entry.svg, entry.title) : make("span", { className: "none" }), make("b", {}, entry.name), make("span", {}, entry.title),
+        entry.svg ? moving(entry.svg, entry.title) : make("span", { className: "none" }), make("b", {}, entry.name), make("span", {}, entry.title),
         make("small", {}, [say("links", { n: entry.links }), ...new Set(entry.groups)].join(" · ")));
       if (entry.teaches) card.title = entry.teaches;
       const searched = [entry.name, entry.title, entry.teaches, say("links", { n: entry.links }), ...entry.groups].join(" ").toLowerCase();
@@ -86,12 +84,30 @@ export async function openNew(host, desk) {
 }
 
 /**
+ * A drawing that moves while a hand or the keyboard points at its card.
+ * @param {string} text
+ * @param {string} title
+ */
+function moving(text, title) {
+  const svg = picture(text, title);
+  if (!(svg instanceof SVGSVGElement)) return svg;
+  svg.pauseAnimations();
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return svg;
+  requestAnimationFrame(() => {
+    const card = svg.closest("button");
+    for (const kind of ["pointerenter", "focus"]) card?.addEventListener(kind, () => svg.unpauseAnimations());
+    for (const kind of ["pointerleave", "blur"]) card?.addEventListener(kind, () => svg.pauseAnimations());
+  });
+  return svg;
+}
+
+/**
  * Ask on which points a piece hangs, and append its lines.
  * @param {Piece} piece
  * @param {Desk} desk
  */
 async function hangPiece(piece, desk) {
-  const text = desk.view.state.doc.toString(), points = [...declaredIn(text).points];
+  const { doc } = desk.view.state, text = doc.toString(), points = [...declaredIn(text).points];
   const fields = piece.asks.map(({ key, means }) => {
     const select = make("select", { id: `desk-on-${key}` }, ...points.map((name) => make("option", {}, name)));
     return { label: make("label", { for: select.id }, means), select };
@@ -105,9 +121,8 @@ async function hangPiece(piece, desk) {
     try {
       const found = await post("/api/piece", { ...desk.settings.given(), text, kind: piece.kind, on: fields.map(({ select }) => select.value) });
       dialog.close();
-      rewrite(desk.view, found.text);
-      const { doc } = desk.view.state;
-      markMoved(desk.view, found.ranges.map((/** @type {Span} */ one) => ({ from: offset(doc, one.line, one.column), to: offset(doc, one.end_line, one.end_column) })));
+      const from = edited(desk.view, doc, found.edits, "input.piece");
+      if (from !== null) desk.view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
       desk.view.focus();
     } catch (error) {
       why.textContent = /** @type {Error} */ (error).message;

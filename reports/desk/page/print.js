@@ -15,7 +15,7 @@ export function printed(place, nonce, html) {
     // The policy drops styles that come as text: sheets get the nonce, attributes are set through their element.
     /** @type {HTMLElement[]} */
     const sheets = [];
-    const bare = text.replaceAll(/ style="/g, ' data-style="').replaceAll(/<style>([^]*?)<\/style>/g, (_, sheet) => {
+    const bare = text.replaceAll(/ style="/g, ' data-style="').replaceAll(/<style>([\s\S]*?)<\/style>/g, (_, sheet) => {
       sheets.push(make("style", { nonce, media: "print", textContent: sheet }));
       return "";
     });

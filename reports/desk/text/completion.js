@@ -6,7 +6,7 @@ import { followWords, say } from "../words.js";
 import { declaredIn, whereIn } from "./declared.js";
 
 /** @import { Completion, CompletionContext, CompletionResult } from "@codemirror/autocomplete" */
-/** @import { Keys } from "../types" */
+/** @import { Key, Keys, Section } from "../types" */
 
 const PROSE = new Set(["title", "source", "teaches", "because", "remarks", "means", "name"]);
 const POINTS = new Set(["points", "hinges", "from", "meets", "through", "driven", "wheel", "contact", "slides", "of"]);
@@ -15,7 +15,7 @@ const POINTS = new Set(["points", "hinges", "from", "meets", "through", "driven"
 export function completing(path) {
   /** @type {Promise<Keys> | null} */
   let asked = null;
-  const keys = () => (asked ??= get(path("")).catch(() => ((asked = null), { sections: [], functions: [], units: [], quantities: [], schemes: [] })));
+  const keys = () => (asked ??= get(path("")).catch(() => ((asked = null), { sections: [], functions: [], units: [], quantities: [], schemes: [], kinds: [] })));
   followWords(() => (asked = null));
 
   /**
@@ -44,6 +44,11 @@ export function completing(path) {
   return autocompletion({ override: [source], icons: false, activateOnTypingDelay: 150 });
 }
 
+/** @param {Section} one Whether it is a table, not a key at the top of the text. */
+const isTable = (one) => one.several || one.named || one.keys.length > 0;
+/** @param {Key} key A name with what it means beside it and, where that is long, below. */
+const told = ({ name, means }) => ({ label: name, detail: means.length > 48 ? `${means.slice(0, 47)}…` : means, info: means.length > 48 ? means : "" });
+
 /**
  * @param {Keys} known
  * @param {CompletionContext} context
@@ -53,9 +58,10 @@ export function completing(path) {
  */
 function sections(known, context, open, typed) {
   const behind = /^\]*/.exec(context.state.sliceDoc(context.pos, context.pos + 2))?.[0].length ?? 0;
-  const options = known.sections.filter((one) => !one.many === (open === "[") || !typed).map((one) => ({
-    label: one.many ? `[[${one.name}]]` : `[${one.name}]`, info: one.means, detail: one.means.slice(0, 48),
-  }));
+  const options = known.sections.filter((one) => isTable(one) && (one.several || open === "[")).map((one) => {
+    const label = one.several ? `[[${one.name}]]` : `[${one.name}]`;
+    return { ...told(one), label };
+  });
   const from = context.pos - typed.length - open.length;
   return { from, to: context.pos + behind, options, validFor: /^\[{1,2}[\w.]*$/ };
 }
@@ -67,11 +73,8 @@ function sections(known, context, open, typed) {
  * @returns {CompletionResult}
  */
 function keysOf(known, section, from) {
-  const found = known.sections.find((one) => one.name === section);
-  const options = (found?.keys ?? []).map(({ name, means, example }) => ({
-    label: name, detail: means.slice(0, 48), info: example ? `${means}\n${name} = ${example}` : means, apply: `${name} = `,
-  }));
-  return { from, options, validFor: /^\w*$/ };
+  const keys = section ? known.sections.find((one) => one.name === section)?.keys : known.sections.filter((one) => !isTable(one));
+  return { from, options: (keys ?? []).map((key) => ({ ...told(key), apply: `${key.name} = ` })), validFor: /^\w*$/ };
 }
 
 /**
@@ -89,8 +92,8 @@ const units = (known, from) => ({ from, options: known.units.map((label) => ({ l
  * @returns {Completion[]}
  */
 function inFormula(known, text, section, key) {
-  if (section === "ask") return known.quantities.map(({ name, means }) => ({ label: name, detail: means.slice(0, 48), info: means }));
-  if (key === "scheme") return known.schemes.map((label) => ({ label }));
+  const listed = section === "ask" ? known.quantities : key === "scheme" ? known.schemes : key === "kind" ? known.kinds : null;
+  if (listed) return listed.map(told);
   const { names, points } = declaredIn(text);
   const declared = [...names].map(([label, kind]) => ({ label, detail: say(`declared_${kind}`), boost: 2 }));
   const pointed = [...points].map((label) => ({ label, detail: say("declared_point"), boost: POINTS.has(key) || section === "points" ? 3 : -1 }));

@@ -43,9 +43,9 @@ function placeOf(view, name) {
  * The controls of all data in a place of the page.
  * @param {HTMLElement} box
  * @param {EditorView} view
- * @param {{moved: () => void, elsewhere: (name: string, value: string) => Promise<void>}} tell `elsewhere` lets the server rewrite.
+ * @param {() => void} moved
  */
-export function dataIn(box, view, { moved, elsewhere }) {
+export function dataIn(box, view, moved) {
   /** @type {Map<string, {row: HTMLElement, slider: HTMLInputElement, field: HTMLInputElement, unit: HTMLElement, datum: Datum}>} */
   const rows = new Map();
   let held = "";
@@ -56,8 +56,7 @@ export function dataIn(box, view, { moved, elsewhere }) {
    */
   function put(name, text) {
     const place = placeOf(view, name);
-    if (!place) return void elsewhere(name, text);
-    if (view.state.sliceDoc(place.from, place.to) === text) return;
+    if (!place || view.state.sliceDoc(place.from, place.to) === text) return;
     view.dispatch({ changes: { ...place, insert: text }, userEvent: "move.datum" });
     moved();
   }

@@ -6,7 +6,7 @@ import { say } from "../words.js";
 import { extent, offset } from "./places.js";
 
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
-/** @import { Answer, Fault, Mend, Remark } from "../types" */
+/** @import { Answer, Edit, Fault, Remark } from "../types" */
 /** @typedef {{from: number, to: number, line: number, column: number, sentence: string, mend: {from: number, to: number, insert: string} | null}} Told */
 
 /**
@@ -17,7 +17,7 @@ import { extent, offset } from "./places.js";
  */
 function placed(doc, since, fault) {
   const { from, to } = extent(doc, fault.line, fault.column);
-  /** @type {Mend | null} */
+  /** @type {Edit | null} */
   const mend = "mend" in fault ? fault.mend : null;
   const mended = mend && {
     from: since.mapPos(offset(doc, mend.line, mend.column), 1),

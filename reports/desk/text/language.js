@@ -6,7 +6,7 @@ import { StreamLanguage } from "../editor/codemirror.js";
 const PROSE = new Set(["title", "source", "teaches", "because", "remarks", "means", "name", "text"]);
 const FUNCTION = /^(?:sin|cos|tan|tg|ctg|asin|acos|atan|atan2|arcsin|arccos|arctg|sqrt|exp|log|abs)(?=\s*\()/;
 
-/** @typedef {{quote: string, key: string, value: boolean}} Reading */
+/** @typedef {{quote: string, key: string, value: boolean, prose: boolean}} Reading `prose` in a table of texts in another language. */
 /** @typedef {import("@codemirror/language").StringStream} Stream */
 
 /**
@@ -19,7 +19,7 @@ function quoted(stream, reading) {
     reading.quote = "";
     return "punctuation";
   }
-  if (PROSE.has(reading.key)) {
+  if (reading.prose || PROSE.has(reading.key)) {
     while (!stream.eol() && !stream.match(reading.quote, false)) if (stream.next() === "\\") stream.next();
     return "string";
   }
@@ -36,7 +36,7 @@ function quoted(stream, reading) {
 const parser = {
   name: "variant",
   /** @returns {Reading} */
-  startState: () => ({ quote: "", key: "", value: false }),
+  startState: () => ({ quote: "", key: "", value: false, prose: false }),
   /**
    * @param {Stream} stream
    * @param {Reading} reading
@@ -46,7 +46,10 @@ const parser = {
     if (reading.quote) return quoted(stream, reading);
     if (stream.eatSpace()) return null;
     if (stream.match(/^#.*/)) return "comment";
-    if (stream.sol() && stream.match(/^\[\[?[^\]#]*\]?\]?/)) return "heading";
+    if (stream.sol() && stream.match(/^\[\[?[^\]#]*\]?\]?/)) {
+      reading.prose = /^\[+text\b/.test(stream.current());
+      return "heading";
+    }
     for (const quote of ['"""', "'''", '"', "'"]) {
       if (!stream.match(quote)) continue;
       if (!reading.value) {

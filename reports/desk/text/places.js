@@ -1,6 +1,7 @@
 // Places in a text: line and column of the server (from 1) and offsets of the editor, and the smallest change to another text.
 
 /** @import { Text } from "@codemirror/state" */
+/** @import { Edit } from "../types" */
 
 /**
  * The offset of line and column; what lies outside is moved inside.
@@ -46,6 +47,14 @@ export function change(before, after) {
   while (behind < least - from && before[before.length - 1 - behind] === after[after.length - 1 - behind]) behind++;
   return { from, to: before.length - behind, insert: after.slice(from, after.length - behind) };
 }
+
+/**
+ * Edits of the server as changes of the text that they were made for.
+ * @param {Text} doc
+ * @param {Edit[]} edits
+ */
+export const changes = (doc, edits) =>
+  edits.map((edit) => ({ from: offset(doc, edit.line, edit.column), to: offset(doc, edit.end_line, edit.end_column), insert: edit.text }));
 
 /**
  * A value with so many decimals, as it stands in a text: the decimals of the file, a power of ten only where it had one.

@@ -2,9 +2,10 @@
 
 import { Decoration, EditorView, RangeSet, StateEffect, StateField, WidgetType } from "../editor/codemirror.js";
 import { say } from "../words.js";
+import { changes } from "./places.js";
 
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
-/** @import { Verdict } from "../types" */
+/** @import { Edit, Verdict } from "../types" */
 
 class Beside extends WidgetType {
   /**
@@ -38,8 +39,8 @@ const field = (kind) =>
   StateField.define({
     /** @returns {RangeSet<Decoration>} */
     create: () => Decoration.none,
-    update(value, { changes, effects }) {
-      let now = value.map(changes);
+    update(value, { changes: made, effects }) {
+      let now = value.map(made);
       for (const one of effects) if (one.is(kind)) now = one.value;
       return now;
     },
@@ -62,11 +63,19 @@ export function showVerdicts(view, equations, doc, since) {
 }
 
 /**
- * Mark what the desk itself has changed in the text.
+ * Let the desk itself change the text, and mark where it did.  What was typed since the edits were asked for wins: then nothing is done.
  * @param {EditorView} view
- * @param {{from: number, to: number}[]} ranges
+ * @param {Text} doc The text that was asked about.
+ * @param {Edit[]} edits
+ * @param {string} kind
+ * @returns {number | null} Where the first change is.
  */
-export function markMoved(view, ranges) {
-  const found = ranges.filter(({ from, to }) => from < to).map(({ from, to }) => MOVED.range(from, to));
-  view.dispatch({ effects: marked.of(Decoration.set(found, true)) });
+export function edited(view, doc, edits, kind) {
+  if (!edits.length || !view.state.doc.eq(doc)) return null;
+  const made = view.state.changes(changes(doc, edits));
+  /** @type {import("@codemirror/state").Range<Decoration>[]} */
+  const found = [];
+  made.iterChanges((_a, _b, from, to) => from < to && found.push(MOVED.range(from, to)));
+  view.dispatch({ changes: made, userEvent: kind, effects: marked.of(Decoration.set(found, true)) });
+  return found[0]?.from ?? null;
 }

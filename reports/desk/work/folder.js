@@ -26,7 +26,7 @@ export const folderWorks = () => ({
       const response = await request("PUT", path(name), { body: text, headers: { "Content-Type": "text/plain; charset=utf-8", ...seen } });
       return { etag: response.headers.get("ETag") ?? "" };
     } catch (error) {
-      if (error instanceof Refused && error.status === 409) return { theirs: { text: error.body.theirs, etag: error.body.etag } };
+      if (error instanceof Refused && error.status === 409) return { theirs: error.body.theirs === null ? null : { text: error.body.theirs, etag: error.body.etag } };
       throw error;
     }
   },

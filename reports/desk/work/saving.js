@@ -66,9 +66,11 @@ export function savingIn({ works, view, state, notices, named, askName, compare 
     if (conflict || (text() === base.text && base.etag !== null)) return;
     const whole = text();
     try {
-      const done = await works.write(name, whole, base.etag);
-      if ("theirs" in done && done.theirs.text !== whole) return collide(done.theirs);
-      base = { text: whole, etag: "theirs" in done ? done.theirs.etag : done.etag };
+      let done = await works.write(name, whole, base.etag);
+      // The file has gone meanwhile: it is written as a new one.
+      if ("theirs" in done && !done.theirs) done = await works.write(name, whole, null);
+      if ("theirs" in done && done.theirs && done.theirs.text !== whole) return collide(done.theirs);
+      base = { text: whole, etag: "theirs" in done ? (done.theirs?.etag ?? null) : done.etag };
       notices.drop("refused");
       notices.drop("restored");
       changed();
