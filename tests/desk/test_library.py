@@ -53,7 +53,7 @@ def test_every_key_of_the_schema_has_its_line(client, language):
     assert all(told)
     assert [key["name"] for key in sections["time"]["keys"]] == ["step", "end", "period", "check_row", "scheme"]
     assert {"from", "guides", "through"} <= {key["name"] for key in sections["group"]["keys"]}
-    assert (sections["group"]["several"], sections["given"]["several"]) == (True, False)
+    assert (sections["group"]["many"], sections["given"]["many"]) == (True, False)
     assert (sections["given"]["named"], sections["time"]["named"]) == (True, False)
     assert "deg" in found["units"]
     assert {"name": "rk4"}.items() <= found["schemes"][-2].items()

@@ -36,12 +36,12 @@ def keys(desk: Desk) -> dict[str, Any]:
 
 
 def _section(name: str, entry: dict[str, Any], models: dict[str, Any], desk: Desk) -> dict[str, Any]:
-    """Return a section with its keys; `several`: [[name]], `named`: the author chooses the names in it."""
+    """Return a section with its keys; `many`: [[name]], `named`: the author chooses the names in it."""
     found = dict.fromkeys(key for model in _models(entry, models) for key in models[model]["properties"])
     inner = {key: desk.words.template(f"desk.key.{name}_{key}") for key in found if desk.words.has(f"desk.key.{name}_{key}")}
     inner |= {key: desk.words.template(f"desk.key.{key}") for key in found if key not in inner}
     return {
-        "name": name, "means": desk.words.template(f"desk.key.{name}"), "several": entry.get("type") == "array" and bool(found),
+        "name": name, "means": desk.words.template(f"desk.key.{name}"), "many": entry.get("type") == "array" and bool(found),
         "named": "additionalProperties" in entry, "keys": _pairs(inner),
     }  # fmt: skip
 

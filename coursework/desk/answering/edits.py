@@ -1,7 +1,7 @@
-"""Changes of single values in a text, as an editor takes them over: where each stands and what comes there.
+"""Single values of a text replaced, and lines added: the new text, and what in it is new.
 
-Enters: a text, values by their path.  Leaves: edits (line and column from 1, the end excluded) of the text as it was.
-Used by `controls.py`.
+Enters: a text, values by their path.  Leaves: the text, places in it (line and column from 1, the end excluded).
+Used by `controls.py`, `derived.py` and `drag.py`.
 """
 
 from __future__ import annotations
@@ -13,29 +13,37 @@ from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import place_of
 
 
-def place(text: str, begin: int, end: int) -> dict[str, int]:
-    """Return a part of a text by lines and columns."""
-    (line, column), (end_line, end_column) = _at(text, begin), _at(text, end)
-    return {"line": line, "column": column, "end_line": end_line, "end_column": end_column}
-
-
 def value_place(text: str, path: KeyPath) -> dict[str, int] | None:
     """Return where a value stands, None where the file does not write it."""
     found = place_of(text, path)
-    return None if found is None else place(text, *found)
+    return None if found is None else _place(text, *found)
 
 
-def edits_of(text: str, values: Mapping[KeyPath, str]) -> list[dict[str, Any]]:
-    """Return the edits that put values in the place of others; what the file does not write stays unwritten."""
-    found = ((value_place(text, path), value) for path, value in values.items())
-    return [{**where, "text": value} for where, value in found if where is not None]
+def with_values(text: str, values: Mapping[KeyPath, str]) -> dict[str, Any]:
+    """Return the `text` with other values in their places, and their `ranges`; what the file does not write stays unwritten."""
+    found = ((place_of(text, path), value) for path, value in values.items())
+    return _changed(text, [(*place, value) for place, value in found if place is not None])
 
 
-def inserted(text: str, line: int, lines: Iterable[str]) -> list[dict[str, Any]]:
-    """Return the edit that puts lines behind a line, the last one for a number beyond it."""
-    own = text.split("\n")
-    at, column = (line, len(own[line - 1]) + 1) if line < len(own) else (len(own), len(own[-1]) + 1)
-    return [{"line": at, "column": column, "end_line": at, "end_column": column, "text": "\n" + "\n".join(lines)}]
+def with_lines(text: str, behind: int, lines: Iterable[str]) -> dict[str, Any]:
+    """Return the `text` with lines behind one of it (from 1), and their `ranges`."""
+    own = text.split("\n")[:behind]
+    at = len("\n".join(own))
+    return _changed(text, [(at, at, "".join(f"\n{line}" for line in lines))])
+
+
+def _changed(text: str, pieces: list[tuple[int, int, str]]) -> dict[str, Any]:
+    new, grown, spans = text, 0, []
+    for begin, end, value in sorted(pieces):
+        new = new[: begin + grown] + value + new[end + grown :]
+        spans.append((begin + grown, begin + grown + len(value)))
+        grown += len(value) - (end - begin)
+    return {"text": new, "ranges": [_place(new, *span) for span in spans if span[0] < span[1]]}
+
+
+def _place(text: str, begin: int, end: int) -> dict[str, int]:
+    (line, column), (end_line, end_column) = _at(text, begin), _at(text, end)
+    return {"line": line, "column": column, "end_line": end_line, "end_column": end_column}
 
 
 def _at(text: str, place: int) -> tuple[int, int]:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 from coursework.desk.answering.controls import controls
+from coursework.desk.answering.derived import verdicts
 from coursework.desk.answering.typed import Desk, remarks_of
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
@@ -37,7 +38,12 @@ def check(desk: Desk) -> dict[str, Any]:
 def found(desk: Desk) -> dict[str, Any]:
     """Return what is told of a text without faults."""
     summary = desk.run.summary if desk.language == ENGLISH else desk.run.named_summary
-    return {"faults": [], "summary": desk.words.written(summary) or None, "remarks": remarks_of(desk)}
+    return {
+        "faults": [],
+        "summary": desk.words.written(summary) or None,
+        "remarks": remarks_of(desk),
+        "equations": verdicts(desk),
+    }
 
 
 def warm(desk: Desk) -> dict[str, Any]:

@@ -21,7 +21,7 @@ PATIENCE = 20.0  # s for a whole body
 TOO_LATE, TOO_LARGE, NO_JSON, OTHER_SHAPE = 408, 413, 400, 422
 TEXT, TEXTS, FLAG, NUMBER, PLACE = "text", "texts by name", "flag", "number", "two numbers"
 OPTIONAL = {
-    "language": TEXT, "scheme": TEXT, "step": TEXT, "tables": TEXTS, "name": TEXT, "study": FLAG,
+    "language": TEXT, "scheme": TEXT, "step": TEXT, "tables": TEXTS, "name": TEXT, "study": FLAG, "free": FLAG,
 }  # fmt: skip
 
 
