@@ -15,7 +15,7 @@ import { forgetAll } from "./work/store.js";
 /** @import { Config, Works } from "./types" */
 /**
  * @typedef {{
- *   config: Config, works: Works, view: EditorView, ask: () => void,
+ *   config: Config, works: Works, view: EditorView, given: () => object,
  *   settings: ReturnType<typeof import("./settings.js").settingsIn>, saving: ReturnType<typeof import("./work/saving.js").savingIn>,
  *   notices: ReturnType<typeof import("./notices.js").noticesIn>,
  * }} Desk
@@ -23,7 +23,7 @@ import { forgetAll } from "./work/store.js";
 
 /** @param {Desk} desk */
 export function commandsIn(desk) {
-  const { view, works, saving, settings, notices } = desk;
+  const { view, saving, notices } = desk;
 
   /** @param {unknown} error */
   const refused = (error) => notices.show("refused", error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message);
@@ -48,8 +48,8 @@ export function commandsIn(desk) {
   on("desk-files", () => openFiles(desk));
   on("desk-equations", async () => {
     const { doc } = view.state;
-    const written = await post("/api/equations", { ...settings.given(), text: doc.toString(), tables: works.tables() });
-    const from = edited(view, doc, written.edits, "input.equations");
+    const written = await post("/api/equations", { ...desk.given(), text: doc.toString() });
+    const from = written.text ? edited(view, doc, written, "input.equations") : null;
     if (from !== null) {
       view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
       view.focus();

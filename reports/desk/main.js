@@ -57,13 +57,17 @@ const asks = asking({
   body() {
     doc = view.state.doc;
     since = ChangeSet.empty(doc.length);
-    const tables = works.tables();
-    return { text: doc.toString(), ...settings.given(), ...(tables && { tables }), study };
+    return { text: doc.toString(), ...given(), study };
   },
   began: () => state.set({ computing: true }),
   lost: (sentence) => state.set({ unreachable: sentence ?? "", computing: false }),
   answered,
 });
+/** What goes beside a text in every question: its name, how it shall be computed, the tables of this browser. */
+function given() {
+  const tables = works.tables(), { name } = saving;
+  return { ...settings.given(), ...(name && { name }), ...(tables && { tables }) };
+}
 /** Ask at once: something was moved or chosen. */
 function ask() {
   state.set({ computing: true });
@@ -105,7 +109,7 @@ const page = pageIn(frame, spoken, {
     else if (key === "redo") redo(view);
     else if (key === "leave") view.focus();
   },
-  drag: draggingIn(view, { given: () => ({ ...settings.given(), tables: works.tables() }), moved: ask, refuse: (sentence) => page.refuse(sentence) }),
+  drag: draggingIn(view, { given, moved: ask, refuse: (sentence) => page.refuse(sentence) }),
 });
 const data = dataIn(found("desk-data", HTMLElement), view, ask);
 const saving = savingIn({
@@ -122,7 +126,7 @@ followWords(() => page.speak());
 printed(found("desk-print", HTMLElement), config.nonce, () => page.html);
 if (!keeps()) notices.show("keeps", say("keeps_nothing"));
 if (config.mode === "edit" && !config.writable) notices.show("folder", say("not_writable", { folder: config.folder ?? "" }));
-commandsIn({ config, works, view, settings, saving, notices, ask });
+commandsIn({ config, works, view, settings, saving, notices, given });
 // On `serve` nobody has opened anything: the work of last time, else an empty text under a name.
 const name = config.name || (config.mode === "serve" ? String(kept("last") ?? "mine") : "");
 const there = config.mode === "serve" && !config.text ? await works.read(name) : null;

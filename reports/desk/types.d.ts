@@ -17,7 +17,7 @@ export interface Answer {
   faults: Fault[]; summary: string | null; page: string | null; remarks?: Remark[]; data?: Datum[]; equations?: Verdict[]; later?: string[];
 }
 export interface Ask {
-  text: string; language: string; scheme?: string; step?: string; tables?: Record<string, string>; study?: boolean;
+  text: string; language: string; name?: string; scheme?: string; step?: string; tables?: Record<string, string>; study?: boolean;
 }
 export interface Policy { equations: boolean; exact: boolean; formats: string[] }
 export interface Config {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { change, extent, offset, written } from "../../reports/desk/text/places.js";
+import { change, changes, extent, offset, written } from "../../reports/desk/text/places.js";
 
 /** A text as the editor has it, as far as places need it. */
 const textOf = (whole) => {
@@ -46,6 +46,12 @@ test("one change makes one text the other", () => {
     assert.equal(before.slice(0, from) + insert + before.slice(to), after);
   }
   assert.deepEqual(change('r1 = "0.953 m"', 'r1 = "0.954 m"'), { from: 10, to: 11, insert: "4" });
+});
+
+test("texts of as many lines are changed line by line", () => {
+  const made = (before, after) => changes(before, after).reduceRight((text, { from, to, insert }) => text.slice(0, from) + insert + text.slice(to), before);
+  for (const [before, after] of [["a\nb\nc", "x\nb\ny"], ["a\nb", "a\nb"], ["a\nb", "a\nb\nc"], ["", "\n"]]) assert.equal(made(before, after), after);
+  assert.deepEqual(changes("a = 1\nb = 2\nc = 3", "a = 4\nb = 2\nc = 5").map(({ from, to }) => [from, to]), [[4, 5], [16, 17]]);
 });
 
 test("a number keeps the decimals of the file and has no sign where it is nought", () => {

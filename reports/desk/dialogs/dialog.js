@@ -13,7 +13,7 @@ export function openDialog(host, title, inside, { wide = false } = {}) {
   const head = make("h2", { id: "desk-dialog-title" }, title);
   const close = make("button", { type: "button", className: "close", "aria-label": say("close"), onclick: () => dialog.close() }, "×");
   const body = make("div", { className: "body" }, ...inside);
-  const dialog = make("dialog", { "aria-labelledby": "desk-dialog-title", className: wide ? "wide" : "" }, make("header", {}, head, close), body);
+  const dialog = make("dialog", { "aria-labelledby": "desk-dialog-title", className: wide ? "wide" : "" }, make("div", { className: "head" }, head, close), body);
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   dialog.addEventListener("close", () => dialog.remove());
   host.append(dialog);

@@ -119,9 +119,9 @@ async function hangPiece(piece, desk) {
   form.addEventListener("submit", async (event) => {
     event.preventDefault();
     try {
-      const found = await post("/api/piece", { ...desk.settings.given(), text, kind: piece.kind, on: fields.map(({ select }) => select.value) });
+      const found = await post("/api/piece", { ...desk.given(), text, kind: piece.kind, on: fields.map(({ select }) => select.value) });
       dialog.close();
-      const from = edited(desk.view, doc, found.edits, "input.piece");
+      const from = edited(desk.view, doc, found, "input.piece");
       if (from !== null) desk.view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
       desk.view.focus();
     } catch (error) {

@@ -16,7 +16,7 @@ const base64 = (file) => new Promise((answer, fail) => {
 });
 
 /** @param {Desk} desk */
-export function openTable({ view, works, settings }) {
+export function openTable({ view, given }) {
   const told = make("div", { className: "told", "aria-live": "polite" });
   const file = make("input", { type: "file", id: "desk-own-table", onchange: () => file.files?.[0] && void look(file.files[0]) });
   const drop = make("label", { className: "drop", for: file.id }, make("b", {}, say("table_drop")), make("span", {}, say("table_kinds")), file);
@@ -33,7 +33,7 @@ export function openTable({ view, works, settings }) {
   async function look(chosen) {
     told.replaceChildren(say("waiting"));
     try {
-      const json = { ...settings.given(), text: view.state.doc.toString(), name: chosen.name, data: await base64(chosen), tables: works.tables() };
+      const json = { ...given(), text: view.state.doc.toString(), name: chosen.name, data: await base64(chosen) };
       const { state, sentences } = await post("/api/table", json);
       told.dataset.state = state;
       told.replaceChildren(make("h3", {}, chosen.name), make("ul", {}, ...sentences.map((/** @type {string} */ sentence) => make("li", {}, sentence))));

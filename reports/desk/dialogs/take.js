@@ -11,7 +11,7 @@ import { openDialog } from "./dialog.js";
  * @param {HTMLElement} host
  * @param {Desk} desk
  */
-export function openTake(host, { config, works, view, settings, saving }) {
+export function openTake(host, { config, works, view, given, saving }) {
   const told = make("output", { className: "told" });
   const name = () => saving.name || say("unnamed");
   /**
@@ -34,7 +34,7 @@ export function openTake(host, { config, works, view, settings, saving }) {
 
   /** @param {string} format */
   async function take(format) {
-    const json = { text: view.state.doc.toString(), ...settings.given(), tables: works.tables() };
+    const json = { ...given(), text: view.state.doc.toString() };
     const response = await request("POST", `/api/take/${format}`, { json });
     const named = /filename="?([^";]+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1];
     download(await response.blob(), named ?? `${name()}.${format}`);

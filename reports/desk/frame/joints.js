@@ -23,7 +23,12 @@ const joints = {
       if (!joint) continue;
       const name = say("drag_joint", { name: joint.joint });
       for (const [key, value] of Object.entries({ tabindex: "0", role: "button", "aria-label": name, "aria-describedby": "drag-how" })) ring.setAttribute(key, value);
-      ring.append(Object.assign(document.createElementNS("http://www.w3.org/2000/svg", "title"), { textContent: name }));
+      // What a hand catches lies on top, and is larger than what is seen.
+      const catcher = document.createElementNS("http://www.w3.org/2000/svg", "circle"), title = document.createElementNS("http://www.w3.org/2000/svg", "title");
+      for (const [key, value] of Object.entries({ class: "catcher", cx: ring.getAttribute("cx"), cy: ring.getAttribute("cy"), r: 3.4 })) catcher.setAttribute(key, String(value));
+      title.textContent = name;
+      catcher.append(title);
+      joint.svg.append(catcher);
     }
     // A picture with things in it that are moved is no picture any more.
     rings[0]?.closest("[role=img]")?.setAttribute("role", "group");
@@ -34,6 +39,17 @@ const joints = {
   /** @param {string} name
    * @returns {SVGCircleElement | null} */
   find: (name) => document.querySelector(`#mechanism [data-joint="${CSS.escape(name)}"]`),
+
+  /** Of joints whose catchers lie over each other the one that is meant.
+   * @param {number} x
+   * @param {number} y */
+  nearest(x, y) {
+    const away = (/** @type {Element} */ ring) => {
+      const { left, right, top, bottom } = ring.getBoundingClientRect();
+      return Math.hypot((left + right) / 2 - x, (top + bottom) / 2 - y);
+    };
+    return this.read([...document.querySelectorAll("#mechanism [data-joint]")].sort((a, b) => away(a) - away(b))[0] ?? null);
+  },
 
   hold() {
     const { held } = this, joint = held && this.read(this.find(held.name));
@@ -62,7 +78,7 @@ const joints = {
 
   /** @param {PointerEvent} event */
   down(event) {
-    const ring = event.target instanceof Element ? event.target.closest("#mechanism [data-joint]") : null, joint = this.read(ring);
+    const joint = event.target instanceof Element && event.target.matches(".catcher, .catcher *") ? this.nearest(event.clientX, event.clientY) : null;
     const screen = joint?.svg.getScreenCTM();
     if (!joint || !screen || event.button) return;
     event.preventDefault();
@@ -79,11 +95,23 @@ const joints = {
     document.documentElement.classList.add("dragging");
   },
 
+  /** The ring is where the hand is before the drawing is there.
+   * @param {number} x
+   * @param {number} y */
+  follow(x, y) {
+    const ring = this.held && this.find(this.held.name), screen = ring?.ownerSVGElement?.getScreenCTM();
+    if (!ring || !screen) return;
+    const at = new DOMPoint(x, y).matrixTransform(screen.inverse());
+    ring.setAttribute("cx", String(at.x));
+    ring.setAttribute("cy", String(at.y));
+  },
+
   /** @param {PointerEvent} event
    * @param {boolean} last */
   move(event, last) {
     if (!this.held) return;
     event.preventDefault();
+    this.follow(event.clientX, event.clientY);
     tell({ kind: "drag", joint: this.held.name, place: this.place(event.clientX, event.clientY), free: event.altKey || this.free, last });
     if (last) {
       this.held = null;

@@ -23,6 +23,8 @@ export function completing(path) {
    * @returns {Promise<CompletionResult | null>}
    */
   async function source(context) {
+    // A slider or a joint changes the text too, and nobody types.
+    if (!context.explicit && !context.view?.hasFocus) return null;
     const whole = context.state.doc.toString();
     const { section, key, inside, before } = whereIn(whole.slice(0, context.pos));
     if (before.replace(/"[^"]*"/g, "").includes("#")) return null;

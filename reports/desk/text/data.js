@@ -57,7 +57,7 @@ export function dataIn(box, view, moved) {
   function put(name, text) {
     const place = placeOf(view, name);
     if (!place || view.state.sliceDoc(place.from, place.to) === text) return;
-    view.dispatch({ changes: { ...place, insert: text }, userEvent: "move.datum" });
+    view.dispatch({ changes: { ...place, insert: text }, userEvent: "input.type.move" });
     moved();
   }
 
@@ -89,8 +89,11 @@ export function dataIn(box, view, moved) {
   /** @param {Datum} datum */
   const decimals = ({ digits, step }) => Math.max(digits, Math.ceil(-Math.log10(step || 1) - 1e-9), 0);
 
-  /** @param {Datum} datum */
-  function fill(datum) {
+  /**
+   * @param {Datum} datum
+   * @param {boolean} current Whether the text is still the one that was asked about: else what a hand has moved since stays.
+   */
+  function fill(datum, current) {
     const { slider, field, unit, row } = /** @type {NonNullable<ReturnType<typeof rows.get>>} */ (rows.get(datum.name));
     Object.assign(/** @type {object} */ (rows.get(datum.name)), { datum });
     const label = /** @type {HTMLElement} */ (row.firstElementChild);
@@ -98,7 +101,7 @@ export function dataIn(box, view, moved) {
     label.title = row.title = datum.title;
     slider.setAttribute("aria-label", say("slider", { name: datum.symbol || datum.name }));
     unit.textContent = datum.unit;
-    if (held === datum.name) return;
+    if (held === datum.name || !current) return;
     const value = String(datum.value);
     Object.assign(slider, { min: String(datum.low), max: String(datum.high), step: String(datum.step) });
     if (slider.value !== value) slider.value = value;
@@ -128,7 +131,7 @@ export function dataIn(box, view, moved) {
           if (!rows.has(datum.name)) rows.set(datum.name, row(datum));
           const { row: element } = /** @type {{row: HTMLElement}} */ (rows.get(datum.name));
           if (group.children[k + 1] !== element) group.insertBefore(element, group.children[k + 1] ?? null);
-          fill(datum);
+          fill(datum, since.empty);
         });
         group.hidden = !own.length;
       }

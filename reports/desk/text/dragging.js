@@ -22,7 +22,7 @@ export function draggingIn(view, { given, moved, refuse }) {
     try {
       const found = await post("/api/drag", { ...given(), text: doc.toString(), joint, place, free });
       refuse(found.sentence ?? "");
-      if (edited(view, doc, found.edits, "move.joint") !== null) moved();
+      if (found.text && edited(view, doc, found, "input.type.move") !== null) moved();
     } catch (error) {
       if (error instanceof Refused && error.status !== 429) refuse(error.message);
     }

@@ -8,9 +8,24 @@ import {
 } from "../editor/codemirror.js";
 import { followWords, say } from "../words.js";
 import { variantLanguage } from "./language.js";
-import { change } from "./places.js";
+import { changes } from "./places.js";
 
 const PHRASES = ["Find", "Replace", "next", "previous", "all", "match case", "regexp", "by word", "replace", "replace all", "close"];
+
+const MOVE = "input.type.move", GESTURE = 3000, TYPING = 500; // ms within which changes are undone as one
+/** What a hand moves in one gesture is undone as one, however many answers it had; typing as everywhere. */
+function undoing() {
+  let kind = "", at = 0;
+  return [
+    history({
+      newGroupDelay: GESTURE,
+      joinToEvent: (transaction, adjacent) => (transaction.isUserEvent(MOVE) ? kind === MOVE : adjacent && kind !== MOVE && Date.now() - at < TYPING),
+    }),
+    EditorView.updateListener.of(({ docChanged, transactions }) => {
+      if (docChanged) [kind, at] = [transactions.some((one) => one.isUserEvent(MOVE)) ? MOVE : "", Date.now()];
+    }),
+  ];
+}
 
 /**
  * @typedef {{nonce: string, extensions: import("@codemirror/state").Extension[], save: () => void,
@@ -37,7 +52,7 @@ export function editorIn(place, { nonce, extensions, save, changed }) {
         EditorView.cspNonce.of(nonce),
         lit.of(light()),
         spoken.of(words()),
-        lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), bracketMatching(),
+        lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), undoing(), drawSelection(), bracketMatching(),
         highlightActiveLine(), highlightSelectionMatches(), search({ top: true }),
         variantLanguage, syntaxHighlighting(classHighlighter),
         EditorView.lineWrapping,
@@ -53,15 +68,13 @@ export function editorIn(place, { nonce, extensions, save, changed }) {
 }
 
 /**
- * Put another text into the editor as one small change: cursor, undo and what is marked stay.
+ * Put another text into the editor by small changes: cursor, undo and what is marked stay.  Returns whether it was another.
  * @param {EditorView} view
  * @param {string} text
  * @param {{kind?: string, undo?: boolean}} [how]
- * @returns {{from: number, to: number} | null} Where it changed.
  */
 export function rewrite(view, text, { kind = "input.desk", undo = true } = {}) {
-  const found = change(view.state.doc.toString(), text.replaceAll("\r\n", "\n"));
-  if (!found) return null;
-  view.dispatch({ changes: found, userEvent: kind, annotations: Transaction.addToHistory.of(undo) });
-  return { from: found.from, to: found.from + found.insert.length };
+  const found = changes(view.state.doc.toString(), text.replaceAll("\r\n", "\n"));
+  if (found.length) view.dispatch({ changes: found, userEvent: kind, annotations: Transaction.addToHistory.of(undo) });
+  return found.length > 0;
 }

@@ -1,7 +1,6 @@
 // Places in a text: line and column of the server (from 1) and offsets of the editor, and the smallest change to another text.
 
 /** @import { Text } from "@codemirror/state" */
-/** @import { Edit } from "../types" */
 
 /**
  * The offset of line and column; what lies outside is moved inside.
@@ -49,12 +48,20 @@ export function change(before, after) {
 }
 
 /**
- * Edits of the server as changes of the text that they were made for.
- * @param {Text} doc
- * @param {Edit[]} edits
+ * The changes that make one text another: line by line where both have as many, so that what stands between stays what it is.
+ * @param {string} before
+ * @param {string} after
  */
-export const changes = (doc, edits) =>
-  edits.map((edit) => ({ from: offset(doc, edit.line, edit.column), to: offset(doc, edit.end_line, edit.end_column), insert: edit.text }));
+export function changes(before, after) {
+  const old = before.split("\n"), lines = after.split("\n");
+  if (old.length !== lines.length) return [change(before, after)].filter((one) => one !== null);
+  let start = 0;
+  return old.flatMap((line, k) => {
+    const found = change(line, lines[k] ?? ""), at = start;
+    start += line.length + 1;
+    return found ? [{ from: at + found.from, to: at + found.to, insert: found.insert }] : [];
+  });
+}
 
 /**
  * A value with so many decimals, as it stands in a text: the decimals of the file, a power of ten only where it had one.

@@ -2,10 +2,11 @@
 
 import { Decoration, EditorView, RangeSet, StateEffect, StateField, WidgetType } from "../editor/codemirror.js";
 import { say } from "../words.js";
-import { changes } from "./places.js";
+import { rewrite } from "./editor.js";
+import { offset } from "./places.js";
 
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
-/** @import { Edit, Verdict } from "../types" */
+/** @import { Span, Verdict } from "../types" */
 
 class Beside extends WidgetType {
   /**
@@ -34,20 +35,23 @@ const effect = () => StateEffect.define();
 const told = effect(), marked = effect();
 const MOVED = Decoration.mark({ class: "desk-moved" });
 
-/** @param {import("@codemirror/state").StateEffectType<RangeSet<Decoration>>} kind */
-const field = (kind) =>
+/**
+ * @param {import("@codemirror/state").StateEffectType<RangeSet<Decoration>>} kind
+ * @param {boolean} passing Whether the next change of the text takes it away.
+ */
+const field = (kind, passing) =>
   StateField.define({
     /** @returns {RangeSet<Decoration>} */
     create: () => Decoration.none,
-    update(value, { changes: made, effects }) {
-      let now = value.map(made);
+    update(value, { changes, effects, docChanged }) {
+      let now = passing && docChanged ? Decoration.none : value.map(changes);
       for (const one of effects) if (one.is(kind)) now = one.value;
       return now;
     },
     provide: (one) => EditorView.decorations.from(one),
   });
 
-export const verdicts = [field(told), field(marked)];
+export const verdicts = [field(told, false), field(marked, true)];
 
 /**
  * @param {EditorView} view
@@ -63,19 +67,18 @@ export function showVerdicts(view, equations, doc, since) {
 }
 
 /**
- * Let the desk itself change the text, and mark where it did.  What was typed since the edits were asked for wins: then nothing is done.
+ * Let the desk itself change the text, and mark where it did.  What was typed since it was asked wins: then nothing is done.
  * @param {EditorView} view
  * @param {Text} doc The text that was asked about.
- * @param {Edit[]} edits
+ * @param {{text: string, ranges: Span[]}} found
  * @param {string} kind
- * @returns {number | null} Where the first change is.
+ * @returns {number | null} Where the first change is, null where there is none.
  */
-export function edited(view, doc, edits, kind) {
-  if (!edits.length || !view.state.doc.eq(doc)) return null;
-  const made = view.state.changes(changes(doc, edits));
-  /** @type {import("@codemirror/state").Range<Decoration>[]} */
-  const found = [];
-  made.iterChanges((_a, _b, from, to) => from < to && found.push(MOVED.range(from, to)));
-  view.dispatch({ changes: made, userEvent: kind, effects: marked.of(Decoration.set(found, true)) });
-  return found[0]?.from ?? null;
+export function edited(view, doc, { text, ranges }, kind) {
+  if (!view.state.doc.eq(doc) || !rewrite(view, text, { kind })) return null;
+  const now = view.state.doc;
+  const places = ranges.map((one) => ({ from: offset(now, one.line, one.column), to: offset(now, one.end_line, one.end_column) }));
+  const moved = places.filter(({ from, to }) => from < to).map(({ from, to }) => MOVED.range(from, to));
+  view.dispatch({ effects: marked.of(Decoration.set(moved, true)) });
+  return places[0]?.from ?? 0;
 }

@@ -47,6 +47,14 @@ class Desk:
         wanted = ",".join(f"#desk-state[data-state={one}]" for one in state) or RESTS
         self.page.wait_for_selector(wanted)
 
+    def until(self, happened: Callable[[], object]) -> None:
+        """Wait until something has happened on the page."""
+        for _ in range(PATIENCE // 20):
+            if happened():
+                return
+            self.page.wait_for_timeout(20)
+        raise AssertionError("it did not happen")
+
     @property
     def text(self) -> str:
         return str(self.page.evaluate(f"{VIEW}.state.doc.toString()"))
