@@ -25,8 +25,15 @@ async def events(folder: Folder) -> AsyncIterator[str]:
         folder.path, watch_filter=lambda _, path: path.endswith((SUFFIX, ".csv")), debounce=_SETTLED, step=_SETTLED // 2,
         rust_timeout=ALIVE, yield_on_timeout=True, recursive=False,
     )  # fmt: skip
-    while True:
-        files = json.dumps(await asyncio.to_thread(folder.listed))
-        yield ":\n\n" if files == told else f"event: files\ndata: {files}\n\n"
-        told = files
-        await anext(watching)
+    change = None
+    try:
+        while True:
+            change = asyncio.ensure_future(anext(watching))
+            await asyncio.sleep(0)  # from here on nothing is missed
+            files = json.dumps(await asyncio.to_thread(folder.listed))
+            yield ":\n\n" if files == told else f"event: files\ndata: {files}\n\n"
+            told = files
+            await change
+    finally:
+        if change is not None:
+            change.cancel()
