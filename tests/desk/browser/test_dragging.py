@@ -39,7 +39,14 @@ def test_a_joint_is_dragged_and_the_text_follows(desk: Callable[..., Any]) -> No
     page.keyboard.press("Control+z")
     one.rest("changed")
     assert one.text == before
-    # By keyboard: the joint keeps the focus while the page is made anew under it.
+
+
+@pytest.mark.long
+def test_a_joint_is_moved_by_keyboard_and_says_why_it_stays(desk: Callable[..., Any]) -> None:
+    one, _ = desk()
+    page, before = one.page, one.text
+    ring = page.frame_locator("#desk-page").locator("[data-joint=M]")
+    # The joint keeps the focus while the page is made anew under it.
     ring.focus()
     asked = one.asked["POST api/drag"]
     page.keyboard.press("ArrowUp")

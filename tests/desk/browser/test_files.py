@@ -19,6 +19,7 @@ def saved(desk: Callable[..., Any]) -> tuple[Any, Path]:
     return one, folder / "31.toml"
 
 
+@pytest.mark.long
 def test_a_change_from_outside_is_taken_over_at_once(desk: Callable[..., Any]) -> None:
     one, path = saved(desk)
     path.write_text(one.text.replace(*OTHER), encoding="utf-8")
@@ -43,6 +44,7 @@ def test_two_changes_are_shown_side_by_side(choice: str, desk: Callable[..., Any
     assert one.text == path.read_text(encoding="utf-8") == first.replace(*(OWN if choice == "mine" else OTHER))
 
 
+@pytest.mark.long
 def test_files_are_copied_renamed_deleted_and_brought_back(desk: Callable[..., Any]) -> None:
     one, path = saved(desk)
     page, folder = one.page, path.parent

@@ -41,7 +41,7 @@ def looked_at(desk: Callable[..., Any]) -> Any:
     return one
 
 
-@pytest.mark.parametrize("size", [WIDE, pytest.param(BETWEEN, marks=pytest.mark.long), PHONE])
+@pytest.mark.parametrize("size", [*(pytest.param(size, marks=pytest.mark.long) for size in (WIDE, BETWEEN)), PHONE])
 def test_a_desk_at_rest_and_with_faults_is_read(size: tuple[int, int], desk: Callable[..., Any]) -> None:
     one = looked_at(desk)
     assert complaints(one, size) == []
@@ -62,9 +62,8 @@ def test_a_dialog_is_read(opener: str, size: tuple[int, int], desk: Callable[...
     one.page.wait_for_selector("dialog", state="detached")
 
 
-@pytest.mark.parametrize(
-    "language", ["ru", pytest.param("uk", marks=pytest.mark.long), pytest.param("zh", marks=pytest.mark.long)]
-)
+@pytest.mark.long
+@pytest.mark.parametrize("language", ["ru", "uk", "zh"])
 def test_another_language_keeps_the_text_and_its_undo(language: str, desk: Callable[..., Any]) -> None:
     one = looked_at(desk)
     before = one.text

@@ -20,7 +20,7 @@ def test_a_variant_is_typed_from_nothing_saved_and_moved(desk: Callable[..., Any
     assert page.is_visible("#desk-welcome")
     # Typed: letter by letter what stands in the file, nothing closed or indented by itself.
     page.click("#desk-text .cm-content")
-    typed, rest = SHEET[:160], SHEET[160:]
+    typed, rest = SHEET[:60], SHEET[60:]
     page.keyboard.type(typed)
     page.keyboard.insert_text(rest)
     assert one.text == SHEET
