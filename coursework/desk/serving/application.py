@@ -21,7 +21,7 @@ from starlette.routing import Route
 
 from coursework.desk.job import Answer, Bounds, Job, Policy, Setup
 from coursework.desk.serving import assets
-from coursework.desk.serving.bodies import MOST_BYTES, MOST_TABLE_BYTES, PLACE, TEXT, body_of
+from coursework.desk.serving.bodies import MOST_BYTES, MOST_TABLE_BYTES, NAMES, PLACE, TEXT, body_of
 from coursework.desk.serving.config import config_of
 from coursework.desk.serving.files import Files
 from coursework.desk.serving.guard import Gate, Guard, new_cookie
@@ -39,6 +39,7 @@ COMPUTED: dict[str, dict[str, str]] = {
     "table": {"text": TEXT, "name": TEXT, "data": TEXT},
     "take": {"text": TEXT},
     "equations": {"text": TEXT},
+    "piece": {"text": TEXT, "kind": TEXT, "on": NAMES},
     "drag": {"text": TEXT, "joint": TEXT, "place": PLACE},
 }
 

@@ -19,7 +19,7 @@ from coursework.words.sentences import say
 MOST_BYTES, MOST_TABLE_BYTES = 10**6, 6 * 10**6
 PATIENCE = 20.0  # s for a whole body
 TOO_LATE, TOO_LARGE, NO_JSON, OTHER_SHAPE = 408, 413, 400, 422
-TEXT, TEXTS, FLAG, NUMBER, PLACE = "text", "texts by name", "flag", "number", "two numbers"
+TEXT, TEXTS, NAMES, FLAG, NUMBER, PLACE = "text", "texts by name", "texts", "flag", "number", "two numbers"
 OPTIONAL = {
     "language": TEXT, "scheme": TEXT, "step": TEXT, "tables": TEXTS, "name": TEXT, "study": FLAG, "free": FLAG,
 }  # fmt: skip
@@ -72,6 +72,8 @@ def _is(kind: str, value: Any) -> bool:
         return isinstance(value, str) and _is_writable(value)
     if kind == TEXTS:
         return isinstance(value, dict) and all(_is(TEXT, part) for pair in value.items() for part in pair)
+    if kind == NAMES:
+        return isinstance(value, list) and all(_is(TEXT, part) for part in value)
     if kind == FLAG:
         return isinstance(value, bool)
     if kind == PLACE:

@@ -21,7 +21,7 @@ from coursework.variant.catalogue import names
 from coursework.words.data_folders import folder
 from coursework.words.sentences import say
 
-KINDS = ("catalogue", "keys")
+KINDS = ("catalogue", "keys", "pieces")
 KEPT = {"Cache-Control": "private, max-age=600"}
 
 

@@ -1,6 +1,7 @@
 """The file of a draft: every key that a chain has, a comment on each, in the language asked.
 
-Enters: a `Draft`, the name of the file, what puts a sentence into a language.  Leaves: the text.  Used by `commands/new.py`.
+Enters: a `Draft`, the name of the file, what puts a sentence into a language.  Leaves: the text.
+Used by `commands/new.py` and the desk.
 """
 
 from __future__ import annotations
@@ -23,6 +24,18 @@ def text_of(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> str:
     """Return the file, which asks for some quantities; `said` returns a sentence in the language of the comments."""
     lines = [_written(code, said(comment) if comment else "") for code, comment in _lines(draft, name, said, asked)]
     return "\n".join(lines) + "\n"
+
+
+def additions(draft: Draft, number: int, said: Said) -> dict[str, list[str]]:
+    """Return the lines that a file gets for the groups of a draft, by section; the first of them is its group `number`."""
+    parts: dict[str, list[Line]] = {
+        "given": [*_given(draft)][1:-1], "drive": [*_drive(draft)][1:-1], "coordinates": [*_coordinates(draft)][1:-1],
+        "points": [*_points(draft)],
+        "group": [line for place, group in enumerate(draft.groups, start=number) for line in _group(group, place)],
+    }  # fmt: skip
+    return {
+        section: [_written(code, said(comment) if comment else "") for code, comment in lines] for section, lines in parts.items()
+    }
 
 
 def _written(code: str, comment: str) -> str:
@@ -50,9 +63,7 @@ def _lines(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> Iterato
     yield from _coordinates(draft)
     yield from _time(draft)
     yield "[points]", say("new.points")
-    for point in draft.places:
-        place = "(0, 0)" if not draft.places[point] else f"(x{point}, y{point})"
-        yield f'{point} = "{place}"', say("new.point")
+    yield from _points(draft)
     for number, group in enumerate(draft.groups, start=1):
         yield from _group(group, number)
     yield from _frame(draft)
@@ -103,6 +114,12 @@ def _coordinates(draft: Draft) -> Iterator[Line]:
                 role(group.kind.shape, "coordinates", group.letters, place),
             )
     yield "", ""
+
+
+def _points(draft: Draft) -> Iterator[Line]:
+    for point, at in draft.places.items():
+        place = f"(x{point}, y{point})" if at else "(0, 0)"
+        yield f'{point} = "{place}"', say("new.point")
 
 
 def _time(draft: Draft) -> Iterator[Line]:
