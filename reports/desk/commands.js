@@ -49,7 +49,7 @@ export function commandsIn(desk) {
   on("desk-equations", async () => {
     const { doc } = view.state;
     const written = await post("/api/equations", { ...desk.given(), text: doc.toString() });
-    const from = written.text ? edited(view, doc, written, "input.equations") : null;
+    const from = written.text ? edited(view, doc, written, "input.desk") : null;
     if (from !== null) {
       view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
       view.focus();

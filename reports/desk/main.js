@@ -14,7 +14,7 @@ import { stateIn } from "./state.js";
 import { completing } from "./text/completion.js";
 import { dataIn, places } from "./text/data.js";
 import { draggingIn } from "./text/dragging.js";
-import { editorIn } from "./text/editor.js";
+import { MOVE, editorIn } from "./text/editor.js";
 import { showFaults } from "./text/faults.js";
 import { showVerdicts, verdicts } from "./text/verdicts.js";
 import { followWords, say, speak, spoken } from "./words.js";
@@ -22,7 +22,7 @@ import { asking } from "./work/asking.js";
 import { browserWorks } from "./work/browser.js";
 import { folderWorks } from "./work/folder.js";
 import { savingIn } from "./work/saving.js";
-import { keeps, kept } from "./work/store.js";
+import { keep, keeps, kept } from "./work/store.js";
 
 /** @import { Answer, Config } from "./types" */
 
@@ -45,9 +45,12 @@ const view = editorIn(found("desk-text", HTMLElement), {
     study = false;
     saving.changed();
     state.set({ computing: true });
-    asks.typed();
+    // A hand or the desk itself is answered at once; whoever types has the next letter in mind.
+    if (update.transactions.some((one) => BY_HAND.some((kind) => one.isUserEvent(kind)))) asks.moved();
+    else asks.typed();
   },
 });
+const BY_HAND = [MOVE, "input.desk", "input.mend"];
 const text = () => view.state.doc.toString();
 
 // What was asked about, what was changed in it since, and the page whose showing is waited for.
@@ -60,7 +63,10 @@ const asks = asking({
     return { text: doc.toString(), ...given(), study };
   },
   began: () => state.set({ computing: true }),
-  lost: (sentence) => state.set({ unreachable: sentence ?? "", computing: false }),
+  lost(sentence) {
+    state.set({ unreachable: sentence ?? "", computing: false });
+    keepHere();
+  },
   answered,
 });
 /** What goes beside a text in every question: its name, how it shall be computed, the tables of this browser. */
@@ -88,7 +94,12 @@ function answered(answer) {
   pale.textContent = first ? say("pale", { sentence: first.sentence }) : "";
   found("desk-welcome", HTMLElement).hidden = Boolean(page.html) || text().trim() !== "";
   frame.classList.toggle("empty", !page.html);
-  if (config.mode === "serve" && saving.name) void saving.save();
+  keepHere();
+}
+
+/** Where all work is in this browser nobody has to save it. */
+function keepHere() {
+  if (config.mode === "serve" && text()) void saving.save();
 }
 
 /** The page stands; the desk rests unless the text is another one by now. */
@@ -109,12 +120,13 @@ const page = pageIn(frame, spoken, {
     else if (key === "redo") redo(view);
     else if (key === "leave") view.focus();
   },
-  drag: draggingIn(view, { given, moved: ask, refuse: (sentence) => page.refuse(sentence) }),
+  drag: draggingIn(view, given, (sentence) => page.refuse(sentence)),
 });
-const data = dataIn(found("desk-data", HTMLElement), view, ask);
+const data = dataIn(found("desk-data", HTMLElement), view);
 const saving = savingIn({
   works, view, state, notices,
   named(name) {
+    if (name) keep("last", name);
     found("desk-name", HTMLElement).textContent = name || say("unnamed");
     document.title = `${name || say("unnamed")} · ${say("title")}`;
   },
@@ -131,4 +143,4 @@ commandsIn({ config, works, view, settings, saving, notices, given });
 const name = config.name || (config.mode === "serve" ? String(kept("last") ?? "mine") : "");
 const there = config.mode === "serve" && !config.text ? await works.read(name) : null;
 saving.begin(name, there?.text ?? config.text, there?.etag ?? config.etag);
-ask();
+if (!asks.busy) ask();

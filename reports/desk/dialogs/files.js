@@ -1,7 +1,7 @@
 // Files: open, rename, duplicate, delete and bring back.
 
 import { make } from "../elements.js";
-import { keep, keptNames } from "../work/store.js";
+import { keptNames } from "../work/store.js";
 import { say } from "../words.js";
 import { askLine, openDialog, refusedName } from "./dialog.js";
 
@@ -29,7 +29,6 @@ export async function openFiles({ works, saving, view }) {
     const there = await works.read(name);
     if (!there) return;
     dialog.close();
-    keep("last", name);
     saving.begin(name, there.text, there.etag);
     view.focus();
   }

@@ -121,7 +121,7 @@ async function hangPiece(piece, desk) {
     try {
       const found = await post("/api/piece", { ...desk.given(), text, kind: piece.kind, on: fields.map(({ select }) => select.value) });
       dialog.close();
-      const from = edited(desk.view, doc, found, "input.piece");
+      const from = edited(desk.view, doc, found, "input.desk");
       if (from !== null) desk.view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
       desk.view.focus();
     } catch (error) {

@@ -3,6 +3,7 @@
 import { RangeSet, RangeValue, StateEffect, StateField } from "../editor/codemirror.js";
 import { make } from "../elements.js";
 import { say } from "../words.js";
+import { MOVE } from "./editor.js";
 import { offset, written } from "./places.js";
 
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
@@ -43,9 +44,8 @@ function placeOf(view, name) {
  * The controls of all data in a place of the page.
  * @param {HTMLElement} box
  * @param {EditorView} view
- * @param {() => void} moved
  */
-export function dataIn(box, view, moved) {
+export function dataIn(box, view) {
   /** @type {Map<string, {row: HTMLElement, slider: HTMLInputElement, field: HTMLInputElement, unit: HTMLElement, datum: Datum}>} */
   const rows = new Map();
   let held = "";
@@ -57,8 +57,7 @@ export function dataIn(box, view, moved) {
   function put(name, text) {
     const place = placeOf(view, name);
     if (!place || view.state.sliceDoc(place.from, place.to) === text) return;
-    view.dispatch({ changes: { ...place, insert: text }, userEvent: "input.type.move" });
-    moved();
+    view.dispatch({ changes: { ...place, insert: text }, userEvent: MOVE });
   }
 
   /** @param {Datum} datum */

@@ -1,6 +1,7 @@
 // A joint is dragged: the server says which numbers follow, the text takes them.  One move is under way, the newest one waits.
 
 import { Refused, post } from "../requests.js";
+import { MOVE } from "./editor.js";
 import { edited } from "./verdicts.js";
 
 /** @import { EditorView } from "@codemirror/view" */
@@ -8,9 +9,10 @@ import { edited } from "./verdicts.js";
 
 /**
  * @param {EditorView} view
- * @param {{given: () => object, moved: () => void, refuse: (sentence: string) => void}} tell `given` is sent beside the text.
+ * @param {() => object} given What is sent beside the text.
+ * @param {(sentence: string) => void} refuse
  */
-export function draggingIn(view, { given, moved, refuse }) {
+export function draggingIn(view, given, refuse) {
   let busy = false;
   /** @type {Move | null} */
   let next = null;
@@ -22,7 +24,7 @@ export function draggingIn(view, { given, moved, refuse }) {
     try {
       const found = await post("/api/drag", { ...given(), text: doc.toString(), joint, place, free });
       refuse(found.sentence ?? "");
-      if (found.text && edited(view, doc, found, "input.type.move") !== null) moved();
+      if (found.text) edited(view, doc, found, MOVE);
     } catch (error) {
       if (error instanceof Refused && error.status !== 429) refuse(error.message);
     }

@@ -12,7 +12,9 @@ import { changes } from "./places.js";
 
 const PHRASES = ["Find", "Replace", "next", "previous", "all", "match case", "regexp", "by word", "replace", "replace all", "close"];
 
-const MOVE = "input.type.move", GESTURE = 3000, TYPING = 500; // ms within which changes are undone as one
+/** What a slider or a joint does to the text. */
+export const MOVE = "input.type.move";
+const GESTURE = 3000, TYPING = 500; // ms within which changes are undone as one
 /** What a hand moves in one gesture is undone as one, however many answers it had; typing as everywhere. */
 function undoing() {
   let kind = "", at = 0;
