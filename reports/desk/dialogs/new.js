@@ -79,7 +79,7 @@ export async function openNew(host, desk) {
     get(`/api/catalogue?language=${language}`).then(fill),
     get(`/api/pieces?language=${language}`).then((/** @type {Piece[]} */ found) => pieces.replaceChildren(...found.map((piece) =>
       make("button", { type: "button", className: "card", "data-piece": piece.kind, onclick: () => hang(piece) },
-        piece.svg ? picture(piece.svg, piece.title) : null, make("b", {}, piece.title))))),
+        moving(piece.svg, piece.title), make("b", {}, piece.kind), make("span", {}, piece.title))))),
   ]);
 }
 
@@ -112,14 +112,17 @@ async function hangPiece(piece, desk) {
     const select = make("select", { id: `desk-on-${key}` }, ...points.map((name) => make("option", {}, name)));
     return { label: make("label", { for: select.id }, means), select };
   });
-  for (const [k, { select }] of fields.entries()) select.selectedIndex = Math.min(k, points.length - 1);
+  // What came last into the text is what one builds on.
+  for (const [k, { select }] of fields.entries()) select.selectedIndex = Math.max(0, points.length - fields.length + k);
   const why = make("output", {});
   const form = make("form", { className: "line" }, ...fields.flatMap(({ label, select }) => [label, select]), make("button", { className: "main" }, say("add_piece")), why);
-  const { dialog } = openDialog(document.body, piece.title, [piece.svg ? picture(piece.svg, piece.title) : "", form]);
+  const { dialog } = openDialog(document.body, piece.title, [make("div", { className: "piece" }, picture(piece.svg, piece.title)), form]);
   form.addEventListener("submit", async (event) => {
     event.preventDefault();
     try {
       const found = await post("/api/piece", { ...desk.given(), text, kind: piece.kind, on: fields.map(({ select }) => select.value) });
+      why.textContent = found.sentence ?? found.faults?.[0]?.sentence ?? "";
+      if (why.textContent) return;
       dialog.close();
       const from = edited(desk.view, doc, found, "input.desk");
       if (from !== null) desk.view.dispatch({ selection: { anchor: from }, scrollIntoView: true });

@@ -29,6 +29,16 @@ function undoing() {
   ];
 }
 
+/** A letter typed over a selection: left to the browser, it would keep the colours that stood there as a style, which the policy forbids. */
+const typedOver = EditorView.domEventHandlers({
+  beforeinput(event, view) {
+    if (event.inputType !== "insertText" || event.isComposing || !event.data || view.state.selection.main.empty) return false;
+    view.dispatch(view.state.replaceSelection(event.data), { userEvent: "input.type", scrollIntoView: true });
+    event.preventDefault();
+    return true;
+  },
+});
+
 /**
  * @typedef {{nonce: string, extensions: import("@codemirror/state").Extension[], save: () => void,
  *   changed: (update: import("@codemirror/view").ViewUpdate) => void}} Wanted
@@ -54,7 +64,7 @@ export function editorIn(place, { nonce, extensions, save, changed }) {
         EditorView.cspNonce.of(nonce),
         lit.of(light()),
         spoken.of(words()),
-        lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), undoing(), drawSelection(), bracketMatching(),
+        lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), undoing(), typedOver, drawSelection(), bracketMatching(),
         highlightActiveLine(), highlightSelectionMatches(), search({ top: true }),
         variantLanguage, syntaxHighlighting(classHighlighter),
         EditorView.lineWrapping,
