@@ -8,6 +8,8 @@ import pytest
 
 from coursework.api import solve
 from coursework.desk.job import Policy
+from coursework.equations.reduction import structure
+from coursework.equations.reduction.equations import differentiate
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
 from coursework.variant.reading.reader import parse_variant
@@ -112,3 +114,15 @@ def test_other_shapes_are_refused_with_their_status(client, body, status):
     answer = client.post("/api/page", content=body)
     assert answer.status_code == status
     assert status == 200 or answer.json()["sentence"].endswith(".")
+
+
+def test_other_numbers_compile_no_structure_again(client, monkeypatch):
+    made = []
+    monkeypatch.setattr(structure, "differentiate", lambda mechanism: made.append(mechanism) or differentiate(mechanism))
+    structure.forget_structures()
+    for number in range(3):
+        for name in ("31", "v101"):
+            text = (VARIANTS / f"{name}.toml").read_text(encoding="utf-8").replace("4.5 m/s", f"4.{number} m/s")
+            assert client.post("/api/check", json={"text": text + f"\n# {number}\n"}).json()["faults"] == []
+    assert len(made) == 2
+    assert structure.MOST_KEPT >= 32

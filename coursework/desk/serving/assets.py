@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import re
 import secrets
 from collections.abc import Mapping
 from functools import lru_cache
@@ -28,6 +29,7 @@ TYPES = {
     ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".json": "application/json", ".txt": "text/plain",
     ".png": "image/png", ".woff2": "font/woff2",
 }  # fmt: skip
+_NAME = r"[\w./-]{1,200}"
 _TEXTS = {".js", ".css", ".svg", ".json", ".txt"}
 SHELL = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'nonce-{nonce}'; img-src 'self' data: blob:; connect-src 'self'; "
@@ -79,8 +81,8 @@ def _page(template: str, policy: str, root: str, **content: Any) -> Response:
 def _path(name: str) -> Path:
     """Return the path of a file of the desk.  Raises `Refused` for any other."""
     place = (folder(REPORTS) / PLACE).resolve()
-    path = (place / name).resolve()
-    if "\0" in name or not path.is_relative_to(place) or path.suffix not in TYPES or not path.is_file():
+    path = (place / name).resolve() if re.fullmatch(_NAME, name) else place
+    if not path.is_relative_to(place) or path.suffix not in TYPES or not path.is_file():
         raise Refused(NOT_THERE, say("desk.no_file", name=name[:60]))
     return path
 

@@ -54,6 +54,7 @@ class Wish:
 
 def serve(wish: Wish, tell: Callable[[str], None]) -> None:
     """Answer until Ctrl-C, which becomes `KeyboardInterrupt`; `tell` says what a person should know on standard error."""
+    begin = opened(wish.name, wish.folder)
     sockets, port = bound(wish.host, wish.port)
     if wish.port not in {0, port}:
         tell(say("desk.port_taken", wished=wish.port, port=port))
@@ -62,7 +63,7 @@ def serve(wish: Wish, tell: Callable[[str], None]) -> None:
     hosts = (*(host.lower() for host in wish.hosts), *(f"{_bracketed(name)}:{port}" for name in named))
     gate = Gate(port, secret, hosts, wish.root_path, wish.proxied, None if wish.folder else Limits())
     workers = wish.workers or min(os.cpu_count() or 1, MOST_WORKERS)
-    plan = Plan(gate, wish.bounds, workers, wish.folder, opened(wish.name, wish.folder), wish.policy, wish.language)
+    plan = Plan(gate, wish.bounds, workers, wish.folder, begin, wish.policy, wish.language)
     shown = HERE if wish.host in {"", "0.0.0.0", "::"} else _bracketed(wish.host)
     address = f"http://{shown}:{port}{wish.root_path}/" + (f"?secret={secret}" if secret else "")
     sys.stdout.write(address + "\n")
