@@ -27,33 +27,35 @@ const topmost = () => {
 let sources = new Map();
 let style = "", script = "";
 
-/** Run the page's script: what it hears of the window is let go of when the next one comes.
- * @type {[string, EventListenerOrEventListenerObject][]} */
-let heard = [];
+/** The page's script has the window's clocks and events from here: when the next page comes they stand still for it.
+ * @param {AbortSignal} over
+ * @param {(() => void)[]} furnish What waits until the page is there. */
+const lent = (over, furnish) => ({
+  setTimeout: (/** @type {() => void} */ act, /** @type {number} */ wait) => setTimeout(() => over.aborted || act(), wait),
+  setInterval: (/** @type {() => void} */ act, /** @type {number} */ wait) => setInterval(() => over.aborted || act(), wait),
+  requestAnimationFrame: (/** @type {FrameRequestCallback} */ act) => requestAnimationFrame((stamp) => over.aborted || act(stamp)),
+  addEventListener: (/** @type {string} */ kind, /** @type {() => void} */ act) =>
+    kind === "DOMContentLoaded" ? furnish.push(act) : addEventListener(kind, act, { signal: over }),
+});
+let running = new AbortController();
 /** @param {Document} page */
 const runScript = (page) => {
-  for (const [kind, listener] of heard) removeEventListener(kind, listener);
-  heard = [];
+  running.abort();
+  running = new AbortController();
   const data = page.querySelector("script#coursework"), code = page.querySelector("script:not([type])");
   for (const old of document.querySelectorAll("script[data-page]")) old.remove();
   document.documentElement.classList.remove("live-on");
   if (!data || !code) return;
+  /** @type {(() => void)[]} */
+  const furnish = [];
   const numbers = Object.assign(document.createElement("script"), { type: "application/json", id: "coursework", textContent: data.textContent });
-  const running = Object.assign(document.createElement("script"), { nonce, textContent: code.textContent });
-  for (const one of [numbers, running]) one.dataset.page = "";
-  document.body.append(numbers);
-  const listen = window.addEventListener;
-  window.addEventListener = (/** @type {string} */ kind, /** @type {EventListenerOrEventListenerObject} */ listener) => {
-    heard.push([kind, listener]);
-    listen.call(window, kind, listener);
-  };
-  try {
-    document.body.append(running);
-  } finally {
-    window.addEventListener = listen;
-  }
-  // The page is there already: what waits for that is told at once.
-  for (const [kind, listener] of heard) if (kind === "DOMContentLoaded" && typeof listener === "function") listener.call(window, new Event(kind));
+  const names = Object.keys(lent(running.signal, furnish)).join(", ");
+  const moving = Object.assign(document.createElement("script"), { nonce, textContent: `(({ ${names} }) => { ${code.textContent}\n})(lent);` });
+  for (const one of [numbers, moving]) one.dataset.page = "";
+  Object.assign(window, { lent: lent(running.signal, furnish) });
+  document.body.append(numbers, moving);
+  Reflect.deleteProperty(window, "lent");
+  for (const act of furnish) act();
 };
 
 /** Show a page; returns the names of the parts that were made anew.
