@@ -32,7 +32,6 @@ from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
 from coursework.grading.reading.submission import Submission
 from coursework.system.lock import held, refuse_link
 from coursework.system.pool import Worker
-from coursework.system.whole_files import clear_leftovers
 from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError
 from coursework.words.sentences import joined, say
@@ -75,7 +74,6 @@ def grade_source(
             Journal(out) as journal,
             click.progressbar(length=len(listed.places), label=in_language(say("screen.progress.grade")), width=30) as bar,
         ):
-            clear_leftovers(out)
             graded = grade_class(
                 listed, opened, setup, journal, out, Options(jobs, scheduler, limit), decided, lambda: bar.update(1)
             )

@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.system.whole_files import refused, take_lock
+from coursework.system.whole_files import clear_leftovers, refused, take_lock
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 
@@ -24,8 +24,11 @@ _FAR = 2**30  # Windows locks bytes; this one is beyond what is read
 
 
 @contextmanager
-def held(folder: Path, patience: float = 0.0) -> Iterator[None]:
-    """Hold a folder while something is written into it.  Raises `OutputError` where another process does for `patience` s."""
+def held(folder: Path, patience: float = 0.0, *, own: bool = True) -> Iterator[None]:
+    """Hold a folder while something is written into it.  Raises `OutputError` where another process does for `patience` s.
+
+    A folder of our `own`, into which nobody else writes, is cleared of what a process that was killed had begun.
+    """
     path = folder / NAME
     refuse_link(path)
     with refused(path):
@@ -34,6 +37,8 @@ def held(folder: Path, patience: float = 0.0) -> Iterator[None]:
         file.seek(0)
         file.truncate()
         file.write(str(os.getpid()).encode("ascii"))
+        if own:
+            clear_leftovers(folder)
         yield
     finally:
         with suppress(OSError):  # Windows removes no open file

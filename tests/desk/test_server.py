@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import json
 import os
@@ -15,7 +16,11 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+import uvicorn
+from uvicorn.server import ServerState
 
+from coursework.desk.serving import server as server_module
+from coursework.desk.serving.server import Impatient
 from tests.desk.desks import TEXT
 from tests.desk.server import Server, running
 
@@ -166,3 +171,21 @@ def test_a_full_disk_leaves_the_file_as_it_was_and_says_so(tmp_path):
     finally:
         process.kill()
         process.communicate()
+
+
+def test_a_line_without_a_request_is_closed(monkeypatch):
+    monkeypatch.setattr(server_module, "SILENCE", 0.05)
+
+    async def opened() -> bytes:
+        config = uvicorn.Config(lambda *_: None, lifespan="off")
+        config.load()
+        state = ServerState()
+        listening = await asyncio.get_running_loop().create_server(lambda: Impatient(config, state, {}), "127.0.0.1", 0)
+        async with listening:
+            reader, writer = await asyncio.open_connection(*listening.sockets[0].getsockname())
+            writer.write(b"GET /health HTTP/1.1\r\nHost:")
+            found = await asyncio.wait_for(reader.read(), 30)
+            writer.close()
+        return found
+
+    assert asyncio.run(opened()) == b""

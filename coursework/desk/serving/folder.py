@@ -122,7 +122,7 @@ class Folder:
     def _at_rest(self, name: str, seen: str | None) -> Iterator[None]:
         """Hold the folder while a file is the one that was seen.  Raises `Stale` where it is another."""
         self.read(name)
-        with held(self.path, PATIENCE):
+        with held(self.path, PATIENCE, own=False):
             there = self.read(name)
             if (None if there is None else etag_of(there)) != seen:
                 raise Stale(there)

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from coursework.desk.job import Bounds, Policy
 from coursework.desk.serving.application import Application, Plan
@@ -31,7 +32,21 @@ MOST_WORKERS = 4
 TRIED = 50  # ports from the one that was wished
 LEAVING = 1  # s that a connection has to end by itself
 MOST_CONNECTIONS = 500
+SILENCE = 20.0  # s from the opening of a line to the end of the head of a request
 HERE = "127.0.0.1"
+
+
+class Impatient(H11Protocol):
+    """A line on which no request has come in time is closed: whoever opens many and is silent takes nobody's place."""
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Begin to wait for a request."""
+        super().connection_made(transport)
+        self.loop.call_later(SILENCE, self._look)
+
+    def _look(self) -> None:
+        if self.cycle is None:
+            self.transport.close()
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +86,7 @@ def serve(wish: Wish, tell: Callable[[str], None]) -> None:
     if wish.host:
         tell(say("desk.open_to_others", host=wish.host))
     config = uvicorn.Config(
-        Application(plan).asgi(), lifespan="on", ws="none", http="h11", log_level="critical", access_log=False,
+        Application(plan).asgi(), lifespan="on", ws="none", http=Impatient, log_level="critical", access_log=False,
         server_header=False, proxy_headers=False, limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=LEAVING,
     )  # fmt: skip
     if wish.browser:
