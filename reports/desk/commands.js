@@ -16,7 +16,8 @@ import { forgetAll } from "./work/store.js";
 /**
  * @typedef {{
  *   config: Config, works: Works, view: EditorView, given: () => object,
- *   settings: ReturnType<typeof import("./settings.js").settingsIn>, saving: ReturnType<typeof import("./work/saving.js").savingIn>,
+ *   settings: ReturnType<typeof import("./settings.js").settingsIn>,
+ *   saving: ReturnType<typeof import("./work/saving.js").savingIn>,
  *   notices: ReturnType<typeof import("./notices.js").noticesIn>,
  * }} Desk
  */
@@ -26,7 +27,8 @@ export function commandsIn(desk) {
   const { view, saving, notices } = desk;
 
   /** @param {unknown} error */
-  const refused = (error) => notices.show("refused", error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message);
+  const refused = (error) =>
+    notices.show("refused", error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message);
   /**
    * @param {string} id
    * @param {(host: HTMLElement) => unknown} act
@@ -63,7 +65,13 @@ export function commandsIn(desk) {
   });
 
   // F6 goes from part to part, as in any desktop program.
-  const parts = [view.contentDOM, found("desk-faults", HTMLElement), found("desk-data", HTMLElement), found("desk-page", HTMLElement), found("desk-bar", HTMLElement)];
+  const parts = [
+    view.contentDOM,
+    found("desk-faults", HTMLElement),
+    found("desk-data", HTMLElement),
+    found("desk-page", HTMLElement),
+    found("desk-bar", HTMLElement),
+  ];
   addEventListener("keydown", (event) => {
     if (event.key === "s" && (event.ctrlKey || event.metaKey) && !event.altKey) {
       event.preventDefault();
@@ -74,7 +82,10 @@ export function commandsIn(desk) {
     const at = parts.findIndex((part) => part.contains(document.activeElement));
     for (let k = 1; k <= parts.length; k++) {
       const part = parts[(at + (event.shiftKey ? -k : k) + 2 * parts.length) % parts.length];
-      const inside = part === view.contentDOM || part instanceof HTMLIFrameElement ? part : part?.querySelector(/** @type {"button"} */ ("button, summary, a, input"));
+      const inside =
+        part === view.contentDOM || part instanceof HTMLIFrameElement
+          ? part
+          : part?.querySelector(/** @type {"button"} */ ("button, summary, a, input"));
       if (!(inside instanceof HTMLElement) || !inside.checkVisibility()) continue;
       inside.focus();
       return;

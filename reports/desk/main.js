@@ -31,9 +31,11 @@ standBehind(config.root);
 speakIn(config.language);
 speak(config.words);
 
-const state = stateIn(found("desk-state", HTMLOutputElement)), notices = noticesIn(found("desk-notices", HTMLElement));
+const state = stateIn(found("desk-state", HTMLOutputElement)),
+  notices = noticesIn(found("desk-notices", HTMLElement));
 const works = config.mode === "edit" ? folderWorks() : browserWorks();
-const frame = found("desk-page", HTMLIFrameElement), faults = found("desk-faults", HTMLElement);
+const frame = found("desk-page", HTMLIFrameElement),
+  faults = found("desk-faults", HTMLElement);
 const settings = settingsIn(config, () => ask());
 
 const view = editorIn(found("desk-text", HTMLElement), {
@@ -54,7 +56,10 @@ const BY_HAND = [MOVE, "input.desk", "input.mend"];
 const text = () => view.state.doc.toString();
 
 // What was asked about, what was changed in it since, and the page whose showing is waited for.
-let doc = view.state.doc, since = ChangeSet.empty(doc.length), study = false, showing = 0;
+let doc = view.state.doc,
+  since = ChangeSet.empty(doc.length),
+  study = false,
+  showing = 0;
 
 const asks = asking({
   body() {
@@ -71,7 +76,8 @@ const asks = asking({
 });
 /** What goes beside a text in every question: its name, how it shall be computed, the tables of this browser. */
 function given() {
-  const tables = works.tables(), { name } = saving;
+  const tables = works.tables(),
+    { name } = saving;
   return { ...settings.given(), ...(name && { name }), ...(tables && { tables }) };
 }
 /** Ask at once: something was moved or chosen. */
@@ -88,7 +94,8 @@ function answered(answer) {
   state.set({ unreachable: null, faults: answer.faults.length });
   if (answer.page !== null) showing = page.show(answer.page, Boolean(answer.later?.length));
   else settle();
-  const first = answer.faults[0], pale = found("desk-pale", HTMLElement);
+  const first = answer.faults[0],
+    pale = found("desk-pale", HTMLElement);
   frame.classList.toggle("pale", Boolean(first));
   pale.hidden = !first || !page.html;
   pale.textContent = first ? say("pale", { sentence: first.sentence }) : "";
@@ -124,7 +131,10 @@ const page = pageIn(frame, spoken, {
 });
 const data = dataIn(found("desk-data", HTMLElement), view);
 const saving = savingIn({
-  works, view, state, notices,
+  works,
+  view,
+  state,
+  notices,
   named(name) {
     if (name) keep("last", name);
     found("desk-name", HTMLElement).textContent = name || say("unnamed");

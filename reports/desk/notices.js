@@ -23,8 +23,14 @@ export function noticesIn(place) {
      * @param {Record<string, () => void>} [answers] What its buttons do, by their words; each drops the sentence.
      */
     show(key, sentence, answers = {}) {
-      const buttons = Object.entries(answers).map(([text, act]) => make("button", { type: "button", onclick: () => (drop(key), act()) }, text));
-      const close = make("button", { type: "button", className: "close", "aria-label": say("close"), onclick: () => drop(key) }, "×");
+      const buttons = Object.entries(answers).map(([text, act]) =>
+        make("button", { type: "button", onclick: () => (drop(key), act()) }, text),
+      );
+      const close = make(
+        "button",
+        { type: "button", className: "close", "aria-label": say("close"), onclick: () => drop(key) },
+        "×",
+      );
       const notice = make("p", { "data-notice": key }, make("span", {}, sentence), ...buttons, close);
       const old = shown.get(key);
       if (old) old.replaceWith(notice);

@@ -12,7 +12,9 @@ import { keep, kept } from "./work/store.js";
  * @param {() => void} changed
  */
 export function settingsIn(config, changed) {
-  const language = found("desk-language", HTMLSelectElement), scheme = found("desk-scheme", HTMLSelectElement), step = found("desk-step", HTMLInputElement);
+  const language = found("desk-language", HTMLSelectElement),
+    scheme = found("desk-scheme", HTMLSelectElement),
+    step = found("desk-step", HTMLInputElement);
   let spoken = config.language;
 
   async function translate() {
@@ -21,7 +23,10 @@ export function settingsIn(config, changed) {
     const other = /** @type {Config} */ (JSON.parse(page.getElementById("desk-config")?.textContent ?? "{}"));
     spoken = document.documentElement.lang = language.value;
     speakIn(spoken);
-    scheme.replaceChildren(make("option", { value: "" }), ...other.schemes.map(([value, text]) => make("option", { value, textContent: text, selected: value === scheme.value })));
+    scheme.replaceChildren(
+      make("option", { value: "" }),
+      ...other.schemes.map(([value, text]) => make("option", { value, textContent: text, selected: value === scheme.value })),
+    );
     speak(other.words);
     changed();
   }
@@ -46,7 +51,11 @@ export function settingsIn(config, changed) {
     /** What is sent beside a text. */
     given() {
       const chosen = { language: spoken };
-      return { ...chosen, ...(scheme.value && { scheme: scheme.value }), ...(step.value.trim() && { step: step.value.trim() }) };
+      return {
+        ...chosen,
+        ...(scheme.value && { scheme: scheme.value }),
+        ...(step.value.trim() && { step: step.value.trim() }),
+      };
     },
   };
 }

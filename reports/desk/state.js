@@ -2,7 +2,7 @@
 
 import { followWords, say } from "./words.js";
 
-/** @typedef {{unreachable: string | null, faults: number, computing: boolean, file: "saved" | "changed" | "conflict", fresh: boolean}} State */
+/** @import { State } from "./types" */
 
 /** @param {HTMLElement} place */
 export function stateIn(place) {

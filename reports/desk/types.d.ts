@@ -14,10 +14,12 @@ export interface Datum {
   low: number; high: number; step: number; text: string; place: Span | null;
 }
 export interface Answer {
-  faults: Fault[]; summary: string | null; page: string | null; remarks?: Remark[]; data?: Datum[]; equations?: Verdict[]; later?: string[];
+  faults: Fault[]; summary: string | null; page: string | null; remarks?: Remark[]; data?: Datum[];
+  equations?: Verdict[]; later?: string[];
 }
 export interface Ask {
-  text: string; language: string; name?: string; scheme?: string; step?: string; tables?: Record<string, string>; study?: boolean;
+  text: string; language: string; name?: string; scheme?: string; step?: string; tables?: Record<string, string>;
+  study?: boolean;
 }
 export interface Policy { equations: boolean; exact: boolean; formats: string[] }
 export interface Config {
@@ -48,9 +50,11 @@ export interface Works {
 export interface CatalogueEntry { name: string; title: string; teaches: string; links: number; groups: string[]; svg: string }
 export interface Piece { kind: string; title: string; svg: string; asks: { key: string; means: string }[] }
 export interface Key { name: string; means: string }
-/** A table of a text, once or `several` times; `named` where a person chooses its keys.  Without keys it is a key at the top. */
-export interface Section extends Key { keys: Key[]; several: boolean; named: boolean }
-export interface Keys { sections: Section[]; functions: string[]; units: string[]; quantities: Key[]; schemes: Key[]; kinds: Key[] }
+/** A table of a text, once or `many` times; `named` where a person chooses its keys.  Without keys it is a key at the top. */
+export interface Section extends Key { keys: Key[]; many: boolean; named: boolean }
+export interface Keys {
+  sections: Section[]; functions: string[]; units: string[]; quantities: Key[]; schemes: Key[]; kinds: Key[]
+}
 /** What the frame tells the shell; nothing in it is trusted. */
 export type Told =
   | { kind: "ready" } | { kind: "shown"; id: number } | { kind: "later" }
@@ -60,3 +64,16 @@ export type Told =
 export interface Joint { joint: string; at: [number, number]; mm: number; svg: SVGSVGElement; ring: SVGCircleElement }
 /** A joint while it is dragged: the sheet as it was when the hand took it. */
 export interface Held { name: string; origin: number[]; mm: number; box: number[]; width: number; matrix: DOMMatrix }
+/** A fault where it is in the editor now. */
+export interface PlacedFault {
+  from: number; to: number; line: number; column: number; sentence: string; mend: { from: number; to: number;
+  insert: string } | null;
+}
+/** The controls of one datum. */
+export interface DatumRow {
+  row: HTMLElement; slider: HTMLInputElement; field: HTMLInputElement; unit: HTMLElement; datum: Datum
+}
+/** What the bar says; `fresh` where nothing is saved under the name yet. */
+export interface State {
+  unreachable: string | null; faults: number; computing: boolean; file: "saved" | "changed" | "conflict"; fresh: boolean;
+}

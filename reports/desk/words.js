@@ -19,8 +19,10 @@ export const spoken = () => words;
 /** @param {Record<string, string>} others */
 export function speak(others) {
   words = others;
-  for (const place of document.querySelectorAll("[data-word]")) place.textContent = say(/** @type {HTMLElement} */ (place).dataset.word ?? "");
-  for (const place of document.querySelectorAll("[data-label]")) place.setAttribute("aria-label", say(/** @type {HTMLElement} */ (place).dataset.label ?? ""));
+  for (const place of document.querySelectorAll("[data-word]"))
+    place.textContent = say(/** @type {HTMLElement} */ (place).dataset.word ?? "");
+  for (const place of document.querySelectorAll("[data-label]"))
+    place.setAttribute("aria-label", say(/** @type {HTMLElement} */ (place).dataset.label ?? ""));
   for (const follow of followers) follow();
 }
 

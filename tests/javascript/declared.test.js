@@ -9,7 +9,23 @@ const TEXT = readFileSync(new URL("../../variants/31.toml", import.meta.url), "u
 
 test("names and points of a whole file", () => {
   const { names, points } = declaredIn(TEXT);
-  assert.deepEqual([...names.keys()].sort(), ["V1", "VMx", "VMy", "alpha", "p", "phi1", "phi2", "phi3", "r1", "r2", "r3", "w1", "w2", "w3", "w4"]);
+  assert.deepEqual([...names.keys()].sort(), [
+    "V1",
+    "VMx",
+    "VMy",
+    "alpha",
+    "p",
+    "phi1",
+    "phi2",
+    "phi3",
+    "r1",
+    "r2",
+    "r3",
+    "w1",
+    "w2",
+    "w3",
+    "w4",
+  ]);
   assert.equal(names.get("w1"), "rate");
   assert.equal(names.get("w4"), "unknowns");
   assert.deepEqual([...points], ["D", "A", "B", "M", "C", "P"]);

@@ -8,7 +8,10 @@ import { change, changes, extent, offset, written } from "../../reports/desk/tex
 const textOf = (whole) => {
   const lines = whole.split("\n");
   const from = (number) => lines.slice(0, number - 1).reduce((sum, line) => sum + line.length + 1, 0);
-  return { lines: lines.length, line: (number) => ({ from: from(number), text: lines[number - 1], length: lines[number - 1].length }) };
+  return {
+    lines: lines.length,
+    line: (number) => ({ from: from(number), text: lines[number - 1], length: lines[number - 1].length }),
+  };
 };
 const DOC = textOf('[given]\nr1 = "0.953 kg"  # 𝜑 DA\n  phi1 = ph3');
 
@@ -28,7 +31,8 @@ test("what lies outside is moved inside", () => {
 
 test("a fault underlines the word, the sign, what is in quotes, or its line", () => {
   const taken = (line, column) => {
-    const { from, to } = extent(DOC, line, column), start = DOC.line(line).from;
+    const { from, to } = extent(DOC, line, column),
+      start = DOC.line(line).from;
     return DOC.line(line).text.slice(from - start, to - start);
   };
   assert.equal(taken(2, 6), '"0.953 kg"');
@@ -41,7 +45,14 @@ test("a fault underlines the word, the sign, what is in quotes, or its line", ()
 
 test("one change makes one text the other", () => {
   assert.equal(change("same", "same"), null);
-  for (const [before, after] of [["aXb", "aYb"], ["", "new"], ["gone", ""], ["aa", "aaa"], ["aaa", "aa"], ["0.953 m", "0.96 m"]]) {
+  for (const [before, after] of [
+    ["aXb", "aYb"],
+    ["", "new"],
+    ["gone", ""],
+    ["aa", "aaa"],
+    ["aaa", "aa"],
+    ["0.953 m", "0.96 m"],
+  ]) {
     const { from, to, insert } = change(before, after);
     assert.equal(before.slice(0, from) + insert + before.slice(to), after);
   }
@@ -49,9 +60,22 @@ test("one change makes one text the other", () => {
 });
 
 test("texts of as many lines are changed line by line", () => {
-  const made = (before, after) => changes(before, after).reduceRight((text, { from, to, insert }) => text.slice(0, from) + insert + text.slice(to), before);
-  for (const [before, after] of [["a\nb\nc", "x\nb\ny"], ["a\nb", "a\nb"], ["a\nb", "a\nb\nc"], ["", "\n"]]) assert.equal(made(before, after), after);
-  assert.deepEqual(changes("a = 1\nb = 2\nc = 3", "a = 4\nb = 2\nc = 5").map(({ from, to }) => [from, to]), [[4, 5], [16, 17]]);
+  const made = (before, after) =>
+    changes(before, after).reduceRight((text, { from, to, insert }) => text.slice(0, from) + insert + text.slice(to), before);
+  for (const [before, after] of [
+    ["a\nb\nc", "x\nb\ny"],
+    ["a\nb", "a\nb"],
+    ["a\nb", "a\nb\nc"],
+    ["", "\n"],
+  ])
+    assert.equal(made(before, after), after);
+  assert.deepEqual(
+    changes("a = 1\nb = 2\nc = 3", "a = 4\nb = 2\nc = 5").map(({ from, to }) => [from, to]),
+    [
+      [4, 5],
+      [16, 17],
+    ],
+  );
 });
 
 test("a number keeps the decimals of the file and has no sign where it is nought", () => {

@@ -18,19 +18,32 @@ export function compared(name, mine, theirs, nonce) {
     /** @type {"mine" | "theirs" | null} */
     let choice = null;
     /** @param {"mine" | "theirs"} one */
-    const button = (one) => make("button", { type: "button", className: "main", "data-choice": one, onclick: () => ((choice = one), dialog.close()) }, say(`keep_${one}`));
+    const button = (one) =>
+      make(
+        "button",
+        { type: "button", className: "main", "data-choice": one, onclick: () => ((choice = one), dialog.close()) },
+        say(`keep_${one}`),
+      );
     const place = make("div", { className: "merge" });
     const heads = make("div", { className: "heads" }, make("h3", {}, say("mine")), make("h3", {}, say("theirs")));
     const row = make("p", { className: "row" }, button("mine"), button("theirs"));
     const { dialog } = openDialog(document.body, say("conflict", { name }), [row, heads, place], { wide: true });
     /** @param {string} label */
     const extensions = (label) => [
-      EditorView.cspNonce.of(nonce), EditorState.readOnly.of(true), EditorState.phrases.of({ "$ unchanged lines": say("unchanged") }), lineNumbers(), EditorView.lineWrapping,
-      variantLanguage, syntaxHighlighting(classHighlighter), EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
+      EditorView.cspNonce.of(nonce),
+      EditorState.readOnly.of(true),
+      EditorState.phrases.of({ "$ unchanged lines": say("unchanged") }),
+      lineNumbers(),
+      EditorView.lineWrapping,
+      variantLanguage,
+      syntaxHighlighting(classHighlighter),
+      EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
     ];
     const merge = new MergeView({
-      parent: place, collapseUnchanged: { margin: 3, minSize: 6 },
-      a: { doc: mine, extensions: extensions(say("mine")) }, b: { doc: theirs, extensions: extensions(say("theirs")) },
+      parent: place,
+      collapseUnchanged: { margin: 3, minSize: 6 },
+      a: { doc: mine, extensions: extensions(say("mine")) },
+      b: { doc: theirs, extensions: extensions(say("theirs")) },
     });
     dialog.addEventListener("close", () => (merge.destroy(), answer(choice)));
   });

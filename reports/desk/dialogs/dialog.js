@@ -11,9 +11,18 @@ import { say } from "../words.js";
  */
 export function openDialog(host, title, inside, { wide = false } = {}) {
   const head = make("h2", { id: "desk-dialog-title" }, title);
-  const close = make("button", { type: "button", className: "close", "aria-label": say("close"), onclick: () => dialog.close() }, "×");
+  const close = make(
+    "button",
+    { type: "button", className: "close", "aria-label": say("close"), onclick: () => dialog.close() },
+    "×",
+  );
   const body = make("div", { className: "body" }, ...inside);
-  const dialog = make("dialog", { "aria-labelledby": "desk-dialog-title", className: wide ? "wide" : "" }, make("div", { className: "head" }, head, close), body);
+  const dialog = make(
+    "dialog",
+    { "aria-labelledby": "desk-dialog-title", className: wide ? "wide" : "" },
+    make("div", { className: "head" }, head, close),
+    body,
+  );
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   dialog.addEventListener("close", () => dialog.remove());
   host.append(dialog);
@@ -30,9 +39,24 @@ export function askLine({ title, label, value, verb, refuses }) {
   return new Promise((answer) => {
     /** @type {string | null} */
     let given = null;
-    const field = make("input", { type: "text", value, maxLength: 60, autocomplete: "off", spellcheck: false, id: "desk-line", "aria-describedby": "desk-line-why" });
+    const field = make("input", {
+      type: "text",
+      value,
+      maxLength: 60,
+      autocomplete: "off",
+      spellcheck: false,
+      id: "desk-line",
+      "aria-describedby": "desk-line-why",
+    });
     const why = make("output", { id: "desk-line-why" });
-    const form = make("form", { className: "line" }, make("label", { for: "desk-line" }, label), field, make("button", { className: "main" }, verb), why);
+    const form = make(
+      "form",
+      { className: "line" },
+      make("label", { for: "desk-line" }, label),
+      field,
+      make("button", { className: "main" }, verb),
+      why,
+    );
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       const text = field.value.trim();

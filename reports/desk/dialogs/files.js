@@ -42,16 +42,29 @@ export async function openFiles({ works, saving, view }) {
     if (other && other !== name) await done(() => act(other));
   }
   async function fill() {
-    const entries = await works.list(), known = new Set(entries.map((one) => one.name));
+    const entries = await works.list(),
+      known = new Set(entries.map((one) => one.name));
     // What was typed under a name and never saved is in this browser alone.
     const drafts = keptNames("draft.").filter((name) => name && !known.has(name));
     list.replaceChildren(...entries.map(entry), ...drafts.map(draft));
     if (!list.children.length) list.replaceChildren(make("li", {}, say("no_files")));
   }
   /** @param {string} name */
-  const draft = (name) => make("li", { "data-name": name }, make("button", {
-    type: "button", className: "name", onclick: () => (dialog.close(), name !== saving.name && saving.begin(name, "", null), view.focus()),
-  }, name), make("span", {}, say("state_new")));
+  const draft = (name) =>
+    make(
+      "li",
+      { "data-name": name },
+      make(
+        "button",
+        {
+          type: "button",
+          className: "name",
+          onclick: () => (dialog.close(), name !== saving.name && saving.begin(name, "", null), view.focus()),
+        },
+        name,
+      ),
+      make("span", {}, say("state_new")),
+    );
   /** @param {Entry} entry */
   function entry({ name, etag, deleted }) {
     const mine = !deleted && name === saving.name;
@@ -59,20 +72,38 @@ export async function openFiles({ works, saving, view }) {
      * @param {string} key
      * @param {() => unknown} act
      */
-    const button = (key, act) => make("button", { type: "button", "data-act": key, "aria-label": `${say(key)}: ${name}`, onclick: () => void act() }, say(key));
-    if (deleted) return make("li", { className: "deleted", "data-name": name }, make("span", {}, name), button("restore", () => done(() => works.restore(name))));
-    return make("li", { "data-name": name, ...(mine && { "aria-current": "true" }) },
+    const button = (key, act) =>
+      make(
+        "button",
+        { type: "button", "data-act": key, "aria-label": `${say(key)}: ${name}`, onclick: () => void act() },
+        say(key),
+      );
+    if (deleted)
+      return make(
+        "li",
+        { className: "deleted", "data-name": name },
+        make("span", {}, name),
+        button("restore", () => done(() => works.restore(name))),
+      );
+    return make(
+      "li",
+      { "data-name": name, ...(mine && { "aria-current": "true" }) },
       make("button", { type: "button", className: "name", onclick: () => void open(name) }, name),
-      button("rename", () => otherName(name, say("rename"), async (other) => {
-        if (mine && saving.unsaved) await saving.save();
-        await works.rename(name, other);
-        if (mine) await open(other);
-      })),
+      button("rename", () =>
+        otherName(name, say("rename"), async (other) => {
+          if (mine && saving.unsaved) await saving.save();
+          await works.rename(name, other);
+          if (mine) await open(other);
+        }),
+      ),
       button("duplicate", () => otherName(name, say("duplicate"), (other) => works.duplicate(name, other))),
-      button("remove", () => done(async () => {
-        await works.remove(name, etag);
-        if (mine) saving.begin(name, view.state.doc.toString(), null);
-      })));
+      button("remove", () =>
+        done(async () => {
+          await works.remove(name, etag);
+          if (mine) saving.begin(name, view.state.doc.toString(), null);
+        }),
+      ),
+    );
   }
   await fill();
 }

@@ -20,9 +20,18 @@ export async function openNew(host, desk) {
   const pieces = make("div", { className: "cards pieces" });
   const count = make("output", { className: "count" });
   const empty = make("button", { type: "button", onclick: () => start("", {}) }, say("new_empty"));
-  const { dialog } = openDialog(host, say("new_title"), [
-    make("p", { className: "row" }, search, count, empty), cards, make("h3", {}, say("pieces")), make("p", {}, say("pieces_how")), pieces,
-  ], { wide: true });
+  const { dialog } = openDialog(
+    host,
+    say("new_title"),
+    [
+      make("p", { className: "row" }, search, count, empty),
+      cards,
+      make("h3", {}, say("pieces")),
+      make("p", {}, say("pieces_how")),
+      pieces,
+    ],
+    { wide: true },
+  );
 
   /**
    * @param {string} text
@@ -34,7 +43,10 @@ export async function openNew(host, desk) {
     let free = name || say("new_name");
     for (let k = 2; taken.has(free); k++) free = `${name || say("new_name")}-${k}`;
     const chosen = await askLine({
-      title: say("new"), label: say("name"), value: free, verb: say("start_from"),
+      title: say("new"),
+      label: say("name"),
+      value: free,
+      verb: say("start_from"),
       refuses: (other) => refusedName(other) || (taken.has(other) ? say("name_taken", { name: other }) : ""),
     });
     if (!chosen) return;
@@ -53,11 +65,18 @@ export async function openNew(host, desk) {
   /** @param {CatalogueEntry[]} entries */
   function fill(entries) {
     const made = entries.map((entry) => {
-      const card = make("button", { type: "button", className: "card", "data-variant": entry.name, onclick: () => void choose(entry) },
-        entry.svg ? moving(entry.svg, entry.title) : make("span", { className: "none" }), make("b", {}, entry.name), make("span", {}, entry.title),
-        make("small", {}, [say("links", { n: entry.links }), ...new Set(entry.groups)].join(" · ")));
+      const card = make(
+        "button",
+        { type: "button", className: "card", "data-variant": entry.name, onclick: () => void choose(entry) },
+        entry.svg ? moving(entry.svg, entry.title) : make("span", { className: "none" }),
+        make("b", {}, entry.name),
+        make("span", {}, entry.title),
+        make("small", {}, [say("links", { n: entry.links }), ...new Set(entry.groups)].join(" · ")),
+      );
       if (entry.teaches) card.title = entry.teaches;
-      const searched = [entry.name, entry.title, entry.teaches, say("links", { n: entry.links }), ...entry.groups].join(" ").toLowerCase();
+      const searched = [entry.name, entry.title, entry.teaches, say("links", { n: entry.links }), ...entry.groups]
+        .join(" ")
+        .toLowerCase();
       return { item: make("div", { role: "listitem" }, card), searched };
     });
     cards.replaceChildren(...made.map(({ item }) => item));
@@ -77,9 +96,19 @@ export async function openNew(host, desk) {
   };
   await Promise.all([
     get(`/api/catalogue?language=${language}`).then(fill),
-    get(`/api/pieces?language=${language}`).then((/** @type {Piece[]} */ found) => pieces.replaceChildren(...found.map((piece) =>
-      make("button", { type: "button", className: "card", "data-piece": piece.kind, onclick: () => hang(piece) },
-        moving(piece.svg, piece.title), make("b", {}, piece.kind), make("span", {}, piece.title))))),
+    get(`/api/pieces?language=${language}`).then((/** @type {Piece[]} */ found) =>
+      pieces.replaceChildren(
+        ...found.map((piece) =>
+          make(
+            "button",
+            { type: "button", className: "card", "data-piece": piece.kind, onclick: () => hang(piece) },
+            moving(piece.svg, piece.title),
+            make("b", {}, piece.kind),
+            make("span", {}, piece.title),
+          ),
+        ),
+      ),
+    ),
   ]);
 }
 
@@ -107,7 +136,9 @@ function moving(text, title) {
  * @param {Desk} desk
  */
 async function hangPiece(piece, desk) {
-  const { doc } = desk.view.state, text = doc.toString(), points = [...declaredIn(text).points];
+  const { doc } = desk.view.state,
+    text = doc.toString(),
+    points = [...declaredIn(text).points];
   const fields = piece.asks.map(({ key, means }) => {
     const select = make("select", { id: `desk-on-${key}` }, ...points.map((name) => make("option", {}, name)));
     return { label: make("label", { for: select.id }, means), select };
@@ -115,12 +146,26 @@ async function hangPiece(piece, desk) {
   // What came last into the text is what one builds on.
   for (const [k, { select }] of fields.entries()) select.selectedIndex = Math.max(0, points.length - fields.length + k);
   const why = make("output", {});
-  const form = make("form", { className: "line" }, ...fields.flatMap(({ label, select }) => [label, select]), make("button", { className: "main" }, say("add_piece")), why);
-  const { dialog } = openDialog(document.body, piece.title, [make("div", { className: "piece" }, picture(piece.svg, piece.title)), form]);
+  const form = make(
+    "form",
+    { className: "line" },
+    ...fields.flatMap(({ label, select }) => [label, select]),
+    make("button", { className: "main" }, say("add_piece")),
+    why,
+  );
+  const { dialog } = openDialog(document.body, piece.title, [
+    make("div", { className: "piece" }, picture(piece.svg, piece.title)),
+    form,
+  ]);
   form.addEventListener("submit", async (event) => {
     event.preventDefault();
     try {
-      const found = await post("/api/piece", { ...desk.given(), text, kind: piece.kind, on: fields.map(({ select }) => select.value) });
+      const found = await post("/api/piece", {
+        ...desk.given(),
+        text,
+        kind: piece.kind,
+        on: fields.map(({ select }) => select.value),
+      });
       why.textContent = found.sentence ?? found.faults?.[0]?.sentence ?? "";
       if (why.textContent) return;
       dialog.close();

@@ -5,9 +5,11 @@ export { StreamLanguage, bracketMatching, syntaxHighlighting } from "@codemirror
 export { lintKeymap, setDiagnostics } from "@codemirror/lint";
 export { MergeView } from "@codemirror/merge";
 export { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
-export { ChangeSet, Compartment, EditorState, RangeSet, RangeValue, StateEffect, StateField, Transaction } from "@codemirror/state";
 export {
-  Decoration, EditorView, WidgetType, drawSelection, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
-  lineNumbers,
+  ChangeSet, Compartment, EditorState, RangeSet, RangeValue, StateEffect, StateField, Transaction,
+} from "@codemirror/state";
+export {
+  Decoration, EditorView, WidgetType, drawSelection, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars,
+  keymap, lineNumbers,
 } from "@codemirror/view";
 export { classHighlighter } from "@lezer/highlight";

@@ -7,9 +7,12 @@ const say = (key, gaps) => (words[key] ?? "").replace(/\{(\w+)\}/g, (_, gap) => 
 /** @param {import("../types").Told} message */
 const tell = (message) => parent.postMessage(message, "*");
 
-const later = new IntersectionObserver((entries) => {
-  if (entries.some((one) => one.isIntersecting)) tell({ kind: "later" });
-}, { rootMargin: "300px" });
+const later = new IntersectionObserver(
+  (entries) => {
+    if (entries.some((one) => one.isIntersecting)) tell({ kind: "later" });
+  },
+  { rootMargin: "300px" },
+);
 
 /** Said below Figure 1: how a joint is dragged, and why one does not follow.
  * @param {string} [refused] */
@@ -23,7 +26,13 @@ const explain = (refused) => {
     box.addEventListener("change", () => (joints.free = box.checked));
     const label = document.createElement("label");
     label.append(box, " ", document.createElement("span"));
-    how.append(document.createElement("span"), " ", label, " ", Object.assign(document.createElement("output"), { id: "drag-why" }));
+    how.append(
+      document.createElement("span"),
+      " ",
+      label,
+      " ",
+      Object.assign(document.createElement("output"), { id: "drag-why" }),
+    );
     figure.append(how);
   }
   const [text, switched] = how.querySelectorAll("span");

@@ -13,7 +13,8 @@ const laboratory = {
     for (const id of CONTROLS) {
       const control = document.getElementById(id);
       if (!(control instanceof HTMLInputElement || control instanceof HTMLSelectElement)) continue;
-      if (id === "lab-datum" ? control.dataset.moved : control.value !== control.dataset.first) this.values.set(id, control.value);
+      if (id === "lab-datum" ? control.dataset.moved : control.value !== control.dataset.first)
+        this.values.set(id, control.value);
     }
     this.pressed = [...document.querySelectorAll("#live .live-switches [aria-pressed=true]")].map((one) => one.id);
     const play = document.getElementById("play");

@@ -8,8 +8,11 @@ const partsOf = (page) => {
   /** @type {Map<string, {into: string, element: Element}>} */
   const parts = new Map();
   for (const element of page.body.children) {
-    if (element.matches("main")) for (const one of element.children) if (!one.matches("script")) parts.set(one.id || one.localName, { into: "main", element: one });
-    if (!element.matches("main, script")) parts.set(element.id || element.getAttribute("class") || element.localName, { into: "body", element });
+    if (element.matches("main"))
+      for (const one of element.children)
+        if (!one.matches("script")) parts.set(one.id || one.localName, { into: "main", element: one });
+    if (!element.matches("main, script"))
+      parts.set(element.id || element.getAttribute("class") || element.localName, { into: "body", element });
   }
   return parts;
 };
@@ -25,7 +28,8 @@ const topmost = () => {
 
 /** @type {Map<string, string>} */
 let sources = new Map();
-let style = "", script = "";
+let style = "",
+  script = "";
 
 /** The page's script has the window's clocks and events from here: when the next page comes they stand still for it.
  * @param {AbortSignal} over
@@ -33,7 +37,8 @@ let style = "", script = "";
 const lent = (over, furnish) => ({
   setTimeout: (/** @type {() => void} */ act, /** @type {number} */ wait) => setTimeout(() => over.aborted || act(), wait),
   setInterval: (/** @type {() => void} */ act, /** @type {number} */ wait) => setInterval(() => over.aborted || act(), wait),
-  requestAnimationFrame: (/** @type {FrameRequestCallback} */ act) => requestAnimationFrame((stamp) => over.aborted || act(stamp)),
+  requestAnimationFrame: (/** @type {FrameRequestCallback} */ act) =>
+    requestAnimationFrame((stamp) => over.aborted || act(stamp)),
   addEventListener: (/** @type {string} */ kind, /** @type {() => void} */ act) =>
     kind === "DOMContentLoaded" ? furnish.push(act) : addEventListener(kind, act, { signal: over }),
 });
@@ -42,15 +47,23 @@ let running = new AbortController();
 const runScript = (page) => {
   running.abort();
   running = new AbortController();
-  const data = page.querySelector("script#coursework"), code = page.querySelector("script:not([type])");
+  const data = page.querySelector("script#coursework"),
+    code = page.querySelector("script:not([type])");
   for (const old of document.querySelectorAll("script[data-page]")) old.remove();
   document.documentElement.classList.remove("live-on");
   if (!data || !code) return;
   /** @type {(() => void)[]} */
   const furnish = [];
-  const numbers = Object.assign(document.createElement("script"), { type: "application/json", id: "coursework", textContent: data.textContent });
+  const numbers = Object.assign(document.createElement("script"), {
+    type: "application/json",
+    id: "coursework",
+    textContent: data.textContent,
+  });
   const names = Object.keys(lent(running.signal, furnish)).join(", ");
-  const moving = Object.assign(document.createElement("script"), { nonce, textContent: `(({ ${names} }) => { ${code.textContent}\n})(lent);` });
+  const moving = Object.assign(document.createElement("script"), {
+    nonce,
+    textContent: `(({ ${names} }) => { ${code.textContent}\n})(lent);`,
+  });
   for (const one of [numbers, moving]) one.dataset.page = "";
   Object.assign(window, { lent: lent(running.signal, furnish) });
   document.body.append(numbers, moving);
@@ -62,7 +75,9 @@ const runScript = (page) => {
  * @param {string} html */
 const patch = (html) => {
   const page = new DOMParser().parseFromString(html, "text/html");
-  const parts = partsOf(page), at = topmost(), code = [...page.querySelectorAll("script")].map((one) => one.textContent).join("\n");
+  const parts = partsOf(page),
+    at = topmost(),
+    code = [...page.querySelectorAll("script")].map((one) => one.textContent).join("\n");
   const text = [...page.querySelectorAll("style")].map((one) => one.textContent).join("\n");
   if (text !== style) {
     style = text;
@@ -72,7 +87,8 @@ const patch = (html) => {
   document.documentElement.lang = page.documentElement.lang;
   document.title = page.title;
   // The script reaches into all parts: where it changed none of them stays.
-  const alive = code !== script, before = sources;
+  const alive = code !== script,
+    before = sources;
   if (alive) laboratory.keep();
   sources = new Map();
   const main = document.querySelector("main") ?? document.body.appendChild(document.createElement("main"));
@@ -80,7 +96,8 @@ const patch = (html) => {
   /** @type {Record<string, Element | null>} */
   const behind = { main: null, body: null };
   for (const [name, { into, element }] of parts) {
-    const source = element.outerHTML, parent = into === "main" ? main : document.body;
+    const source = element.outerHTML,
+      parent = into === "main" ? main : document.body;
     sources.set(name, source);
     let old = standing.get(name);
     if (!old || alive || before.get(name) !== source) {
@@ -89,7 +106,8 @@ const patch = (html) => {
       if (old?.parentElement === parent) old.replaceWith(fresh);
       standing.set(name, (old = fresh));
     }
-    const last = behind[into], next = last ? last.nextElementSibling : parent.firstElementChild;
+    const last = behind[into],
+      next = last ? last.nextElementSibling : parent.firstElementChild;
     if (next !== old) parent.insertBefore(old, next);
     behind[into] = old;
   }

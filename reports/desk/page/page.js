@@ -1,4 +1,5 @@
-// The frame with the report: what the shell sends into it and hears from it.  It has an origin of its own, nothing it says is trusted.
+// The frame with the report: what the shell sends into it and hears from it.  It has an origin of its own;
+// nothing it says is trusted.
 
 /** @import { Told } from "../types" */
 
@@ -15,7 +16,8 @@
  * @param {Heard} heard
  */
 export function pageIn(frame, words, heard) {
-  let ready = false, id = 0;
+  let ready = false,
+    id = 0;
   /** @type {{kind: "page", id: number, html: string, later: boolean} | null} */
   let last = null;
 

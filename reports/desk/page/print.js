@@ -22,7 +22,8 @@ export function printed(place, nonce, html) {
     const page = new DOMParser().parseFromString(bare, "text/html");
     for (const bad of page.querySelectorAll("script, #live")) bad.remove();
     place.replaceChildren(...sheets, ...[...page.body.childNodes].map((node) => document.importNode(node, true)));
-    for (const one of /** @type {NodeListOf<HTMLElement>} */ (place.querySelectorAll("[data-style]"))) one.style.cssText = one.dataset.style ?? "";
+    for (const one of /** @type {NodeListOf<HTMLElement>} */ (place.querySelectorAll("[data-style]")))
+      one.style.cssText = one.dataset.style ?? "";
     place.lang = page.documentElement.lang;
     document.title = page.title || title;
   });

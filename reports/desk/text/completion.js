@@ -1,4 +1,5 @@
-// What may stand where one types: sections, keys with their meaning, declared names and functions in formulas, units behind numbers.
+// What may stand where one types: sections, keys with their meaning, declared names and functions in formulas,
+// units behind numbers.
 
 import { autocompletion } from "../editor/codemirror.js";
 import { get } from "../requests.js";
@@ -15,7 +16,10 @@ const POINTS = new Set(["points", "hinges", "from", "meets", "through", "driven"
 export function completing(path) {
   /** @type {Promise<Keys> | null} */
   let asked = null;
-  const keys = () => (asked ??= get(path("")).catch(() => ((asked = null), { sections: [], functions: [], units: [], quantities: [], schemes: [], kinds: [] })));
+  const keys = () =>
+    (asked ??= get(path("")).catch(
+      () => ((asked = null), { sections: [], functions: [], units: [], quantities: [], schemes: [], kinds: [] }),
+    ));
   followWords(() => (asked = null));
 
   /**
@@ -31,7 +35,8 @@ export function completing(path) {
     const known = await keys();
     const head = /^\s*(\[{1,2})([\w.]*)$/.exec(before);
     if (head) return sections(known, context, head[1] ?? "[", head[2] ?? "");
-    const word = /[\p{L}\p{N}_]*$/u.exec(before)?.[0] ?? "", from = context.pos - word.length;
+    const word = /[\p{L}\p{N}_]*$/u.exec(before)?.[0] ?? "",
+      from = context.pos - word.length;
     if (!inside) {
       if (!/^\s*[\w]*$/.test(before) && !/[{,]\s*\w*$/.test(before)) return null;
       if (!word && !context.explicit) return null;
@@ -47,9 +52,13 @@ export function completing(path) {
 }
 
 /** @param {Section} one Whether it is a table, not a key at the top of the text. */
-const isTable = (one) => one.several || one.named || one.keys.length > 0;
+const isTable = (one) => one.many || one.named || one.keys.length > 0;
 /** @param {Key} key A name with what it means beside it and, where that is long, below. */
-const told = ({ name, means }) => ({ label: name, detail: means.length > 48 ? `${means.slice(0, 47)}…` : means, info: means.length > 48 ? means : "" });
+const told = ({ name, means }) => ({
+  label: name,
+  detail: means.length > 48 ? `${means.slice(0, 47)}…` : means,
+  info: means.length > 48 ? means : "",
+});
 
 /**
  * @param {Keys} known
@@ -60,10 +69,12 @@ const told = ({ name, means }) => ({ label: name, detail: means.length > 48 ? `$
  */
 function sections(known, context, open, typed) {
   const behind = /^\]*/.exec(context.state.sliceDoc(context.pos, context.pos + 2))?.[0].length ?? 0;
-  const options = known.sections.filter((one) => isTable(one) && (one.several || open === "[")).map((one) => {
-    const label = one.several ? `[[${one.name}]]` : `[${one.name}]`;
-    return { ...told(one), label };
-  });
+  const options = known.sections
+    .filter((one) => isTable(one) && (one.many || open === "["))
+    .map((one) => {
+      const label = one.many ? `[[${one.name}]]` : `[${one.name}]`;
+      return { ...told(one), label };
+    });
   const from = context.pos - typed.length - open.length;
   return { from, to: context.pos + behind, options, validFor: /^\[{1,2}[\w.]*$/ };
 }
@@ -75,7 +86,9 @@ function sections(known, context, open, typed) {
  * @returns {CompletionResult}
  */
 function keysOf(known, section, from) {
-  const keys = section ? known.sections.find((one) => one.name === section)?.keys : known.sections.filter((one) => !isTable(one));
+  const keys = section
+    ? known.sections.find((one) => one.name === section)?.keys
+    : known.sections.filter((one) => !isTable(one));
   return { from, options: (keys ?? []).map((key) => ({ ...told(key), apply: `${key.name} = ` })), validFor: /^\w*$/ };
 }
 
@@ -84,7 +97,11 @@ function keysOf(known, section, from) {
  * @param {number} from
  * @returns {CompletionResult}
  */
-const units = (known, from) => ({ from, options: known.units.map((label) => ({ label, type: "unit" })), validFor: /^[\p{L}/^\d]*$/u });
+const units = (known, from) => ({
+  from,
+  options: known.units.map((label) => ({ label, type: "unit" })),
+  validFor: /^[\p{L}/^\d]*$/u,
+});
 
 /**
  * @param {Keys} known
@@ -98,6 +115,14 @@ function inFormula(known, text, section, key) {
   if (listed) return listed.map(told);
   const { names, points } = declaredIn(text);
   const declared = [...names].map(([label, kind]) => ({ label, detail: say(`declared_${kind}`), boost: 2 }));
-  const pointed = [...points].map((label) => ({ label, detail: say("declared_point"), boost: POINTS.has(key) || section === "points" ? 3 : -1 }));
-  return [...declared, ...pointed, ...known.functions.map((label) => ({ label, detail: say("declared_function"), apply: `${label}(` }))];
+  const pointed = [...points].map((label) => ({
+    label,
+    detail: say("declared_point"),
+    boost: POINTS.has(key) || section === "points" ? 3 : -1,
+  }));
+  return [
+    ...declared,
+    ...pointed,
+    ...known.functions.map((label) => ({ label, detail: say("declared_function"), apply: `${label}(` })),
+  ];
 }

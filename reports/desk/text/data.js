@@ -8,7 +8,7 @@ import { offset, written } from "./places.js";
 
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
 /** @import { EditorView } from "@codemirror/view" */
-/** @import { Datum } from "../types" */
+/** @import { Datum, DatumRow } from "../types" */
 
 /** The value of a datum as it stands in the text: its place moves with what is typed before it. */
 class Place extends RangeValue {
@@ -36,7 +36,8 @@ export const places = StateField.define({
  * @param {string} name
  */
 function placeOf(view, name) {
-  for (const at = view.state.field(places).iter(); at.value; at.next()) if (at.value.name === name) return { from: at.from, to: at.to };
+  for (const at = view.state.field(places).iter(); at.value; at.next())
+    if (at.value.name === name) return { from: at.from, to: at.to };
   return null;
 }
 
@@ -46,7 +47,7 @@ function placeOf(view, name) {
  * @param {EditorView} view
  */
 export function dataIn(box, view) {
-  /** @type {Map<string, {row: HTMLElement, slider: HTMLInputElement, field: HTMLInputElement, unit: HTMLElement, datum: Datum}>} */
+  /** @type {Map<string, DatumRow>} */
   const rows = new Map();
   let held = "";
 
@@ -62,7 +63,8 @@ export function dataIn(box, view) {
 
   /** @param {Datum} datum */
   function row(datum) {
-    const { name } = datum, id = `desk-datum-${name}`;
+    const { name } = datum,
+      id = `desk-datum-${name}`;
     const slider = make("input", { type: "range", "aria-label": name, tabIndex: 0 });
     const field = make("input", { type: "text", id, inputMode: "decimal", autocomplete: "off", spellcheck: false });
     const unit = make("span", { className: "unit" });
@@ -117,7 +119,8 @@ export function dataIn(box, view) {
     show(data, doc, since) {
       const found = data.flatMap(({ name, place }) => {
         if (!place) return [];
-        const from = since.mapPos(offset(doc, place.line, place.column), 1), to = since.mapPos(offset(doc, place.end_line, place.end_column), -1);
+        const from = since.mapPos(offset(doc, place.line, place.column), 1),
+          to = since.mapPos(offset(doc, place.end_line, place.end_column), -1);
         return from < to ? [new Place(name).range(from, to)] : [];
       });
       view.dispatch({ effects: placed.of(RangeSet.of(found, true)) });

@@ -21,7 +21,8 @@ export function declaredIn(text) {
     for (const [, rate] of line.matchAll(/\brate\s*=\s*"([^"]+)"/g)) if (rate && !names.has(rate)) names.set(rate, "rate");
     const meets = section === "group" && /^\s*meets\s*=\s*"([^"]+)"/.exec(line)?.[1];
     if (meets) points.add(meets);
-    if (section === "group" && /^\s*coordinates\s*=/.test(line)) for (const [, name] of line.matchAll(/"([^"]+)"/g)) if (name && !names.has(name)) names.set(name, "coordinates");
+    if (section === "group" && /^\s*coordinates\s*=/.test(line))
+      for (const [, name] of line.matchAll(/"([^"]+)"/g)) if (name && !names.has(name)) names.set(name, "coordinates");
   }
   return { names, points };
 }
@@ -32,10 +33,12 @@ export function declaredIn(text) {
  * @returns {Where}
  */
 export function whereIn(before) {
-  const lines = before.split("\n"), last = lines.at(-1) ?? "";
+  const lines = before.split("\n"),
+    last = lines.at(-1) ?? "";
   let section = "";
   for (const line of lines.slice(0, -1)) section = HEAD.exec(line)?.[1] ?? section;
-  const unquoted = last.replace(/"[^"]*"/g, (text) => "_".repeat(text.length)), inside = (unquoted.match(/"/g)?.length ?? 0) % 2 === 1;
+  const unquoted = last.replace(/"[^"]*"/g, (text) => "_".repeat(text.length)),
+    inside = (unquoted.match(/"/g)?.length ?? 0) % 2 === 1;
   const entries = [...unquoted.replace(/"[^"]*$/, "").matchAll(/([\p{L}\p{N}_.-]+)\s*=/gu)];
   return { section, key: entries.at(-1)?.[1] ?? "", inside, before: last };
 }

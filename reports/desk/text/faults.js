@@ -6,8 +6,7 @@ import { say } from "../words.js";
 import { extent, offset } from "./places.js";
 
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
-/** @import { Answer, Edit, Fault, Remark } from "../types" */
-/** @typedef {{from: number, to: number, line: number, column: number, sentence: string, mend: {from: number, to: number, insert: string} | null}} Told */
+/** @import { Answer, Edit, Fault, PlacedFault as Told, Remark } from "../types" */
 
 /**
  * @param {Text} doc The text that was asked about.
@@ -26,8 +25,12 @@ function placed(doc, since, fault) {
   };
   const start = since.mapPos(from, 1);
   return {
-    from: start, to: Math.max(start, since.mapPos(to, -1)), line: fault.line ?? 1, column: fault.column ?? 1,
-    sentence: fault.sentence, mend: mended && mended.from <= mended.to ? mended : null,
+    from: start,
+    to: Math.max(start, since.mapPos(to, -1)),
+    line: fault.line ?? 1,
+    column: fault.column ?? 1,
+    sentence: fault.sentence,
+    mend: mended && mended.from <= mended.to ? mended : null,
   };
 }
 
@@ -37,7 +40,12 @@ function placed(doc, since, fault) {
  */
 function mendIt(view, { mend }) {
   if (!mend) return;
-  view.dispatch({ changes: mend, selection: { anchor: mend.from + mend.insert.length }, userEvent: "input.mend", scrollIntoView: true });
+  view.dispatch({
+    changes: mend,
+    selection: { anchor: mend.from + mend.insert.length },
+    userEvent: "input.mend",
+    scrollIntoView: true,
+  });
   view.focus();
 }
 
@@ -47,7 +55,10 @@ function mendIt(view, { mend }) {
  */
 function goTo(view, { from, to }) {
   const end = view.state.doc.length;
-  view.dispatch({ selection: { anchor: Math.min(from, end), head: Math.min(to, end) }, effects: EditorView.scrollIntoView(Math.min(from, end), { y: "center" }) });
+  view.dispatch({
+    selection: { anchor: Math.min(from, end), head: Math.min(to, end) },
+    effects: EditorView.scrollIntoView(Math.min(from, end), { y: "center" }),
+  });
   view.focus();
 }
 
@@ -64,11 +75,17 @@ export function showFaults(view, list, answer, doc, since) {
   const name = () => say("mend");
   /** @param {"error" | "info"} severity */
   const marked = (severity) => (/** @type {Told} */ fault) => ({
-    from: fault.from, to: fault.to, severity, message: fault.sentence,
+    from: fault.from,
+    to: fault.to,
+    severity,
+    message: fault.sentence,
     actions: fault.mend ? [{ name: name(), apply: () => mendIt(view, fault) }] : [],
   });
   view.dispatch(setDiagnostics(view.state, [...faults.map(marked("error")), ...remarks.map(marked("info"))]));
-  list.replaceChildren(...faults.map((fault) => line(view, fault, "fault")), ...remarks.map((remark) => line(view, remark, "remark")));
+  list.replaceChildren(
+    ...faults.map((fault) => line(view, fault, "fault")),
+    ...remarks.map((remark) => line(view, remark, "remark")),
+  );
 }
 
 /**
@@ -78,7 +95,18 @@ export function showFaults(view, list, answer, doc, since) {
  */
 function line(view, fault, kind) {
   const place = say("place", { line: fault.line, column: fault.column });
-  const go = make("button", { type: "button", className: "go", onclick: () => goTo(view, fault) }, make("b", {}, place), ` ${fault.sentence}`);
-  const mend = fault.mend && make("button", { type: "button", className: "mend", onclick: () => mendIt(view, fault) }, say("mend_to", { text: fault.mend.insert.trim() || say("nothing") }));
+  const go = make(
+    "button",
+    { type: "button", className: "go", onclick: () => goTo(view, fault) },
+    make("b", {}, place),
+    ` ${fault.sentence}`,
+  );
+  const mend =
+    fault.mend &&
+    make(
+      "button",
+      { type: "button", className: "mend", onclick: () => mendIt(view, fault) },
+      say("mend_to", { text: fault.mend.insert.trim() || say("nothing") }),
+    );
   return make("li", { className: kind, "data-line": fault.line, "data-column": fault.column }, go, mend);
 }

@@ -6,7 +6,7 @@ import { StreamLanguage } from "../editor/codemirror.js";
 const PROSE = new Set(["title", "source", "teaches", "because", "remarks", "means", "name", "text"]);
 const FUNCTION = /^(?:sin|cos|tan|tg|ctg|asin|acos|atan|atan2|arcsin|arccos|arctg|sqrt|exp|log|abs)(?=\s*\()/;
 
-/** @typedef {{quote: string, key: string, value: boolean, prose: boolean}} Reading `prose` in a table of texts in another language. */
+/** @typedef {{quote: string, key: string, value: boolean, prose: boolean}} Reading `prose`: texts in another language. */
 /** @typedef {import("@codemirror/language").StringStream} Stream */
 
 /**
@@ -25,7 +25,8 @@ function quoted(stream, reading) {
   }
   if (stream.eatSpace()) return null;
   // A number with its unit, alone between the quotes.
-  if (stream.match(/^[\d.]+(?:[eE][-+]?\d+)?\s*[\p{L}°µ][\p{L}°µ\d/^·²]*(?=\s*["'])|^[\d.]+\s+1\/[\p{L}]+(?=\s*["'])/u)) return "number";
+  if (stream.match(/^[\d.]+(?:[eE][-+]?\d+)?\s*[\p{L}°µ][\p{L}°µ\d/^·²]*(?=\s*["'])|^[\d.]+\s+1\/[\p{L}]+(?=\s*["'])/u))
+    return "number";
   if (stream.match(/^\d+(?:[.,]\d*)?(?:[eE][-+]?\d+)?|^\.\d+/)) return "number";
   if (stream.match(FUNCTION)) return "keyword";
   if (stream.match(/^[\p{L}_][\p{L}\p{N}_.]*/u)) return "variableName";

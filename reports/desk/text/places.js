@@ -12,7 +12,9 @@ export function offset(doc, line, column) {
   const at = doc.line(Math.min(Math.max(line ?? 1, 1), doc.lines));
   if (!column) return at.from;
   // Python counts code points, the editor UTF-16 units.
-  const before = Array.from(at.text).slice(0, column - 1).join("");
+  const before = Array.from(at.text)
+    .slice(0, column - 1)
+    .join("");
   return at.from + Math.min(before.length, at.length);
 }
 
@@ -41,7 +43,8 @@ export function extent(doc, line, column) {
 export function change(before, after) {
   if (before === after) return null;
   const least = Math.min(before.length, after.length);
-  let from = 0, behind = 0;
+  let from = 0,
+    behind = 0;
   while (from < least && before[from] === after[from]) from++;
   while (behind < least - from && before[before.length - 1 - behind] === after[after.length - 1 - behind]) behind++;
   return { from, to: before.length - behind, insert: after.slice(from, after.length - behind) };
@@ -53,11 +56,13 @@ export function change(before, after) {
  * @param {string} after
  */
 export function changes(before, after) {
-  const old = before.split("\n"), lines = after.split("\n");
+  const old = before.split("\n"),
+    lines = after.split("\n");
   if (old.length !== lines.length) return [change(before, after)].filter((one) => one !== null);
   let start = 0;
   return old.flatMap((line, k) => {
-    const found = change(line, lines[k] ?? ""), at = start;
+    const found = change(line, lines[k] ?? ""),
+      at = start;
     start += line.length + 1;
     return found ? [{ from: at + found.from, to: at + found.to, insert: found.insert }] : [];
   });

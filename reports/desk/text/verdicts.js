@@ -1,4 +1,5 @@
-// Beside each equation of the text: what the geometry says of it, right or which term differs.  Data moved by a joint are marked, too.
+// Beside each equation of the text: what the geometry says of it, right or which term differs.
+// What a joint has moved is marked, too.
 
 import { Decoration, EditorView, RangeSet, StateEffect, StateField, WidgetType } from "../editor/codemirror.js";
 import { say } from "../words.js";
@@ -25,14 +26,16 @@ class Beside extends WidgetType {
   toDOM() {
     const place = document.createElement("span");
     place.className = `verdict ${this.right ? "right" : "wrong"}`;
-    place.textContent = `${this.right ? "✓" : "✗"} ${this.sentence || say(this.right ? "equation_right" : "equation_wrong")}`;
+    const words = this.sentence || say(this.right ? "equation_right" : "equation_wrong");
+    place.textContent = `${this.right ? "✓" : "✗"} ${words}`;
     return place;
   }
 }
 
 /** @returns {import("@codemirror/state").StateEffectType<RangeSet<Decoration>>} */
 const effect = () => StateEffect.define();
-const told = effect(), marked = effect();
+const told = effect(),
+  marked = effect();
 const MOVED = Decoration.mark({ class: "desk-moved" });
 
 /**
@@ -62,7 +65,8 @@ export const verdicts = [field(told, false), field(marked, true)];
 export function showVerdicts(view, equations, doc, since) {
   const known = equations.filter(({ line, right }) => right !== null && line >= 1 && line <= doc.lines);
   const beside = known.map(({ line, right, sentence }) =>
-    Decoration.widget({ widget: new Beside(right === true, sentence), side: 1 }).range(since.mapPos(doc.line(line).to, 1)));
+    Decoration.widget({ widget: new Beside(right === true, sentence), side: 1 }).range(since.mapPos(doc.line(line).to, 1)),
+  );
   view.dispatch({ effects: told.of(Decoration.set(beside, true)) });
 }
 
@@ -77,7 +81,10 @@ export function showVerdicts(view, equations, doc, since) {
 export function edited(view, doc, { text, ranges }, kind) {
   if (!view.state.doc.eq(doc) || !rewrite(view, text, { kind })) return null;
   const now = view.state.doc;
-  const places = ranges.map((one) => ({ from: offset(now, one.line, one.column), to: offset(now, one.end_line, one.end_column) }));
+  const places = ranges.map((one) => ({
+    from: offset(now, one.line, one.column),
+    to: offset(now, one.end_line, one.end_column),
+  }));
   const moved = places.filter(({ from, to }) => from < to).map(({ from, to }) => MOVED.range(from, to));
   view.dispatch({ effects: marked.of(Decoration.set(moved, true)) });
   return places[0]?.from ?? 0;

@@ -1,10 +1,12 @@
-// When the server is asked: after a pause in typing, at once where a hand moves something; the newest text supersedes the others.
+// When the server is asked: after a pause in typing, at once where a hand moves something;
+// the newest text supersedes the others.
 
 import { Refused, request } from "../requests.js";
 
 /** @import { Answer, Ask } from "../types" */
 
-const PAUSE = 200, RETRY = 1500; // ms
+const PAUSE = 200,
+  RETRY = 1500; // ms
 
 /**
  * @typedef {{
@@ -26,7 +28,8 @@ export function asking({ body, answered, began, lost }) {
   async function go() {
     clearTimeout(waiting);
     again = false;
-    const controller = (flying = new AbortController()), ask = body();
+    const controller = (flying = new AbortController()),
+      ask = body();
     began();
     try {
       const answer = await (await request("POST", "/api/page", { json: ask, signal: controller.signal })).json();

@@ -6,7 +6,9 @@ import { unzipped, zipped } from "./zip.js";
 
 /** @import { Kept, Works } from "../types" */
 
-const WORK = "work.", DELETED = "deleted.", TABLE = "table.";
+const WORK = "work.",
+  DELETED = "deleted.",
+  TABLE = "table.";
 /** @param {string} name */
 const refused = (name) => new Error(say("name_taken", { name }));
 
@@ -71,12 +73,16 @@ export const browserWorks = () => ({
     return zipped(files);
   },
   async unzip(file) {
-    const written = [], skipped = [];
+    const written = [],
+      skipped = [];
     for (const [path, text] of Object.entries(await unzipped(file))) {
-      const name = path.replace(/^.*\//, ""), work = /^([\p{L}\p{N}_-]{1,60})\.toml$/u.exec(name)?.[1];
-      const key = work ? WORK + work : /\.(?:csv|txt)$/i.test(name) ? TABLE + name : null, there = key && kept(key);
+      const name = path.replace(/^.*\//, ""),
+        work = /^([\p{L}\p{N}_-]{1,60})\.toml$/u.exec(name)?.[1];
+      const key = work ? WORK + work : /\.(?:csv|txt)$/i.test(name) ? TABLE + name : null,
+        there = key && kept(key);
       if (!key) skipped.push({ name, sentence: say("no_work") });
-      else if (typeof there === "string" && there !== text) skipped.push({ name, sentence: say("name_taken", { name: work ?? name }) });
+      else if (typeof there === "string" && there !== text)
+        skipped.push({ name, sentence: say("name_taken", { name: work ?? name }) });
       else put(key, text), written.push(name);
     }
     return { written, skipped };

@@ -23,10 +23,14 @@ export const folderWorks = () => ({
     /** @type {Record<string, string>} */
     const seen = etag === null ? { "If-None-Match": "*" } : { "If-Match": etag };
     try {
-      const response = await request("PUT", path(name), { body: text, headers: { "Content-Type": "text/plain; charset=utf-8", ...seen } });
+      const response = await request("PUT", path(name), {
+        body: text,
+        headers: { "Content-Type": "text/plain; charset=utf-8", ...seen },
+      });
       return { etag: response.headers.get("ETag") ?? "" };
     } catch (error) {
-      if (error instanceof Refused && error.status === 409) return { theirs: error.body.theirs === null ? null : { text: error.body.theirs, etag: error.body.etag } };
+      if (error instanceof Refused && error.status === 409)
+        return { theirs: error.body.theirs === null ? null : { text: error.body.theirs, etag: error.body.etag } };
       throw error;
     }
   },
@@ -35,7 +39,8 @@ export const folderWorks = () => ({
   restore: (name) => post(path(name), { restore: true }),
   remove: async (name, etag) => void (await request("DELETE", path(name), { headers: { "If-Match": etag } })),
   zip: async () => (await request("GET", "/api/zip")).blob(),
-  unzip: async (file) => (await request("POST", "/api/zip", { body: file, headers: { "Content-Type": "application/zip" } })).json(),
+  unzip: async (file) =>
+    (await request("POST", "/api/zip", { body: file, headers: { "Content-Type": "application/zip" } })).json(),
   watch(changed) {
     const events = new EventSource(rooted("/api/events"));
     events.addEventListener("files", (event) => changed(JSON.parse(event.data)));

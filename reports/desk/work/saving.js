@@ -11,13 +11,15 @@ import { keep, kept } from "./store.js";
  * @typedef {{
  *   works: Works, view: EditorView, state: ReturnType<typeof import("../state.js").stateIn>,
  *   notices: ReturnType<typeof import("../notices.js").noticesIn>, named: (name: string) => void,
- *   askName: (name: string) => Promise<string | null>, compare: (theirs: Kept, own: string) => Promise<"mine" | "theirs" | null>,
+ *   askName: (name: string) => Promise<string | null>,
+ *   compare: (theirs: Kept, own: string) => Promise<"mine" | "theirs" | null>,
  * }} Parts
  */
 
 /** @param {Parts} parts */
 export function savingIn({ works, view, state, notices, named, askName, compare }) {
-  let name = "", warned = false;
+  let name = "",
+    warned = false;
   /** @type {{text: string, etag: string | null}} */
   let base = { text: "", etag: null };
   /** @type {Kept | null} */
@@ -51,7 +53,8 @@ export function savingIn({ works, view, state, notices, named, askName, compare 
 
   /** Let a person choose between two texts; what was chosen stands in the editor behind it. */
   async function settle() {
-    const theirs = conflict, choice = theirs && (await compare(theirs, text()));
+    const theirs = conflict,
+      choice = theirs && (await compare(theirs, text()));
     if (!theirs) return;
     if (!choice) return collide(theirs);
     notices.drop("conflict");
@@ -75,7 +78,10 @@ export function savingIn({ works, view, state, notices, named, askName, compare 
       notices.drop("restored");
       changed();
     } catch (error) {
-      notices.show("refused", say("not_saved", { why: error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message }));
+      notices.show(
+        "refused",
+        say("not_saved", { why: error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message }),
+      );
       changed();
     }
   }
@@ -135,7 +141,9 @@ export function savingIn({ works, view, state, notices, named, askName, compare 
   works.watch((entries) => void outside(entries));
 
   return {
-    save, begin, changed,
+    save,
+    begin,
+    changed,
     get name() {
       return name;
     },

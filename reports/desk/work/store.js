@@ -1,4 +1,5 @@
-// What this browser keeps: texts not saved yet, and on `serve` all work.  Where it keeps nothing, `keeps` says so before the first change.
+// What this browser keeps: texts not saved yet, and on `serve` all work.
+// Where it keeps nothing, `keeps` says so before the first change.
 
 const HEAD = "coursework.";
 
@@ -34,7 +35,10 @@ export function keeps() {
 /** @param {string} head */
 export function keptNames(head) {
   try {
-    return Object.keys(localStorage).filter((key) => key.startsWith(HEAD + head)).map((key) => key.slice((HEAD + head).length)).sort();
+    return Object.keys(localStorage)
+      .filter((key) => key.startsWith(HEAD + head))
+      .map((key) => key.slice((HEAD + head).length))
+      .sort();
   } catch {
     return [];
   }
