@@ -165,6 +165,22 @@ class Key:
         return (*range(m), *placed, *driven)
 
 
+@dataclass(frozen=True, eq=False)
+class MisreadKey(Key):
+    """The key of a table whose velocities `made_with` (t, q) gives, all at once; everything else is the task's."""
+
+    made_with: Callable[[Array, Array], Array] | None = None
+
+    def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
+        """Return the velocities (n, r) that the table was made with."""
+        return super().velocities_at(t, q, data) if self.made_with is None else self.made_with(t, q)
+
+    @cached_property
+    def blocks(self) -> tuple[tuple[str, ...], ...]:
+        """Return one block: which velocities come first is the task's only."""
+        return (self.velocities,)
+
+
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
     """Return the key of a variant.  Raises `InputError` where it cannot be solved at all.
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key import Key, MisreadKey
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
@@ -29,8 +29,8 @@ NAMED, BETTER, TIE = 0.93, 0.02, 0.005
 FEWEST, FEWEST_SHARE = 2, 0.02
 # A hypothesis whose own table Euler's rules explain so well is not told from them by the printed digits.
 ALIKE = 0.98
-# How many of the best have their whole table made, where they explain less than this part of what was handed in.
-_CLOSER, _WHOLE = 3, 0.995
+# How many of those that explain most have their whole table made.
+_CLOSER = 3
 _ROUND_OFF = 1e-9
 OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
 
@@ -84,7 +84,7 @@ def looked_for(key: Key, cells: Cells, count: int) -> bool:
 
 
 def _begins_elsewhere(key: Key, cells: Cells) -> bool:
-    return bool(cells.wrong[0, : len(key.coordinates)].any())
+    return bool(other_starts(key, cells))
 
 
 def find_misconception(
@@ -117,7 +117,7 @@ def explanations(
     by_key = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if _begins_elsewhere(key, cells) else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
-    tables: dict[str, tuple[Claim, Flags]] = {}
+    held: dict[str, tuple[int, Claim, Flags]] = {}
     part = 1.0
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
@@ -130,18 +130,19 @@ def explanations(
         if claim.code == ROWS_SHIFTED:
             put_right.marks[_as_it_stood(key, put_right)] = KEY
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
-        if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
+        if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
-            tables[claim.code] = claim, holds
             part = claim.part if claim.code == OTHER_STEP else part
-    for fitting in sorted(fits.values(), key=lambda found: -found.share)[:_CLOSER]:
-        claim, holds = tables[fitting.code]
-        if claim.student is None and fitting.share < _WHOLE:
-            if claim.table is not None:
-                holds = holds | alike(key, cells.student, claim.table())
-            holds = holds | _as_it_was(key, cells, claim)
-            fit = explained_share(key, cells, holds, only_velocities=claim.code == OTHER_STEP)
-            fits[claim.code] = replace(fitting, share=max(fit, fitting.share))
+        count = int((holds | (cells.marks == KEY)).sum())
+        if claim.student is None and (claim.code not in held or count > held[claim.code][0]):
+            held[claim.code] = count, claim, holds
+    for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
+        holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
+        fit = explained_share(key, cells, holds, only_velocities=code == OTHER_STEP)
+        if fit > fits[code].share:
+            fits[code] = replace(fits[code], share=fit, names=claim.names)
+            part = claim.part if code == OTHER_STEP else part
+    fits = {code: fit for code, fit in fits.items() if fit.share > euler_fit + BETTER}
     if own := _other_step(key, cells):
         share, fit = own
         if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
@@ -172,22 +173,30 @@ def _as_it_stood(key: Key, put_back: Cells) -> Flags:
     return before | after
 
 
+def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
+    """Return which cells are right where the velocities of a claim are the task's: slips in them are as in any table."""
+    own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at)
+    made = mark_cells(own, cells.student, claim.table() if claim.table else None)
+    return ~made.wrong & ~made.missing
+
+
 def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
-    """Return which cells a claim explains by what stood there before others were put right."""
+    """Return which cells a claim explains as a whole table, or by what stood there before others were put right."""
     values = cells.student.values
     with np.errstate(invalid="ignore"):
         put = (cells.marks == KEY) & (np.abs(values - claim.expected) > claim.tolerance)
     was = np.where(put, claim.expected, values if cells.before is None else cells.before.values)
     none = np.zeros(values.shape, dtype=bool)
+    whole = none if claim.table is None else alike(key, cells.student, claim.table())
     if claim.family is None or np.array_equal(was, values, equal_nan=True):
-        return none
+        return whole
     before = TableUnderTest(key, replace(cells.student, values=was))
     found = [near(values, one.expected, one.tolerance) for one in claim.family(before) if one.code == claim.code]
     best = max(found, key=np.count_nonzero, default=none)
     if claim.euler == "steps":
         units = before.w_units[:, : before.m]
         best[:, : before.m] |= near(values[:, : before.m], *before.steps(key.step * before.w, key.step * units))
-    return best
+    return best | whole
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
