@@ -172,8 +172,8 @@ def rolling(random: Random) -> Edge:
     """Return variant 31 with something sudden beside its sine: phi3 in closed form (numerics.md 1.1)."""
     kind = random.choice(["pulse", "lorentz", "decay", "switch", "step", "fold", "twins"])
     law = drive(kind, random, 10 ** -random.uniform(0, 7), 0.48)
-    # m that it adds: the wheel has 0.11 m and more to spare, and a Lorentz pulse turns by six radians.
-    part = mp.mpf(float(f"{random.uniform(0.01, 0.04) / (4 if kind == 'lorentz' else 1):.3g}"))
+    # m that it adds: the wheel has 0.11 m and more to spare, and others than a pulse turn by six radians.
+    part = mp.mpf(float(f"{random.uniform(0.01, 0.04) / (4 if kind in {'lorentz', 'step'} else 1):.3g}"))
     given = "\n".join(f'{name}_2 = "{_in_metres(value)}"' for name, value in law.given.items())
     added = re.sub(r"\b[a-zA-Z]+\b", lambda one: f"{one[0]}_2" if one[0] in law.given else one[0], law.drive)
     text = V31.replace("[drive]", f'part_2 = "{float(part)!r}"\n{given}\n[drive]').split("[ask]")[0]
