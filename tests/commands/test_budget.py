@@ -22,7 +22,6 @@ def busy(seconds: float) -> None:
         pass
 
 
-@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # a module that was being read stays open
 @pytest.mark.parametrize("command", ["run", "check", "accuracy"])
 def test_a_run_over_its_budget_is_ended(command, folder, monkeypatch):
     monkeypatch.setattr(budget, "PACE", 0.001)
