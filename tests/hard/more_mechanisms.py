@@ -180,8 +180,7 @@ def rolling(random: Random) -> Edge:
     # m that it adds: the wheel has 0.11 m and more to spare, and others than a pulse turn by six radians.
     part = mp.mpf(float(f"{random.uniform(0.01, 0.04) / (4 if kind in {'lorentz', 'step'} else 1):.3g}"))
     names, added = as_second(law)
-    given = "
-".join(f'{name} = "{value.replace("rad/s", "m/s")}"' for name, value in names.items())  # of a point
+    given = "\n".join(f'{name} = "{value.replace("rad/s", "m/s")}"' for name, value in names.items())  # of a point
     text = V31.replace("[drive]", f'part_2 = "{float(part)!r}"\n{given}\n[drive]').split("[ask]")[0]
     text = text.replace('"V1*sin(p*t + alpha)"', f'"V1*sin(p*t + alpha) + part_2*({added})"').replace("period ", "# ")
     text = text.replace('end       = "0.48 s"', f'end = "0.48 s"\nscheme = "{random.choice(SCHEMES)}"')
