@@ -19,7 +19,8 @@ from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
 from coursework.results.accuracy.problem import Problem
 from coursework.results.accuracy.record import AccuracyStudy
-from coursework.results.accuracy.study import make_study, time_of
+from coursework.results.accuracy.study import make_study
+from coursework.results.accuracy.timing import timed_once
 from coursework.run import Run
 from coursework.system.file_set import working_folder
 from coursework.words.errors import InputError
@@ -63,7 +64,7 @@ def timed_study(run: Run) -> AccuracyStudy:
     problem = Problem(scene.rates, scene.start, time.step, len(run.exact.t) - 1, scene.closure, units)
     command = [sys.executable, "-c", "import numpy"]
     overhead = (
-        (say("study.imports"), time_of(lambda: subprocess.run(command, check=True))),
+        (say("study.imports"), timed_once(lambda: subprocess.run(command, check=True))[1]),
         (
             say("study.reduction"),
             sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates")),
