@@ -77,7 +77,8 @@ def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[F
     take = say("summary.take", option=option, what=_instead(coarse)) if option else ""
     told: list[str] = []
     if accuracy is None or accuracy.verdict == "SKIP":
-        told.append(say("summary.unknown"))
+        if accuracy is None or not accuracy.headline or accuracy.headline != accuracy.sentence:
+            told.append(say("summary.unknown"))
     elif accuracy.verdict == "FAIL":
         told.append(accuracy.sentence)
     elif is_motion and accuracy.value == 0:
