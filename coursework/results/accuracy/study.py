@@ -38,13 +38,13 @@ def make_study(
 ) -> AccuracyStudy:  # fmt: skip
     """Return the study; with `timed` every trial is also timed (some 0.04 s each)."""
     if problem.work > MOST_WORK or not len(exact.t):
-        return _without_runs(problem, exact, timed)
+        return _without_runs(say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK), exact, timed)
     bounds = TIMED if timed else PAGE
     reference = exact.coordinates[list(problem.marks)]
     try:
         other, gap, _ = refine(problem.rates, problem.start, problem.times)
     except OutOfReach:
-        return _without_runs(problem, exact, timed)
+        return _without_runs(say("study.not_followed"), exact, timed)
     agreement = float(np.max(np.abs(other - reference)))
     # Derivatives of a table are not those of a curve through it: there every scheme comes to rest at its own motion.
     is_same = agreement < SAME
@@ -97,10 +97,9 @@ def make_study(
     )
 
 
-def _without_runs(problem: Problem, exact: Motion, timed: bool) -> AccuracyStudy:
-    """Return the study of a table too long for any run: why there is no more."""
-    told = (say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK),)
-    return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), timed, {}, told)
+def _without_runs(why: str, exact: Motion, timed: bool) -> AccuracyStudy:
+    """Return the study of what is too much for any run: why there is no more."""
+    return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), timed, {}, (why,))
 
 
 def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:
