@@ -6,9 +6,12 @@ import math
 import pytest
 
 import coursework
+from coursework.commands import accuracy as command
 from coursework.results.accuracy import study as making
 from coursework.results.accuracy.problem import Problem
+from coursework.results.accuracy.study import make_study as study_of
 from coursework.results.accuracy.timing import QUICK_REPEAT, REPEATS, seconds
+from tests.command import call
 
 
 @pytest.fixture
@@ -55,3 +58,15 @@ def test_what_is_short_is_repeated_no_more_than_tells_its_time(monkeypatch):
 
     assert seconds(work, shortest=QUICK_REPEAT) == pytest.approx(0.001)
     assert sum(0.001 for _ in calls) < 2 * REPEATS * QUICK_REPEAT
+
+
+def test_the_command_studies_once(tmp_path, monkeypatch):
+    """The study with times has all that the one without has: that would be made in vain."""
+    studies = []
+    for place in (making, command):
+        monkeypatch.setattr(place, "make_study", lambda *given, **wish: studies.append(1) or study_of(*given, **wish))
+    monkeypatch.setattr(making, "REPEATS", 0)  # one run of each trial is its time
+    done = call("accuracy", "31", "--out", tmp_path / "out", "--format", "csv")
+    assert done.exit_code == 0, done.output
+    assert len(studies) == 1
+    assert len((tmp_path / "out" / "accuracy.csv").read_text(encoding="utf-8").splitlines()) > 40
