@@ -28,6 +28,7 @@ from coursework.motion.geometry.closure import Closure, compile_closure, require
 from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.motion.geometry.oscillation import fastest
 from coursework.motion.geometry.start import start_values
+from coursework.motion.geometry.unseen_signs import unseen_signs
 from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
 from coursework.motion.integration.integrate import Correction, left_by_scheme, march
@@ -88,7 +89,10 @@ class WayToMotion:
         closure = compile_closure(self.equations, self.start)
         require_start(closure)
         found = require_agreement(self.equations, closure)
-        return replace(closure, agreed=found.agreed, unjudged=found.unjudged) if closure is not None else None
+        if closure is None:
+            return None
+        closure = replace(closure, agreed=found.agreed, unjudged=found.unjudged)
+        return replace(closure, unseen=unseen_signs(self.equations, closure))
 
     @computed("equations", "start")
     def reduction(self) -> Reduction:

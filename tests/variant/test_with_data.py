@@ -153,7 +153,7 @@ def test_a_rod_of_less_than_nothing_is_refused_by_data_as_by_its_file():
         variant.with_data(given={"r2": -1e-9})
     text = find("example-1").read_text(encoding="utf-8")
     with pytest.raises(coursework.InputError) as by_file:
-        parse_variant(text.replace('r2 = "1.0 m"', 'r2 = "-1e-9 m"'))
+        parse_variant(text.replace('r2 = "1.0 m"', 'r2 = "-1e-09 m"'))
     told = [
         [(fault.code, fault.line, fault.column, str(fault.message)) for fault in error.value.faults]
         for error in (by_data, by_file)
@@ -161,5 +161,5 @@ def test_a_rod_of_less_than_nothing_is_refused_by_data_as_by_its_file():
     assert told[0] == told[1]
     ((*place, sentence),) = told[0]
     assert place == ["V308", 43, 16]
-    assert sentence.startswith("r2: a finite length above zero was expected, found -1e-09. Write a length above zero;")
+    assert sentence.startswith("r2: a finite length above zero was expected, found -1e-09 m. Write a length above zero;")
     assert sentence.endswith("turn its angle by pi instead.")

@@ -124,8 +124,12 @@ class Vectors:
         """
         under = self.called.pop((bar.link, rider), "") or self.under(rider)
         moving = self.kinematics.points[rider]
-        below = self.kinematics.points[under] = self.kinematics.carried(bar, base, moving.at)
         omega, _ = self.kinematics.turning[bar.link]
+        below = self.kinematics.carried(bar, base, moving.at)
+        if known := self.kinematics.driven.get((bar.link, rider)):  # so also in a row of a scheme that has drifted
+            sliding, second = known
+            below = Moving(moving.at, moving.velocity - sliding, moving.acceleration - second - 2j * omega * sliding)
+        self.kinematics.points[under] = below
         if joined and (np.any(omega) or base in self.hinges):
             self.about(bar, base, under, below)
         self.segment(VELOCITY, "absolute", POLE, under, below.velocity)

@@ -164,7 +164,8 @@ def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
     if wrong.any():
         row = int(np.argmax(wrong))
         key = ("group.positive" if positive else "group.finite") + (".row" if len(array) > 1 else ".alone")
-        raise ValueError(say(key, what=what, found=float(array[row]), row=row))
+        found = float(array[row])
+        raise ValueError(say(key, what=what, found=say("group.exact", metres=found) if positive else f"{found:g}", row=row))
     return array
 
 

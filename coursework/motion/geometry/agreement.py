@@ -53,6 +53,11 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
     return _judged(equations, *_configurations(closure)) if always is None else always
 
 
+def agrees(equations: VelocityEquations, closure: Closure) -> bool:
+    """Return whether the geometry confirms every written equation, with the data they have.  Raises `InputError` as above."""
+    return not _judged(equations, *_configurations(closure)).unjudged
+
+
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:
     """Return what the geometry confirms for all data but zeros, None where that is not certain.
 

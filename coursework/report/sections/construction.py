@@ -6,6 +6,7 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 from __future__ import annotations
 
 import math
+import re
 
 from coursework.drawing.check_sheet.readings import Reading
 from coursework.report.graphs.figures import drawn_parts
@@ -61,7 +62,8 @@ def _set(context: PageContext, text: str, one: Reading) -> Runs:
     if not one.images:
         return context.rich(text)
     lengths = "".join(f"{ITALIC[0]}{letter}{ITALIC[1]}" if letter.isalpha() else letter for letter in one.images)
-    return context.lettered(printed(context.told(text)).replace(one.images, lengths), data=False)
+    told = printed(context.told(text))  # "p_v p·0.02 (m/s)/mm" of a point P, "p_v m" of a point M: the image alone
+    return context.lettered(re.sub(rf"(?:^|(?<=\u00a0)){re.escape(one.images)}(?!_)", lengths, told, count=1), data=False)
 
 
 def _percent(share: float) -> str:

@@ -59,6 +59,12 @@ class Finding:
     is_least: bool = False
 
     @property
+    def says_more(self) -> bool:
+        """Return whether the sentence has more than the mark and the summary tell; SKIP of a start is told in the summary."""
+        unsure = bool(self.unjudged) and self.code != "START"
+        return self.code != "STOP" and (unsure or self.verdict in {"COARSE", "FAIL", "ERROR"})
+
+    @property
     def title(self) -> str:
         """Return the name of the check that the words file has for its code, else the code."""
         key = f"check.{self.code}.title"

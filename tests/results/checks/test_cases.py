@@ -25,7 +25,7 @@ def test_run_31_says_in_its_first_line_that_phi1_is_off_by_70_percent(tmp_path, 
     done = CliRunner().invoke(main, ["run", "31", "--format", "csv"])
     assert done.exit_code == 0
     assert done.stdout.splitlines()[0] == (
-        "The table is computed right: 5 of 5 checks of the computation. It is not close to the motion: "
+        "The table is computed right: 5 of 5 checks of the computation; the start is not judged. It is not close to the motion: "
         "largest error 70 % of 0.2 rad (phi1, row 20); take --step h/18."
     )
     record = json.loads((tmp_path / "coursework-31" / "run.json").read_text(encoding="utf-8"))

@@ -76,7 +76,7 @@ def test_the_page_shows_two_groups_and_the_summary_first():
     answer = next(part["right"] for part in plain[0]["parts"] if part["kind"] == "beside")
     assert answer["title"] == "Result"
     assert "".join(piece.get("t", "") for piece in answer["items"][0]).startswith(
-        "The table is computed right: 5 of 5 checks of the computation."
+        "The table is computed right: 5 of 5 checks of the computation; the start is not judged."
     )
     checks = next(section for section in plain if section["name"] == "checks")
     groups = [part for part in checks["parts"] if part["kind"] == "checks"]
