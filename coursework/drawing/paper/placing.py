@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from coursework.drawing.paper.cover import Lines, Rectangle, Segment, shared, through
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
 DIRECTIONS = 16  # in which a place is looked for
@@ -60,7 +60,7 @@ class Stand:
     leader: complex | None
 
 
-@dataclass(slots=True)
+@changing
 class Taken:
     """What is on a sheet so far; the lists are those of the sheet, their arrays are made anew when there is more."""
 
