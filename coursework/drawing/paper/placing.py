@@ -71,10 +71,10 @@ class Taken:
     _lines: dict[str, Lines] = field(default_factory=dict)
 
     def lines(self, name: str) -> Lines:
-        """Return the `segments` or the `heavy` ones as arrays."""
-        listed = self.heavy if name == "heavy" else self.segments
+        """Return the `heavy` segments as arrays, or `all` of them: the heavy ones again behind them, with their room."""
+        listed = self.heavy if name == "heavy" else [*self.segments, *self.heavy]
         if name not in self._lines or self._lines[name].count != len(listed):
-            self._lines[name] = Lines(listed)
+            self._lines[name] = Lines(listed, None if name == "heavy" else len(self.segments), CLEAR)
         return self._lines[name]
 
     def covered(self, middles: Array, width: float, height: float, room: Rectangle) -> Array:
@@ -83,13 +83,12 @@ class Taken:
         low, high = middles - half, middles + half
         edge = np.array(room)
         beyond = np.maximum(edge[:2] - low, 0.0) + np.maximum(high - edge[2:], 0.0)
-        symbols, words = shared(low, high, self.boxes), shared(low, high, self.words)
+        symbols, words = np.split(shared(low, high, [*self.boxes, *self.words]), [len(self.boxes)], axis=1)
         areas = np.multiply.reduce(np.maximum(symbols, 0.0), axis=2)
         level = words[..., 1] > 0
         over, beside = level & (words[..., 0] > 0), level & (words[..., 0] > -GAP)
         stacked = (words[..., 0] > 0) & (words[..., 1] > -LEADING) & ~level
-        crossed, length = self.lines("segments").within(low, high)
-        heavy, _ = self.lines("heavy").within(low - CLEAR, high + CLEAR)
+        crossed, length, heavy = self.lines("all").within(low, high)
         cost: Array = BEYOND * beyond.sum(axis=1) + length + CROSSED * crossed + HEAVY * heavy
         cost += SYMBOL[0] * areas.sum(axis=1) + SYMBOL[1] * (areas > 0).sum(axis=1)
         cost += WORD_ON_WORD * over.sum(axis=1) + SIDE_BY_SIDE * (beside | stacked).sum(axis=1)
