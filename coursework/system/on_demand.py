@@ -9,13 +9,13 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from graphlib import TopologicalSorter
 from typing import Any, Generic, Protocol, TypeVar, overload
 
 import numpy as np
 
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 from coursework.words.errors import Unplaced
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -35,7 +35,7 @@ def under_way(name: str) -> Iterator[None]:
         UNDER_WAY.pop()
 
 
-@dataclass(slots=True)
+@changing
 class Ledger:
     """What was computed: `calls` and own `seconds` (without those of what it needed) of each quantity."""
 

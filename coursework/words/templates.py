@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 from coursework.words.custom_templates import line_in_templates, templates_in_use
 from coursework.words.data_folders import folder
 from coursework.words.errors import CourseworkError, Fault, InputError
-from coursework.words.line_ends import line_groups
 from coursework.words.scripts import HAN_HERE, is_chinese, made_for
 from coursework.words.sentences import say
 
@@ -60,14 +59,17 @@ def failing_piece(name: str, line: int, error: str) -> Fault:
 def _template(place: Path, name: str) -> Template:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+    from coursework.words.page_runs import said, said_cell, said_text
+
     looks = Environment(
         loader=FileSystemLoader(place, encoding="utf-8"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
+        optimized=False,  # a page is filled once, seldom twice
     )
-    looks.filters["line_groups"] = line_groups
+    looks.globals.update(said=said, said_text=said_text, said_cell=said_cell)
     return looks.get_template(name)
 
 

@@ -6,13 +6,13 @@ Enters: numbers from `integrate.py` or `exact_motion.py`.  Leaves: frozen `Motio
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 import numpy as np
 
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -55,7 +55,7 @@ class Stop:
         return joined([self.cause, self.meaning])
 
 
-@dataclass(frozen=True)
+@caching
 class Motion:
     """Rows of one run.
 

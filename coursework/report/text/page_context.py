@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 
 from coursework.mechanism.derivation.constants import NamedAngles, named_angles
@@ -21,6 +20,7 @@ from coursework.report.text.words import Words
 from coursework.results.checks.result import beside
 from coursework.scene.quantities import PLOTS
 from coursework.scene.scene_run import SceneRun
+from coursework.system.frozen import caching
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH
@@ -33,7 +33,7 @@ DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task s
 _OF_GROUP = re.compile(r"(?<![\w.])G\d+[xy](?!\w)")  # an equation of a group, as the tool names it
 
 
-@dataclass(frozen=True)
+@caching
 class PageContext:
     """One run and one language."""
 

@@ -8,7 +8,7 @@ Every number in them is already a string.  To add a kind: one record here, one m
 
 from __future__ import annotations
 
-from dataclasses import asdict, field, replace
+from dataclasses import field, fields, is_dataclass, replace
 from typing import Any
 
 from coursework.report.text.readable import least_width
@@ -233,5 +233,14 @@ class Section:
         return replace(self, number=number)
 
     def plain(self) -> dict[str, Any]:
-        """Return the section as dicts, lists and strings."""
-        return asdict(self)
+        """Return the section as dicts, lists and strings; its runs are those of the section, not copies."""
+        found: dict[str, Any] = _plain(self)
+        return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list | tuple):
+        return type(value)(map(_plain, value))
+    return {one.name: _plain(getattr(value, one.name)) for one in fields(value)} if is_dataclass(value) else value

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import pathlib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.entries import (
     Binding,
@@ -55,7 +55,7 @@ class Changes:
     times: Values
 
 
-@dataclass(frozen=True)
+@caching
 class Variant:
     """One variant of the coursework, complete.
 
