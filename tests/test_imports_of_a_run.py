@@ -6,6 +6,8 @@ import sys
 
 import pytest
 
+from tests.grading.batch.classroom import hand_in
+
 LOOK = """
 import json, sys
 {code}
@@ -79,3 +81,24 @@ def test_the_look_at_imports_sees_them(tmp_path):
         "import coursework\nrun = coursework.solve('31', quantities=['table'])\nrun.table, run.scene.reduction.blocks[0].matrix",
         tmp_path,
     )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "others"),
+    [
+        (("run", "31", "--format", "csv"), {"click", "numpy"}),
+        (("check", "31"), {"click", "numpy"}),
+        (("run", "31"), {"click", "numpy", "jinja2", "markupsafe", "typst"}),
+        (("grade", "in", "--variant", "31", "--out", "out"), {"click", "numpy", "jinja2", "markupsafe"}),
+    ],
+    ids=lambda one: one[0] if isinstance(one, tuple) else "",
+)
+def test_the_libraries_of_a_command(arguments, others, tmp_path):
+    if arguments[0] == "grade":
+        hand_in(tmp_path / "in" / "ada")
+    modules = imported(command(*arguments), tmp_path)
+    bare = imported("", tmp_path)
+    assert {name.partition(".")[0] for name in modules - bare} - sys.stdlib_module_names == {"coursework", *others}
+    assert "numpy.ma" not in modules
+    rooms = {name.split(".")[1] for name in modules if name.startswith("coursework.")}
+    assert rooms & {"grading", "assigning"} == ({"grading"} if arguments[0] == "grade" else set())

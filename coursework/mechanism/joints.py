@@ -16,7 +16,7 @@ from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.entries import reached
-from coursework.variant.record.variant import Group, Link, Variant
+from coursework.variant.record.variant import Coordinate, Group, Link, Variant
 
 FRAME = "0"
 
@@ -147,7 +147,8 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
     for coordinate in variant.coordinates:
         if coordinate.name not in in_groups:
             carried[coordinate.name] = next(numbers)
-            joints.append(Joint(REVOLUTE if coordinate.unit == "rad" else PRISMATIC, (carried[coordinate.name], FRAME), None))
+            bodies, turns = (carried[coordinate.name], FRAME), coordinate.unit == "rad"
+            joints.append(Joint(REVOLUTE, bodies, None) if turns else _driven_slide(coordinate, variant, bodies))
     for group in variant.groups:
         own = [next(numbers) for _ in group.coordinates]
         outer = [_carrier(formula, carried, points) for formula in group.start_points]
@@ -162,6 +163,13 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
             holds[body].append(name)
     coordinates = {body: coordinate for coordinate, body in carried.items()}
     return Linkage(tuple(carried.values()), tuple(joints), coordinates, {body: tuple(names) for body, names in holds.items()})
+
+
+def _driven_slide(coordinate: Coordinate, variant: Variant, bodies: tuple[str, str]) -> Joint:
+    """Return what lets a point move with a length beside the groups: on the guide that the frame has through it."""
+    moved = next((name for name, formula in variant.points if coordinate.name in formula.names()), "")
+    along = next((angle for through, angle in variant.frame.rails if through == named(moved)), None)
+    return Joint(PRISMATIC, bodies, named(moved) if moved else None, along)
 
 
 def link_names(chain: Linkage, variant: Variant) -> dict[str, str]:

@@ -17,6 +17,7 @@ from typing import Any
 
 from coursework.words.data_folders import REPORTS, folder, folder_of_package
 from coursework.words.errors import InputError
+from coursework.words.scripts import OPEN_SPACE, closed_up
 from coursework.words.sentence import Sentence
 from coursework.words.words_file import read_words
 
@@ -33,10 +34,6 @@ PLURALS: dict[str, Callable[[int], str]] = {
 _ROUND = ":r}"  # a format of our own, see `_Number`
 _NOUN = ";"  # another: "{more:.2g;раз|раза|раз}", see `_Counting`
 _UNIT = re.compile("[A-Za-zµ]+")  # rad and s of "rad/s²"
-# A space of our own beside a gap: Chinese sets one beside Latin letters and figures, none between its own signs or beside its
-# full stops and parentheses; which of them a gap brings is known when it is filled.
-_SPACE = "\ue00f"
-_WIDE, _STOPS = "\u3000-\u303f\u3400-\u9fff\uff00-\uff65", "、。，；：！？（）"
 FORMS = frozenset({"one", "few", "many", "other"})
 
 
@@ -79,10 +76,10 @@ class Phrases:
     def filled(self, key: str, template: str, values: Mapping[str, object]) -> str:
         """Return a template with its gaps filled.  Raises `InputError` for a gap that the program does not know."""
         if self.language != ENGLISH:
-            template = template.replace(" {", f"{_SPACE}{{").replace("} ", f"}}{_SPACE}")
+            template = template.replace(" {", f"{OPEN_SPACE}{{").replace("} ", f"}}{OPEN_SPACE}")
         try:
             filled = _Counting(self).vformat(template, (), values) if _NOUN in template else template.format(**values)
-            return _closed_up(filled)
+            return closed_up(filled)
         except (KeyError, IndexError, ValueError, AttributeError) as error:
             known = ", ".join(f"{{{name}}}" for name in values) or "–"
             raise InputError(say("fault.L001", language=self.language, key=key, error=str(error), known=known)) from error
@@ -123,8 +120,8 @@ class Phrases:
     def listing(self, parts: Sequence[str]) -> str:
         """Return "a, b and c"."""
         *first, last = parts or [""]
-        between = f"{_SPACE}{self.template('and')}{_SPACE}"
-        return _closed_up(between.join([self.template("join.comma").join(first), last] if first else [last]))
+        between = f"{OPEN_SPACE}{self.template('and')}{OPEN_SPACE}"
+        return closed_up(between.join([self.template("join.comma").join(first), last] if first else [last]))
 
     def unit(self, unit: str) -> str:
         """Return a unit such as "rad/s" as this language writes it; one that the words file does not have part by part."""
@@ -285,18 +282,3 @@ def say_count(key: str, number: int, /, **values: object) -> Sentence:
 def joined(parts: Iterable[str], between: str = "join.sentences") -> Sentence:
     """Return findings one behind the other; `between` is the key of what stands between them.  Empty ones are left out."""
     return say(between, parts=tuple(part for part in parts if part))
-
-
-def unfolded(text: str) -> str:
-    """Return a text without the ends of lines that would become spaces where Chinese sets none."""
-    return _closed_up(text.replace("\n", _SPACE), "\n") if max(text, default="") >= _WIDE[0] else text
-
-
-def _closed_up(text: str, space: str = " ") -> str:
-    return _no_space().sub("", text).replace(_SPACE, space) if _SPACE in text else text
-
-
-@cache
-def _no_space() -> re.Pattern[str]:
-    """Return the places without a space: a pattern with the ranges of Chinese takes long to make, and English has none."""
-    return re.compile(f"(?<=[{_WIDE}]){_SPACE}(?=[{_WIDE}])|(?<=[{_STOPS}]){_SPACE}|{_SPACE}(?=[{_STOPS}])")

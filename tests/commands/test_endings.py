@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+import coursework
+from coursework.report.output.tables import table_csv
+
 pytestmark = pytest.mark.usefixtures("folder")
 CSV = ["--quantities", "table,checks", "--format", "csv"]
 COMMAND = [sys.executable, "-m", "coursework"]
@@ -128,3 +131,14 @@ def test_a_home_that_cannot_be_written(folder):
     done = subprocess.run(command, env=environment, capture_output=True, check=False)
     assert (done.returncode, done.stderr) == (0, b"")
     assert sorted(path.name for path in Path("o").iterdir()) == ["report.html", "report.pdf", "run.json"]
+
+
+def test_a_home_that_is_a_file_and_a_sympy_without_its_parts(folder):
+    """Nothing is kept between runs: the table is the same, and nothing is said."""
+    (folder / "home").touch()
+    code = "import sys; sys.modules['gmpy2'] = sys.modules['mpmath'] = None; from coursework.commands.cli import main; main()"
+    environment = {**os.environ, "HOME": str(folder / "home"), "XDG_CACHE_HOME": str(folder / "home")}
+    command = [sys.executable, "-c", code, "run", "31", "--quantities", "table", "--format", "csv", "--out", "o"]
+    done = subprocess.run(command, env=environment, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert Path("o/table.csv").read_bytes() == table_csv(coursework.solve("31", quantities=["table"])).encode()

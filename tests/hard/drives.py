@@ -28,6 +28,11 @@ class Law:
     most: float = 1.0
     wave: float = 0.0
 
+    @property
+    def sudden(self) -> tuple[float, ...]:
+        """Return when something sudden happens (s)."""
+        return tuple(float(value.split()[0]) for name, value in self.given.items() if name in {"tm", "tn"})
+
 
 def moment(random: Random) -> float:
     """Return when it happens: between rows, on a row, near the begin or the end."""

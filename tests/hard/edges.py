@@ -97,8 +97,7 @@ def quick(random: Random) -> Edge:
     true = of_four_bar(sides, law, rate_of(law), mp.mpf(0))
     if random.random() < 0.3:  # nothing but velocity equations: no closed form helps
         text = as_equations(text.replace('scheme = "exact"', 'scheme = "rk4"'), true(mp.mpf(0)))
-    quickly = tuple(float(value.split()[0]) for name, value in law.given.items() if name in {"tm", "tn"})
-    return Edge("quick", f"{kind} {width:.0e}", text, true, about=quickly, most=law.most, wave=law.wave)
+    return Edge("quick", f"{kind} {width:.0e}", text, true, about=law.sudden, most=law.most, wave=law.wave)
 
 
 def as_equations(text: str, start: Columns) -> str:

@@ -26,10 +26,9 @@ def short(random: Random) -> Edge:
     kind, width = random.choice(KINDS), float(f"{end * 10 ** -random.uniform(0, 5):.3g}")
     law = drive(kind, random, width, end)
     text = four_bar(law, scheme=random.choice(SCHEMES), step=step, end=end)
-    quickly = tuple(float(value.split()[0]) for name, value in law.given.items() if name in {"tm", "tn"})
     told = f"{kind} {width:.0e} of {end:.0e} s"
     true = of_four_bar(SIDES, law, rate_of(law), mp.mpf(0))
-    return Edge("short", told, text, true, about=quickly, most=law.most, wave=law.wave)
+    return Edge("short", told, text, true, about=law.sudden, most=law.most, wave=law.wave)
 
 
 def pole(random: Random) -> Edge:

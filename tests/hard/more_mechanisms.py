@@ -19,15 +19,21 @@ SCHEMES = ["exact", "exact", "euler", "rk4"]
 FIVE = ("ra", "re", "rb", "rc", "xO")
 
 
+def as_second(law: Law) -> tuple[dict[str, str], str]:
+    """Return data and formula of a law under names that leave those of a first law free."""
+    names = {name: f"{name}_2" for name in law.given}
+    renamed = re.sub(r"\b[a-zA-Z]+\b", lambda one: names.get(one[0], one[0]), law.drive)
+    return {names[name]: value for name, value in law.given.items()}, renamed
+
+
 def two(random: Random) -> Edge:
     """Return a five-bar of two driven cranks, each with a law of its own."""
     kinds = ["pulse", "switch", "fold", "chirp", "step"]
     first, second = (drive(random.choice(kinds), random, 10 ** -random.uniform(0, 6)) for _ in range(2))
     a, e, long, other, d = random.choice([0.1, 0.2, 0.3]), random.choice([0.15, 0.25]), 0.8, 0.9, 1.0
     lengths = "".join(f'{name} = "{value!r} m"\n' for name, value in zip(FIVE, (a, e, long, other, d), strict=True))
-    names = {name: f"{name}_2" for name in second.given}
-    law = re.sub(r"\b[a-zA-Z]+\b", lambda one: names.get(one[0], one[0]), second.drive)
-    given = first.given | {names[name]: value for name, value in second.given.items()}
+    more, law = as_second(second)
+    given = first.given | more
     text = f"format = 1\n[given]\n{lengths}" + "".join(f'{name} = "{value}"\n' for name, value in given.items())
     text += f'[drive]\nw1 = "{first.drive}"\nv1 = "{law}"\n'
     text += FIVE_BAR.format(scheme=random.choice(SCHEMES), step=random.choice([0.01, 0.002]))
@@ -41,7 +47,7 @@ def two(random: Random) -> Edge:
         wu, wv = closing(1j * rate(t) * ra * mp.expj(q), 1j * turning(t) * re_ * mp.expj(p), rb, rc, u, v)
         return {"q": q, "p": p, "u": u, "v": v, "w1": rate(t), "v1": turning(t), "wu": wu, "wv": wv}
 
-    quickly = tuple(float(value.split()[0]) for n, value in given.items() if n in {"tm", "tm_2"})
+    quickly = (*first.sudden, *second.sudden)
     most, wave = max(first.most, second.most), max(first.wave, second.wave)
     return Edge("two", f"{first.kind} and {second.kind}", text, true, about=quickly, most=most, wave=wave)
 
@@ -128,8 +134,7 @@ def passed(random: Random) -> Edge:
         slide = -rr * mp.sin(th) * w - high / over * rr * mp.cos(th) * w
         return {"th": th, "ps": ps, "s": rr * mp.cos(th) + over, "w1": w, "w2": wps, "u": slide}
 
-    quickly = tuple(float(value.split()[0]) for name, value in law.given.items() if name == "tm")
-    return Edge("passed", f"rod longer by {more:.0e}, {kind}", text, true, more, about=quickly, most=law.most, wave=law.wave)
+    return Edge("passed", f"rod longer by {more:.0e}, {kind}", text, true, more, about=law.sudden, most=law.most, wave=law.wave)
 
 
 SLIDER = """format = 1
@@ -172,10 +177,10 @@ def rolling(random: Random) -> Edge:
     """Return variant 31 with something sudden beside its sine: phi3 in closed form (numerics.md 1.1)."""
     kind = random.choice(["pulse", "lorentz", "decay", "switch", "step", "fold", "twins"])
     law = drive(kind, random, 10 ** -random.uniform(0, 7), 0.48)
-    # m that it adds: the wheel has 0.11 m and more to spare, and a Lorentz pulse turns by six radians.
-    part = mp.mpf(float(f"{random.uniform(0.01, 0.04) / (4 if kind == 'lorentz' else 1):.3g}"))
-    given = "\n".join(f'{name}_2 = "{_in_metres(value)}"' for name, value in law.given.items())
-    added = re.sub(r"\b[a-zA-Z]+\b", lambda one: f"{one[0]}_2" if one[0] in law.given else one[0], law.drive)
+    # m that it adds: the wheel has 0.11 m and more to spare, and others than a pulse turn by six radians.
+    part = mp.mpf(float(f"{random.uniform(0.01, 0.04) / (4 if kind in {'lorentz', 'step'} else 1):.3g}"))
+    names, added = as_second(law)
+    given = "\n".join(f'{name} = "{value.replace("rad/s", "m/s")}"' for name, value in names.items())  # of a point
     text = V31.replace("[drive]", f'part_2 = "{float(part)!r}"\n{given}\n[drive]').split("[ask]")[0]
     text = text.replace('"V1*sin(p*t + alpha)"', f'"V1*sin(p*t + alpha) + part_2*({added})"').replace("period ", "# ")
     text = text.replace('end       = "0.48 s"', f'end = "0.48 s"\nscheme = "{random.choice(SCHEMES)}"')
@@ -186,10 +191,4 @@ def rolling(random: Random) -> Edge:
         way = v / p * (mp.cos(alpha) - mp.cos(p * t + alpha)) + part * law.angle(t)
         return {"phi3": mp.pi + mp.atan(mp.mpf("0.5")) - mp.asin((begin + way / r3) / mp.sqrt(5))}
 
-    quickly = tuple(float(value.split()[0]) for name, value in law.given.items() if name in {"tm", "tn"})
-    return Edge("rolling", f"{kind} in 31", text, true, about=quickly)
-
-
-def _in_metres(value: str) -> str:
-    """Return a rate of a crank as one of a point."""
-    return value.replace("rad/s", "m/s")
+    return Edge("rolling", f"{kind} in 31", text, true, about=law.sudden)

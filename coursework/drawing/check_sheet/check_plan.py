@@ -78,8 +78,7 @@ def plan_of(sketch: Sketch, findings: Findings, table: Kinematics) -> CheckPlan 
 
 
 def _drive(sketch: Sketch) -> tuple[tuple[str, ...], tuple[str, ...], list[tuple[str, str]]]:
-    lengths = [(slide.link, slide.rider) for slide in sketch.pose.slides if slide.speed is not None]
-    return tuple(sketch.pose.velocities), tuple(sketch.pose.rates), lengths
+    return tuple(sketch.pose.velocities), tuple(sketch.pose.rates), sketch.pose.driven_lengths
 
 
 def _images(sketch: Sketch, drawn: Polygons) -> dict[str, complex]:

@@ -115,12 +115,12 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     row = _required_row(variant, motion)
     if row > len(motion.t):
         return None
-    changing = stretching(mechanism)
-    if sides := tuple("".join(sorted(pair)) for pair in changing if any(pair <= set(corners) for corners in _links(mechanism))):
-        raise InputError(say("fault.V525", sides=sides))
     outline = read_outline(mechanism)
-    lengths = driven_lengths(outline, equations, exact) if outline is not None else {}
-    read = read_sketch(mechanism, equations, lengths)
+    assert outline is not None
+    rigid = [set(bar.corners) for bar in outline.bars]
+    if sides := tuple("".join(sorted(pair)) for pair in stretching(mechanism) if any(pair <= corners for corners in rigid)):
+        raise InputError(say("fault.V525", sides=sides))
+    read = read_sketch(outline, equations, driven_lengths(outline, equations, exact))
     sketch = read(motion, row - 1)
     findings = construct(sketch.pose)
     measured = _measured(sketch, findings)
@@ -176,11 +176,6 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     if len(motion.coordinate_names) < len(variant.coordinates):
         raise InputError(say("fault.V517"))
     return variant.time.row_of_check
-
-
-def _links(mechanism: Mechanism) -> list[tuple[str, ...]]:
-    outline = read_outline(mechanism)
-    return [bar.corners for bar in outline.bars] if outline is not None else []
 
 
 def _sought(sketch: Sketch, findings: Findings) -> list[Body]:

@@ -54,6 +54,11 @@ class Pose:
     slides: tuple[Slide, ...] = ()
 
     @property
+    def driven_lengths(self) -> list[tuple[str, str]]:
+        """Return link and rider of every slide that is driven."""
+        return [(slide.link, slide.rider) for slide in self.slides if slide.speed is not None]
+
+    @property
     def size(self) -> float:
         """Return the largest distance of two points of the links (m)."""
         points = {self.positions[name] for body in self.bodies for name in body.points}

@@ -206,8 +206,8 @@ class _Ruler:
         if one.rule == "rolls":
             return
         self.image(one)
-        under, slides = one.lines[-1].link if one.rule == "slide" else "", self.sketch.pose.slides
-        if under and one.rider not in fixed and all(s.speed is None for s in slides if (s.link, s.rider) == (under, one.rider)):
+        under = one.lines[-1].link if one.rule == "slide" else ""
+        if under and one.rider not in fixed and (under, one.rider) not in self.sketch.pose.driven_lengths:
             self.vector(point, one.rider)
         for line in one.lines if one.rule == "lines" else ():
             if line.kind == "slot":
@@ -295,7 +295,6 @@ class _Ruler:
         if length.read is not None or known in self.resting:
             self.resting.add(name)
         if shown:
-            primed = name.replace("'", "′")
             more = (part, length.computed, length.images, name in self.resting)
             tabled = self.table.get(name, float("nan"))
-            self.readings.append(Reading(primed, length.name, length.read, relation, found, tabled, unit, *more))
+            self.readings.append(Reading(name.replace("'", "′"), length.name, length.read, relation, found, tabled, unit, *more))

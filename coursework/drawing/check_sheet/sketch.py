@@ -16,11 +16,9 @@ from coursework.drawing.check_sheet.pose import Body, Pose, Slide
 from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses, read_poses
-from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.plans.driven_lengths import DrivenLengths
 from coursework.drawing.plans.given import given_points
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
 from coursework.system.angles import cross
@@ -59,14 +57,10 @@ class Sketch:
     row: int
 
 
-def read_sketch(
-    mechanism: Mechanism, equations: VelocityEquations, lengths: DrivenLengths
-) -> Callable[[Motion, int], Sketch]:  # fmt: skip
+def read_sketch(outline: Outline, equations: VelocityEquations, lengths: DrivenLengths) -> Callable[[Motion, int], Sketch]:
     """Return `read(motion, row)` (row from 0), compiled once for every row; `lengths` are those that are driven."""
-    outline = read_outline(mechanism)
-    assert outline is not None
-    posed = read_poses(outline, equations)
-    pushed = [name for name in given_points(outline, mechanism.variant) if name not in outline.driven]
+    variant, posed = equations.variant, read_poses(outline, equations)
+    pushed = [name for name in given_points(outline, variant) if name not in outline.driven]
     components = [part for name in pushed for part in equations.symbols.vectors[name]]
     rates = jets(equations, components, 1)[1] if pushed else None
 
@@ -74,7 +68,7 @@ def read_sketch(
         columns = rates(motion.t, motion.coordinates, motion.velocities).T if rates else np.zeros((0, 1))
         parts = [_seen(column, row) for column in columns]
         given = {name: complex(x, y) for name, x, y in zip(pushed, parts[::2], parts[1::2], strict=True)}
-        return _sketch(outline, posed(motion.t, motion.coordinates), row, mechanism.variant, given, lengths)
+        return _sketch(outline, posed(motion.t, motion.coordinates), row, variant, given, lengths)
 
     return read
 

@@ -231,10 +231,9 @@ def _written(context: PageContext, text: str) -> str:
 def _answer(context: PageContext) -> Result:
     """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
     run, say = context.run, context.words
-    told = []
+    told, kept = [], say.count("count.rows", len(run.motion.t))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s", STOP_DIGITS)
-        kept = say.count("count.rows", len(run.motion.t))
         told.append(context.lettered(say("result.stopped", time=time, kind=context.event(run.stop.kind), rows=kept)))
     if run.asks(CHECKS):
         # Where it stops is said already.
@@ -245,7 +244,7 @@ def _answer(context: PageContext) -> Result:
     if run.asks(CHECKS):
         told += _misses(context)
     if not told:
-        told.append(runs(say.count("count.rows", len(run.motion.t))))
+        told.append(runs(say("result.rows", rows=kept)))
     return Result(say("result.title"), told)
 
 

@@ -133,12 +133,8 @@ def part_of_pi(part: Fraction) -> Formula:
 
 
 def terms(formula: Formula) -> Iterator[Formula]:
-    """Yield the terms of a sum, whatever their signs."""
-    if formula.op in {"+", "-", "neg"}:
-        for part in formula.args:
-            yield from terms(part)
-    else:
-        yield formula
+    """Return the terms of a sum, whatever their signs."""
+    return (term for term, _ in signed(formula))
 
 
 def signed(formula: Formula, sign: int = 1) -> Iterator[tuple[Formula, int]]:

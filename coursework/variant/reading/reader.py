@@ -42,13 +42,14 @@ from coursework.variant.record.variant import (
     Quote,
     Time,
     Variant,
+    whole_steps,
 )
-from coursework.variant.record.variant import whole_steps as _whole_steps
 from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source, read_bytes, read_source
 from coursework.words.errors import Fault, InputError
-from coursework.words.sentences import closest, say, unfolded
+from coursework.words.scripts import unfolded
+from coursework.words.sentences import closest, say
 
 # What a floor above knows to be wrong with a file that has faults.
 Judge = Callable[[Variant], list[Fault]]
@@ -82,9 +83,7 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
     return _build(read_source(raw, file, tables or {}), file, None)
 
 
-def _build(
-    source: Source, name: str, path: Path | None, judge: Judge | None = None
-) -> Variant:  # fmt: skip
+def _build(source: Source, name: str, path: Path | None, judge: Judge | None = None) -> Variant:
     shape = read_shape(source)
     file = shape.file
     parts = Parts(source, Names.declared(file), shape.hidden)
@@ -258,13 +257,10 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
         parts.say(("time", "end"), say("fault.V071", end=end, step=step))
     elif MAX_ROWS < end / step < math.inf:  # what is not finite has a fault of its own
         parts.say(("time", "end"), say("fault.V076", number=end / step, max_rows=MAX_ROWS))
-    elif (
-        entry.check_row is not None
-        and parts.broken.isdisjoint({("time", "step"), ("time", "end")})
-        and math.isfinite(end / step)
-        and entry.check_row > _whole_steps(step, end) + 1
-    ):
-        parts.say(("time", "check_row"), say("fault.V077", check_row=entry.check_row, number=_whole_steps(step, end) + 1))
+    elif parts.broken.isdisjoint({("time", "step"), ("time", "end")}) and math.isfinite(end / step):
+        rows = whole_steps(step, end) + 1
+        if entry.check_row is not None and entry.check_row > rows:
+            parts.say(("time", "check_row"), say("fault.V077", check_row=entry.check_row, number=rows))
     if period is not None and period <= 0:
         parts.say(("time", "period"), say("fault.V064", period=period))
     return Time(step, end, period, entry.check_row, scheme=_scheme(entry.scheme, ("time", "scheme"), parts))

@@ -14,6 +14,7 @@ from coursework import load, solve
 from coursework.drawing.check_sheet.instant_centres import construct
 from coursework.drawing.check_sheet.pose import Body, Pose, Slide
 from coursework.drawing.check_sheet.sketch import read_sketch
+from coursework.drawing.outline.tracing import read_outline
 from coursework.report.output.record import record
 from coursework.words.errors import InputError
 from tests.drawing import measured
@@ -97,7 +98,7 @@ def test_where_a_wheel_rolls_on_a_rail_it_rests(name: str, angle: float) -> None
 def test_centres_of_the_exact_row(name: str) -> None:
     reference = json.loads((REFERENCE / f"{name}.json").read_text())["icv_at_check_row_exact"]
     run = run_of(name.lower())
-    sketch = read_sketch(run.scene.mechanism, run.scene.equations, {})(run.exact, run.variant.time.check_row - 1)
+    sketch = read_sketch(read_outline(run.scene.mechanism), run.scene.equations, {})(run.exact, run.variant.time.check_row - 1)
     findings = construct(sketch.pose)
     assert findings.missing == ()
     for link, expected in reference.items():

@@ -7,9 +7,10 @@ import re
 import pytest
 
 import coursework
+from coursework.drawing.outline.tracing import read_outline
 from coursework.scene.scene_run import SceneRun
 from tests.report.made import model_of, page_of, paper_of
-from tests.report.own import FIVE_BAR, SHAPER
+from tests.report.own import FIVE_BAR, SHAPER, STEPHENSON
 from tests.report.reading import html_text, pdf_text
 from tests.report.real import V31
 
@@ -87,3 +88,23 @@ def test_page_and_paper_have_the_formula(language: str, formula: str) -> None:
     assert f"{formula} − 2" in html_text(section)
     assert formula.replace(" ", "") in pdf_text(paper_of(model)).replace(" ", "")
     assert "I(0,1) → II(2,3) → II(4,5)" in html_text(section)
+
+
+# A five-bar without a second crank: its last pivot C is pushed along a guide, by a length beside the groups.
+PRESS = (
+    STEPHENSON.partition('[[group]]\nkind = "RRR"\nfrom = ["G"')[0]
+    .replace('C = "(0.35, 0)"\nE = "(0.60, 0.10)"\nG = "B + r6 @ (phi2 + delta)"\n', 'C = "(s, 0)"\n')
+    .replace(
+        'phi4 = { rate = "w4", unit = "rad" }\nphi5 = { rate = "w5", unit = "rad" }\n', 's = { start = "0.35 m", rate = "us" }\n'
+    )
+    .replace('w1 = "n1"', 'w1 = "n1"\nus = "0.2*r1*n1*sin(n1*t)"')
+    + '[frame]\nhinges = ["A"]\nrails = [{ through = "C", angle = "0" }]\n'
+)
+
+
+def test_a_driven_slide_beside_the_groups_has_its_point_and_its_slider() -> None:
+    run = solved(PRESS, ("table",))
+    pairs = told(run)["Pairs"].replace("\u00a0", " ")
+    assert "sliding, P: C (0,4)" in pairs and "C (3,4)" in pairs
+    outline = read_outline(run.scene.mechanism)
+    assert outline is not None and [(block.link, block.at, block.open) for block in outline.blocks] == [("4", "C", False)]

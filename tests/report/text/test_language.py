@@ -23,8 +23,9 @@ from coursework.scene.scene_run import SceneRun
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set
 from coursework.words.custom_templates import templates_of
+from coursework.words.scripts import unfolded
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, say, say_count, unfolded
+from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, say, say_count
 from tests.report import words_missing
 from tests.report.real import text_of
 from tests.report.text.test_sentences_of_a_page import keys
