@@ -102,6 +102,11 @@ class Key:
         """Return the assigned step, s."""
         return self.variant.time.step
 
+    @property
+    def stride(self) -> float:
+        """Return the step that coordinates are made with from row to row, s."""
+        return self.step
+
     @cached_property
     def blocks(self) -> tuple[tuple[str, ...], ...]:
         """Return the unknown velocities in the order of solution."""
@@ -171,6 +176,28 @@ class Key:
         placed = [place for block in solved for place in block]
         driven = [place for place in range(m, m + len(self.velocities)) if place not in placed]
         return (*range(m), *placed, *driven)
+
+
+@dataclass(frozen=True, eq=False)
+class MisreadKey(Key):
+    """The key of a table that was made with other velocities `made_with` (t, q), and steps `part` of the task's."""
+
+    made_with: Callable[[Array, Array], Array] | None = None
+    part: float = 1.0
+
+    def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
+        """Return the velocities (n, r) that the table was made with."""
+        return super().velocities_at(t, q, data) if self.made_with is None else self.made_with(t, q)
+
+    @property
+    def stride(self) -> float:
+        """Return the step that the table was made with, s."""
+        return self.part * self.step
+
+    @property
+    def blocks(self) -> tuple[tuple[str, ...], ...]:
+        """Return one block: which velocities come first is the task's only."""
+        return (self.velocities,)
 
 
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:

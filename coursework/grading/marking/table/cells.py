@@ -103,7 +103,7 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     if (marks == WRONG).any():
         right = (marks == KEY) | alike(key, student, key.table)
         before = as_it_was(key, student, right, own)
-        for way in from_what_was(key, student, right, own, before):
+        for way in from_what_was(key, student, marks == WRONG, own, before):
             holds = way.holds(values)
             holds[:1, :m] = False
             marks[holds & (marks == WRONG)] = way.name
