@@ -210,7 +210,7 @@ def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
     from coursework.results.kinematics.extra import ExtraTable
 
     names, unit_of = results.motion.velocity_names, results.scene.variant.unit_of
-    units = tuple(f"{unit_of(name)}²".replace("/s²", "/s²") for name in names)
+    units = tuple(unit_of(f"d{name}") for name in names)
     turning = np.abs(results.motion.velocities[:, [unit_of(name) == "rad/s" for name in names]]).max(initial=0.0)
     # A velocity changes as fast as the links turn; what adds up to nothing leaves its round-off.
     sizes = tuple(np.abs(results.motion.velocities).max(axis=0, initial=0.0) * turning)
@@ -221,7 +221,7 @@ def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
     from coursework.results.kinematics.extra import ExtraTable
 
     names, rows = named
-    units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
+    units = tuple(map(results.scene.variant.unit_of, names))
     return ExtraTable(say("extra.points"), names, units, rows)
 
 

@@ -55,7 +55,7 @@ class Stop:
         return joined([self.cause, self.meaning])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Motion:
     """Rows of one run.
 
@@ -82,6 +82,19 @@ class Motion:
     def __post_init__(self) -> None:
         for rows in (self.t, self.coordinates, self.velocities, self.determinants, self.scaled, self.residuals):
             rows.flags.writeable = False
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Motion):
+            return NotImplemented
+        mine, its = ((one.names, one.scheme, one.step, one.stop, one.t.tobytes(), one.rows.tobytes()) for one in (self, other))
+        return mine == its
+
+    def __hash__(self) -> int:
+        return hash((self.names, self.scheme, self.step, len(self.t)))
+
+    def __repr__(self) -> str:
+        stopped = f", stops at {self.stop.time:.6g} s" if self.stop else ""
+        return f"<Motion: {self.scheme}, {len(self.t)} rows of {', '.join(self.names)}{stopped}>"
 
     def column(self, name: str) -> Array:
         """Return one column by name (n,).  Raises `KeyError` for a name that is none."""
