@@ -8,22 +8,21 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
-from coursework.motion.settings import Settings, scheme_for
+from coursework.motion.settings import Settings, scheme_for, stepping
 from coursework.run import Run
 from coursework.scene.exact_scene import scene_of
-from coursework.scene.quantities import TABLE, known_quantities, quantities_for
+from coursework.scene.quantities import TABLE, known_quantities, no_quantity, quantities_for
 from coursework.variant.catalogue import load, variant_from
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.judging.bounds import timed
 from coursework.variant.record.variant import Variant
-from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import CourseworkWarning, Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import closest, say
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -77,7 +76,7 @@ def solve(
         variant, scheme, step, end, quantities=quantities, project=project, gain=gain, error=error, precision=precision,
         student=student, group=group, date=date, teacher=teacher, institution=institution, blank=blank,
     )  # fmt: skip
-    for remark in run.remarks:
+    for remark in run.remarks if end is not None else run.slips:
         warnings.warn(remark, CourseworkWarning, stacklevel=2)
     return run
 
@@ -125,8 +124,7 @@ def exact(
     run = make_run(variant, step=step, end=end, quantities=quantities)
     if (stop := run.scene.stop) is not None:
         warnings.warn(stop.sentence, CourseworkWarning, stacklevel=2)
-    names, rows = run.columns_of(run.scene.over(run.exact))
-    table = run.framed(run.exact, names, rows)
+    table = run.framed(run.scene.over(run.scene.exact))
     rates = run.scene.rates
     return table[[*rates.coordinates, *rates.velocities]] if run.settings.columns else table
 
@@ -148,24 +146,15 @@ def step_of(step: float | str | None, variant: Variant) -> float | None:
 
 def seconds(time: float | str | None) -> float | None:
     """Return a time in seconds, None for none.  Raises `InputError` for what is none."""
-    if isinstance(time, bool):
-        raise InputError(say("fault.C031", text=str(time)))
-    if not isinstance(time, str):
+    if time is None or (isinstance(time, (int, float)) and not isinstance(time, bool)):
         return time
-    try:
+    with suppress(UnitFault, TypeError):
         found = read(time, "s")
-    except UnitFault:
-        found = None
-    if found is None or found.si not in {"s", ""}:
-        raise InputError(say("fault.C031", text=time))
-    return found.value
-
-
-def stepping(variant: Variant, scheme: str | None) -> str:
-    """Return the scheme whose step or precision is asked about.  Raises `InputError` for the exact motion, which has neither."""
-    if scheme == EXACT:
-        raise InputError(say("fault.C007", scheme=PRECISE.name))
-    return scheme or (variant.time.scheme if variant.time.scheme in SCHEMES else DEFAULT_SCHEME.name)
+        if found.si in {"s", ""}:
+            return found.value
+    with suppress(ValueError):  # nan and infinity are told as what they are
+        return float(str(time))
+    raise InputError(say("fault.C031", text=str(time)))
 
 
 def step_choice(run: Run, error: float | None) -> StepChoice:
@@ -176,7 +165,7 @@ def step_choice(run: Run, error: float | None) -> StepChoice:
     if error is None:
         raise InputError(say("fault.C030"))
     if (stop := run.scene.stop) is not None:
-        raise InputError(say("fault.D031", sentence=stop.sentence))
+        raise stop.refusal
     from coursework.results.accuracy.step_rules import step_rules
     from coursework.results.accuracy.step_search import choose_step
 
@@ -226,8 +215,7 @@ def _cannot_ask(variant: Variant, name: str) -> Sentence | None:
         return records[name].refuses(variant)
     if name.partition(".")[0] in {point for point, _ in variant.points} and "." in name:
         return say("fault.D029", name=name, known=variant.columns)
-    hint = closest(name, [*records, *variant.columns])
-    return say("fault.C002", name=name, hint=hint, known=", ".join(records))
+    return no_quantity(name, variant.columns)
 
 
 def _in_file(message: Sentence, variant: Variant, name: str, is_in_file: bool) -> Fault:

@@ -31,9 +31,9 @@ from coursework.scene.scene import Scene
 from coursework.system.arrays import Array, Flags
 from coursework.variant.catalogue import variant_from
 from coursework.variant.judging.bounds import timed
-from coursework.variant.record.variant import Variant
+from coursework.variant.record.variant import Variant, no_column
 from coursework.words.errors import CourseworkError, InputError, visible
-from coursework.words.sentences import closest, joined, say
+from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -66,8 +66,8 @@ class Solutions:
     >>> solutions = coursework.solve_many("31", {"p": [12.0, 13.08]})
     >>> solutions
     <Solutions of 31: 2 sets of 25 rows, phi1, phi2, phi3, w1, w2, w3, w4>
-    >>> solutions.data["p"].tolist(), len(solutions[0]), solutions.to_frame().index.names
-    ([12.0, 13.08], 25, ['set', 't'])
+    >>> solutions.data["p"].tolist(), len(solutions[0]), len(solutions.to_frame())
+    ([12.0, 13.08], 25, 50)
     """
 
     t: Array
@@ -169,7 +169,7 @@ def feasible(variant: Variant | str | Path | int) -> Feasibility:
     >>> import coursework
     >>> found = coursework.feasible(coursework.load("31").with_data({"alpha": 0.02}))
     >>> bool(found), found.why[:40]
-    (False, 'The determinant of equations 4 and 5, th')
+    (False, 'At t = 0.116889 s, between rows 6 and 7,')
     """
     chosen = variant_from(variant)
     scene = Scene(chosen.timed(None, chosen.time.whole), Settings())
@@ -208,7 +208,7 @@ def _kept(names: tuple[str, ...], quantities: Iterable[str] | None) -> list[int]
     wanted = list(names) if quantities is None else [quantities] if isinstance(quantities, str) else list(quantities)
     for name in wanted:
         if name not in names:
-            raise InputError(say("fault.D028", name=name, hint=closest(str(name), names), known=names))
+            raise no_column(name, names)
     return [names.index(name) for name in wanted]
 
 

@@ -6,22 +6,21 @@ Used by `api.py` and `commands/`; the floors below make pages and files of the `
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from coursework.motion.integration.motion import Motion
-from coursework.motion.schemes import PRECISE
-from coursework.scene.quantities import Quantity, known_quantities
+from coursework.motion.settings import stepping
+from coursework.scene.motion_results import MotionResults
+from coursework.scene.quantities import Quantity, known_quantities, no_quantity
 from coursework.scene.scene_run import SceneRun
-from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.system.on_demand import Plan
 from coursework.variant.record.variant import changed
 from coursework.words.errors import CourseworkError, InputError, visible
-from coursework.words.sentences import closest, say
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,6 +29,9 @@ if TYPE_CHECKING:
     from coursework.takeaway.findings import Findings
     from coursework.takeaway.frames import ExactRows
     from coursework.takeaway.study import Study
+
+
+_SAME_TIME = 1e-6  # of a step
 
 
 @frozen
@@ -58,15 +60,15 @@ class Run(SceneRun):
 
     precision: str = "double"
 
-    def framed(self, motion: Motion, names: Sequence[str], rows: Array) -> pd.DataFrame:
-        """Return rows (n, columns) of a motion as a frame: index t (s), units, variant and scheme in `attrs`."""
+    def framed(self, results: MotionResults) -> pd.DataFrame:
+        """Return the columns of a motion as a frame: index t (s), units, variant and scheme in `attrs`."""
         import pandas as pd
 
         from coursework.takeaway.frames import time_index
 
+        motion, (names, rows) = results.motion, self.columns_of(results)
         table = pd.DataFrame(rows, index=time_index(motion.t), columns=list(names))
-        units = {name: self.variant.unit_of(name) for name in ("t", *names)}
-        table.attrs = {"variant": self.variant.name, "scheme": motion.scheme, "units": units}
+        table.attrs = {"variant": self.variant.name, "scheme": motion.scheme, "units": self.units_of(results)}
         return table
 
     @property
@@ -75,7 +77,7 @@ class Run(SceneRun):
 
         Angles are in rad, slides in m, rates in rad/s and m/s; `table.attrs["units"]` has the unit of each column.
         """
-        return self.framed(self.motion, *self.columns())
+        return self.framed(self.results)
 
     @property
     def points(self) -> pd.DataFrame:
@@ -108,12 +110,14 @@ class Run(SceneRun):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return what looks like a slip in the file or in what was asked for."""
-        told = [remark.sentence for remark in self.variant.plausibility]
-        time = self.variant.time
-        if abs(time.steps * time.step - time.end) > 1e-6 * time.step:
-            told.append(say("remark.last_row", last=time.steps * time.step, end=time.end))
-        return tuple(map(str, told))
+        """Return what looks like a slip in the file, and where the last row stands that is not the end asked for."""
+        end = self.variant.time.end
+        return (*self.slips, *([str(say("remark.last_row", last=self.end, end=end))] if self.end != end else []))
+
+    @property
+    def slips(self) -> tuple[str, ...]:
+        """Return what looks like a slip of the pen in the file."""
+        return tuple(str(remark.sentence) for remark in self.variant.plausibility)
 
     @property
     def advice(self) -> Advice:
@@ -138,17 +142,16 @@ class Run(SceneRun):
         from coursework.results.accuracy.round_off import round_off_curve
 
         if self.stop is not None:
-            raise InputError(say("fault.D031", sentence=self.stop.sentence))
-        if self.tableau is None:
-            raise InputError(say("fault.C007", scheme=PRECISE.name))
-        end = self.scene.exact.coordinates[-1]
-        return round_off_curve(self.scene.rates, self.scheme, self.scene.start, self.step, len(self.motion.t) - 1, end)
+            raise self.stop.refusal
+        scheme, end = stepping(self.variant, self.scheme), self.scene.exact.coordinates[-1]
+        return round_off_curve(self.scene.rates, scheme, self.scene.start, self.step, len(self.motion.t) - 1, end)
 
     @property
     def end(self) -> float:
         """Return the time of the last row asked for (s); a motion that stops ends before it."""
         time = self.variant.time
-        return time.end if abs(time.steps * time.step - time.end) < 1e-6 * time.step else float(f"{time.steps * time.step:.12g}")
+        last = time.steps * time.step
+        return time.end if abs(last - time.end) < _SAME_TIME * time.step else float(f"{last:.12g}")
 
     @property
     def passed(self) -> bool:
@@ -163,10 +166,9 @@ class Run(SceneRun):
     def of(self, quantity: Quantity[Any] | str) -> Any:
         """Return a quantity of the rows, by its record or by its name.  Raises `InputError` for a name that is none."""
         if isinstance(quantity, str):
-            known = known_quantities()
-            if quantity not in known:
-                raise InputError(say("fault.C002", name=quantity, hint=closest(quantity, list(known)), known=", ".join(known)))
-            quantity = known[quantity]
+            if quantity not in known_quantities():
+                raise InputError(no_quantity(quantity))
+            quantity = known_quantities()[quantity]
         return super().of(quantity)
 
     def compute(self) -> Run:

@@ -10,9 +10,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursework.api import make_run, step_choice, stepping, variant_of
+from coursework.api import make_run, step_choice, variant_of
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
 from coursework.commands.screen import is_terminal, tell, tell_own_file, tell_unprinted
+from coursework.motion.settings import stepping
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from coursework.motion.geometry.chain import is_chain
 from coursework.motion.integration.integrate import refuse_gain
-from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, scheme_of
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, scheme_of
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
@@ -21,6 +21,13 @@ MOST_CORRECTIONS = 20  # Newton's method has settled long before
 def scheme_for(variant: Variant, scheme: str | None = None) -> str:
     """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
     return scheme or variant.time.scheme or (EXACT if is_chain(variant) else DEFAULT_SCHEME.name)
+
+
+def stepping(variant: Variant, scheme: str | None) -> str:
+    """Return the scheme whose step or precision is asked about.  Raises `InputError` for the exact motion, which has neither."""
+    if scheme == EXACT:
+        raise InputError(say("fault.C007", scheme=PRECISE.name))
+    return scheme or (variant.time.scheme if variant.time.scheme in SCHEMES else DEFAULT_SCHEME.name)
 
 
 @frozen

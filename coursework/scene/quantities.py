@@ -22,7 +22,7 @@ from coursework.system.frozen import frozen
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
     from coursework.drawing.check_sheet.graph_check import GraphCheck
@@ -281,6 +281,12 @@ QUANTITIES: tuple[Quantity[Any], ...] = (
 def known_quantities() -> dict[str, Quantity[Any]]:
     """Return the records by the name to ask for."""
     return {quantity.name: quantity for quantity in QUANTITIES}
+
+
+def no_quantity(name: str, columns: Iterable[str] = ()) -> Sentence:
+    """Return that there is no quantity of a name, and which there are."""
+    known = list(known_quantities())
+    return say("fault.C002", name=name, hint=closest(name, [*known, *columns]), known=", ".join(known))
 
 
 def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:

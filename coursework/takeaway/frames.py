@@ -50,7 +50,7 @@ class ExactRows(Motion):
     >>> exact = coursework.solve("31").exact
     >>> between = exact.at([0.05, 0.051])  # s
     >>> between.column("w3").round(4).tolist(), between.points["B"].velocity.shape
-    ([4.4917, 4.4678], (2, 2))
+    ([4.7354, 4.7051], (2, 2))
     """
 
     scene: Scene | None = field(default=None, repr=False, compare=False)
@@ -69,13 +69,11 @@ class ExactRows(Motion):
         assert self.scene is not None
         times = np.atleast_1d(np.asarray(t, dtype=float)).ravel()
         last = self.scene.last_time
-        for time in times[~((times >= 0) & (times <= last * (1 + _SHORTEST)))][:1].tolist():
-            raise InputError(say("fault.D026", time=time, last=last))
-        inside = np.minimum(times, last)
-        grid, places = np.unique(np.append(inside, 0.0), return_inverse=True)
+        outside = times[~((times >= 0) & (times <= last * (1 + _SHORTEST)))].tolist()
+        grid, places = np.unique(np.append(np.clip(times, 0.0, last), 0.0), return_inverse=True)
         found = self.scene.exact_at(grid)
-        if not len(found.t):
-            raise InputError(say("fault.D026", time=float(times.max(initial=0.0)), last=last))
+        if outside or not len(found.t):
+            raise InputError(say("fault.D026", time=[*outside, float(grid[-1])][0], last=last))
         return exact_rows(self.scene, found, places.ravel()[:-1])
 
 

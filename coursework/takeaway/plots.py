@@ -14,8 +14,8 @@ from coursework.drawing.paper.symbols import angle_word, rate_word
 from coursework.motion.integration.motion import Motion
 from coursework.results.accuracy.record import AccuracyStudy
 from coursework.scene.scene_run import SceneRun
-from coursework.words.errors import InputError
-from coursework.words.sentences import closest, say
+from coursework.variant.record.variant import no_column
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,7 +42,7 @@ def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) 
     listed = names or run.motion.velocity_names
     for name in listed:
         if name not in run.motion.names:
-            raise InputError(say("fault.D028", name=name, hint=closest(name, run.motion.names), known=run.motion.names))
+            raise no_column(name, run.motion.names)
     by_unit: dict[str, list[str]] = {}
     for name in listed:
         by_unit.setdefault(run.variant.unit_of(name), []).append(name)

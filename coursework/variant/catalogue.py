@@ -36,7 +36,12 @@ def _natural(name: str) -> list[tuple[bool, int | str]]:
 
 
 def names() -> list[str]:
-    """Return the names of the catalogue's variants, numbers in their order."""
+    """Return the names of the catalogue's variants, numbers in their order.
+
+    >>> import coursework
+    >>> coursework.names()[:3]
+    ['31', 'andrews', 'cardan']
+    """
     return sorted((path.stem for path in folder("variants").glob("*.toml")), key=_natural)
 
 

@@ -90,6 +90,7 @@ class CourseworkWarning(UserWarning):
     >>> import warnings
     >>> import coursework
     >>> with warnings.catch_warnings(record=True) as told:
+    ...     warnings.simplefilter("always")
     ...     run = coursework.solve(coursework.load("31").with_data({"r1": 950.0}))
     >>> told[0].category.__name__, run.remarks == (str(told[0].message),)
     ('CourseworkWarning', True)

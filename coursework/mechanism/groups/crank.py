@@ -31,6 +31,7 @@ def crank(a: At, *, length: Length, angle: ArrayLike, rate: ArrayLike, accelerat
     in analogs.
     Raises `ValueError` for a length that is not finite and above zero.
 
+    >>> import numpy as np
     >>> from coursework.procedures import Pair, crank
     >>> pin = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, np.pi / 2], rate=10.0).meets
     >>> pin.position.round(9).tolist(), pin.velocity.round(9).tolist()  # m, m/s

@@ -166,7 +166,7 @@ def pair_of(at: At) -> Pair:
     >>> from coursework.procedures import crank, rrr
     >>> turning = crank([0.0, 0.0], length=0.1, angle=[0.0, 1.0], rate=10.0)
     >>> rrr(turning, [0.4, 0.0], lengths=(0.35, 0.25), mode=1).coordinates.round(4).tolist()
-    [[0.7752, 1.7699], [0.4911, 1.6344]]
+    [[0.7752, 1.7722], [0.4851, 1.7167]]
     """
     if isinstance(at, Pair):
         return at

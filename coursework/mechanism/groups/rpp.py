@@ -34,6 +34,7 @@ def rpp(b: At, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = F
     Raises `CannotAssemble` where the slides are parallel and B is off the line of D; `AtDeadPoint` where they
     are parallel and B is on it, whatever `positions_only`: block j may then stand anywhere.
 
+    >>> import numpy as np
     >>> from coursework.procedures import Guide, Pair, rpp
     >>> found = rpp(Pair([0.3, 0.4], velocity=[1.0, 2.0]), Guide(Pair([0.0, 0.0]), angle=0.0), slide_angle=np.pi / 2)
     >>> found.coordinates.round(9).tolist(), found.rates.round(9).tolist()  # m, m/s

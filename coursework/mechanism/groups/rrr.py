@@ -35,6 +35,7 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
     Raises `CannotAssemble` unless |r_i - r_j| <= BD <= r_i + r_j; `AtDeadPoint` where the links lie on one
     line, unless `positions_only`; `ValueError` for a mode or a length that does not exist.
 
+    >>> import numpy as np
     >>> from coursework.procedures import Pair, rrr
     >>> found = rrr(Pair([0.0, 0.0]), Pair([0.5, 0.0]), lengths=(0.4, 0.3), mode=1)
     >>> found.meets.position.round(9).tolist(), np.rad2deg(found.coordinates).round(2).tolist()

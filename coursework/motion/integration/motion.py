@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -53,6 +54,11 @@ class Stop:
     def sentence(self) -> str:
         """Return the whole finding as one paragraph."""
         return joined([self.cause, self.meaning])
+
+    @property
+    def refusal(self) -> InputError:
+        """Return the error for what only a motion that reaches its end has."""
+        return InputError(say("fault.D037", sentence=self.sentence))
 
 
 @dataclass(frozen=True, eq=False)

@@ -50,7 +50,7 @@ def notebook_html(run: SceneRun, language: str = "en") -> str:
     Raises `InputError` where the language is not there.
 
     >>> import coursework
-    >>> page = notebook_html(coursework.solve("31", quantities=["table", "checks"]))
+    >>> page = coursework.notebook_html(coursework.solve("31", quantities=["table", "checks"]))
     >>> page.count("<svg"), "PERIOD-POSITION" in page
     (8, True)
     """

@@ -48,6 +48,11 @@ MAX_NUMBERS = 4_000_000  # of a table: rows times columns
 MOST_PERIODS = 10_000  # of one run
 
 
+def no_column(name: object, known: tuple[str, ...]) -> InputError:
+    """Return the error for a name that is none of the columns known."""
+    return InputError(say("fault.D028", name=name, hint=closest(str(name), known), known=known))
+
+
 def changed(values: Mapping[str, str]) -> str:
     """Return " (alpha = 0.02 rad)" for what was set other than in the file, "" where nothing was."""
     listed = ", ".join(f"{name} = {value}" for name, value in values.items())
@@ -185,8 +190,7 @@ class Variant:
         ['rad/s', 'rad/s²', 'm', 'm/s²']
         """
         if column not in self._units:
-            known = [name for name in self._units if "." not in name]
-            raise InputError(say("fault.D028", name=column, hint=closest(str(column), known), known=tuple(known)))
+            raise no_column(column, tuple(name for name in self._units if "." not in name))
         return self._units[column]
 
     @cached_property
