@@ -195,11 +195,10 @@ class Run(SceneRun):
     def __repr__(self) -> str:
         ends = f"0 to {self.end:g} s"
         with suppress(CourseworkError, ArithmeticError, ValueError):
-            if self.stop is not None:
-                ends = f"stops at {self.stop.time:.4g} s"
-        names = ", ".join((*self.asked, *self.settings.columns))
+            if (stop := self.scene.stop) is not None:
+                ends = f"stops at {stop.time:.4g} s"
         name = f"{visible(self.variant.name)}{changed(self.variant.set_values)}"
-        return f"<Run of {name}: {self.scheme}, h = {self.step:g} s, {ends}, asked for {names}>"
+        return f"<Run of {name}: {self.scheme}, h = {self.step:g} s, {ends}>"
 
     def _repr_html_(self) -> str:
         from coursework.report.pages import notebook_html
