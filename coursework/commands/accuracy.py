@@ -12,7 +12,7 @@ from pathlib import Path
 
 import click
 
-from coursework.api import solve, variant_of
+from coursework.api import make_run, variant_of
 from coursework.commands.screen import in_language, tell, tell_own_file, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
@@ -32,7 +32,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     wanted = chosen(formats, "accuracy")
     tell_own_file(variant)
     read = variant_of(variant)
-    run = solve(read, quantities=("accuracy",))
+    run = make_run(read, quantities=("accuracy",))
     if run.stop is not None:
         tell(say("screen.nothing_to_study", sentence=run.stop.sentence))
         return 1

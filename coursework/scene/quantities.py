@@ -22,7 +22,7 @@ from coursework.system.frozen import frozen
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
     from coursework.drawing.check_sheet.graph_check import GraphCheck
@@ -210,7 +210,7 @@ def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
     from coursework.results.kinematics.extra import ExtraTable
 
     names, unit_of = results.motion.velocity_names, results.scene.variant.unit_of
-    units = tuple(f"{unit_of(name)}²".replace("/s²", "/s²") for name in names)
+    units = tuple(unit_of(f"d{name}") for name in names)
     turning = np.abs(results.motion.velocities[:, [unit_of(name) == "rad/s" for name in names]]).max(initial=0.0)
     # A velocity changes as fast as the links turn; what adds up to nothing leaves its round-off.
     sizes = tuple(np.abs(results.motion.velocities).max(axis=0, initial=0.0) * turning)
@@ -221,7 +221,7 @@ def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
     from coursework.results.kinematics.extra import ExtraTable
 
     names, rows = named
-    units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
+    units = tuple(map(results.scene.variant.unit_of, names))
     return ExtraTable(say("extra.points"), names, units, rows)
 
 
@@ -281,6 +281,12 @@ QUANTITIES: tuple[Quantity[Any], ...] = (
 def known_quantities() -> dict[str, Quantity[Any]]:
     """Return the records by the name to ask for."""
     return {quantity.name: quantity for quantity in QUANTITIES}
+
+
+def no_quantity(name: str, columns: Iterable[str] = ()) -> Sentence:
+    """Return that there is no quantity of a name, and which there are."""
+    known = list(known_quantities())
+    return say("fault.C002", name=name, hint=closest(name, [*known, *columns]), known=", ".join(known))
 
 
 def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:

@@ -229,7 +229,7 @@ class WayToMotion:
             last = min(last, rows_before(stop.time, time.step) - 1)
         if last < 0:
             return no_rows(self.every_rate)
-        return self._exact_at(np.arange(last + 1).astype(np.float64) * time.step)
+        return self.exact_at(np.arange(last + 1).astype(np.float64) * time.step)
 
     @computed("equations", "reduction", "exact", "search")
     def exact_accelerations(self) -> Array:
@@ -259,14 +259,15 @@ class WayToMotion:
         """The exact motion at `12 * PLACES + 1` equal times over a period; up to the last row where there is none or it stops."""
         last, period = float(self.exact.t[-1]) if len(self.exact.t) else 0.0, self.variant.time.period
         end = last if period is None or (self.stop is not None and last < period) else period
-        return self._exact_at(np.linspace(0.0, end, 12 * PLACES + 1)) if end > 0 else self.exact
+        return self.exact_at(np.linspace(0.0, end, 12 * PLACES + 1)) if end > 0 else self.exact
 
     @property
     def every_rate(self) -> Rates:
         """The rates of all coordinates, whatever columns are asked for."""
         return self.passing(compile_rates(self.equations, self.reduction) if self.settings.columns else self.rates)
 
-    def _exact_at(self, times: Array) -> Motion:
+    def exact_at(self, times: Array) -> Motion:
+        """Return the exact motion at times (s) that grow from 0, no row where it cannot be had."""
         equations, every, count = self.equations, self.every_rate, len(self.reduction.blocks)
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         with suppress(OutOfReach):
@@ -296,9 +297,8 @@ class WayToMotion:
             positions += [(t, position) for *position, t in error.ahead]
         if kept is not None and kept.coordinates.shape[1] == len(variant.coordinates):
             positions += zip(kept.t.tolist(), kept.coordinates.tolist(), strict=True)
-        names = [coordinate.name for coordinate in variant.coordinates]
         for t, position in () if fault else positions:
-            fault = fault or without_value(variant, t, dict(zip(names, position, strict=False)))
+            fault = fault or without_value(variant, t, dict(zip(variant.columns, position, strict=False)))
         if not fault and in_formula(error):
             fault = Fault(say("fault.V527"), variant.file, variant.nearest_line("drive"))
         return InputError([fault]) if fault else None

@@ -16,7 +16,7 @@ from typing import Any, Generic, Protocol, TypeVar, overload
 import numpy as np
 
 from coursework.system.frozen import changing, frozen
-from coursework.words.errors import Unplaced
+from coursework.words.errors import InputError, Unplaced
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -91,6 +91,8 @@ class Computed(Generic[T]):
         if self.name not in kept:
             try:
                 kept[self.name] = owner.ledger.call(self.name, self.compute, owner)
+            except InputError:
+                raise
             except (ArithmeticError, ValueError, Unplaced) as error:
                 if (told := owner.charged(error)) is None:
                     raise

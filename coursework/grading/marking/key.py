@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.api import solve
+from coursework.api import make_run
 from coursework.equations.reduction.structure import without_data
 from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.misread import misread
@@ -90,7 +90,7 @@ class Key:
     @cached_property
     def exact(self) -> Array:
         """Return the rows (n, m + r) without the scheme's error; fewer where the motion stops."""
-        return np.asarray(solve(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
+        return np.asarray(make_run(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
 
     @cached_property
     def branches(self) -> Sequence[Array]:

@@ -29,7 +29,7 @@ def accuracy(context: PageContext) -> list[Part]:
     parts: list[Part] = [Bullets([context.rich(sentence) for sentence in study.sentences])] if study.sentences else []
     parts += [Paragraph(context.rich(sentence), "note") for sentence in study.left_out]
     if study.rows:
-        parts += [_figure(context, study), _table(context, study)]
+        parts += [error_figure(context, study), _table(context, study)]
     parts += _failures(context, study)
     return [*parts, *_overhead(context, study)]
 
@@ -52,7 +52,7 @@ def _told(study: AccuracyStudy) -> list[StudyRow]:
     return [row for row in finished if any(row is one for one in kept)]
 
 
-def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
+def error_figure(context: PageContext, study: AccuracyStudy) -> Figure:
     words = context.words
     methods = []
     for name in dict.fromkeys(row.method for row in _finished(study)):

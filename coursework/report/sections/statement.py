@@ -11,6 +11,7 @@ from dataclasses import replace
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
 from coursework.report.sections.laws import laws_shown
+from coursework.report.sections.remarks import as_written, remarks
 from coursework.report.text.numbers import NOTHING, TIGHT, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
@@ -25,12 +26,10 @@ from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
-MOST_REMARKS = 12  # on the first page, on which the results begin
 SHOWN_DIGITS = 5
 TIME_DIGITS = 4  # of a moment named in a sentence
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
-_QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
 
@@ -43,23 +42,13 @@ def statement(context: PageContext) -> list[Part]:
         *_mechanism(context),
         *([Beside(data, answer)] if data.rows else [answer]),
         *[Paragraph(context.in_its_language(text, context.rich(text)), style="note") for text in context.variant.remarks],
-        *_set(context),
-        *_plausibility(context),
+        *remarks(context),
     ]
 
 
 def _mechanism(context: PageContext) -> list[Part]:
     found = context.run.mechanism()
     return [drawn(context, found)] if found is not None else []
-
-
-def _set(context: PageContext) -> list[Part]:
-    """Return what the command line has set, other than in the file."""
-    values = context.run.variant.set_values
-    if not values:
-        return []
-    pairs = [f"{name} = {_set_value(context, text)}" for name, text in values.items()]
-    return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
 
 
 def _title_block(context: PageContext) -> TitleBlock:
@@ -214,18 +203,7 @@ def _first(context: PageContext, name: str, unit: str) -> str:
 def _given(context: PageContext, text: str, unit: str) -> str:
     """Return a value as the file gives it, in the signs of the page; digits beyond what can be measured are left out."""
     computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
-    return context.with_unit(context.numbers.plain(float(text)) if computed else _written(context, text), unit)
-
-
-def _set_value(context: PageContext, text: str) -> str:
-    """Return a value as it was set, its unit in the language of the page; a law of the drive has no unit behind it."""
-    if found := _QUANTITY.fullmatch(text):
-        return context.with_unit(_written(context, found[1]), found[2])
-    return _written(context, text)
-
-
-def _written(context: PageContext, text: str) -> str:
-    return clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark)
+    return context.with_unit(context.numbers.plain(float(text)) if computed else as_written(context, text), unit)
 
 
 def _answer(context: PageContext) -> Result:
@@ -287,12 +265,3 @@ def _driven(context: PageContext) -> set[str]:
     """Return the coordinates whose rate is driven: of them it is known where they are."""
     variant = context.run.variant
     return {c.name for c in variant.driven_coordinates}
-
-
-def _plausibility(context: PageContext) -> list[Part]:
-    say, plausibility = context.words, context.run.variant.plausibility
-    told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
-    notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]
-    if len(plausibility) > MOST_REMARKS:
-        notes.append(say("remark.more", number=len(plausibility) - MOST_REMARKS))
-    return [Paragraph(runs(note), style="note") for note in notes]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -83,10 +84,8 @@ def with_advice(evidence: Evidence, found: Iterable[Finding], judge: Judge) -> l
     if advice is None:
         return listed
     option = f"--step {advice.option}" if advice.option else f"--scheme {advice.scheme}"
-    return [
-        replace(one, sentence=joined([one.sentence, advice.sentence]), step=advice.step, option=option) if _curable(one) else one
-        for one in listed
-    ]
+    taken: dict[str, Any] = {"step": advice.step, "option": option, "scheme": advice.scheme, "advised": advice.sentence}
+    return [replace(one, sentence=joined([one.sentence, advice.sentence]), **taken) if _curable(one) else one for one in listed]
 
 
 def _curable(finding: Finding) -> bool:

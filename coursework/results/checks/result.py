@@ -33,7 +33,8 @@ class Finding:
     PASS: the claim holds; COARSE: computed right, but this step, or these digits, are too coarse for the claim; FAIL: wrong;
     SKIP: nothing to judge; ERROR: the tool itself could not judge, never the student's fault.
     `column` and `row` (from 1) are where the largest number stands; `first` and `last` the rows a period compares (SI);
-    `step` (s) is one with which every claim about the motion holds, `option` how the command line is told.  `rows` are
+    `step` (s) is one with which every claim about the motion holds, `option` how the command line is told, `scheme` one that
+    does at the same step, `advised` the sentence of both.  `rows` are
     further lines, (label, value, unit) each.  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: what the
     summary says of it before all else, `unjudged` what it adds to "computed right".
     `code`, `group` and `is_least` (the limit is the least that passes, else the most) are those of the check.
@@ -52,6 +53,8 @@ class Finding:
     rows: tuple[tuple[str, float, str], ...] = ()
     cured: bool = True
     option: str = ""
+    scheme: str = ""
+    advised: str = ""
     headline: str = ""
     unjudged: str = ""
     code: str = ""

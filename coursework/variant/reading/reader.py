@@ -79,6 +79,8 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
         ...
     coursework.words.errors.InputError: V105 variant:13:9  given.r1: a length was expected: m, cm, mm (found "0.953 kg").
     """
+    if not isinstance(content, (str, bytes)):
+        raise TypeError(say("fault.D035", found=type(content).__name__))
     raw = content.encode("utf-8") if isinstance(content, str) else content
     return _build(read_source(raw, file, tables or {}), file, None)
 
