@@ -103,8 +103,9 @@ def make_run(
         raise InputError(say("fault.C029"))
     chosen = timed(chosen, step_of(step, chosen), seconds(end))
     asked, columns = _sorted(chosen, quantities)
+    corrections = int(project) if isinstance(project, bool) else project  # as a flag, one
     order = max((one.order for one in quantities_for(asked).values()), default=1)
-    settings = Settings(scheme_for(chosen, scheme), int(project), gain, columns, order=order).checked(chosen.time.step)
+    settings = Settings(scheme_for(chosen, scheme), corrections, gain, columns, order=order).checked(chosen.time.step)
     return Run(scene_of(chosen, settings), asked, blank=blank, precision=precision, **title)  # type: ignore[arg-type]
 
 
@@ -137,24 +138,26 @@ def variant_of(path_or_name: str | Path) -> Variant:
 def step_of(step: float | str | None, variant: Variant) -> float | None:
     """Return a step in seconds: a number, a text with a unit, or h/N, a whole part of the step h of the file."""
     if not isinstance(step, str):
-        return seconds(step)
+        return step
     head, slash, parts = step.partition("/")
     if slash and head.strip() == "h" and parts.strip().isdecimal() and int(parts) > 0:
         return variant.time.step / int(parts)
-    return seconds(step)
+    found = seconds(step)
+    if isinstance(found, str):
+        raise InputError(say("fault.C031", text=step))
+    return found
 
 
-def seconds(time: float | str | None) -> float | None:
-    """Return a time in seconds, None for none.  Raises `InputError` for what is none."""
-    if time is None or (isinstance(time, (int, float)) and not isinstance(time, bool)):
+def seconds(time: float | str | None) -> float | str | None:
+    """Return a time in seconds; a text that is none as it is, so that it is told by whoever takes it."""
+    if not isinstance(time, str):
         return time
-    with suppress(UnitFault, TypeError):
+    with suppress(UnitFault):
         found = read(time, "s")
-        if found.si in {"s", ""}:
-            return found.value
+        return found.value if found.si in {"s", ""} else time
     with suppress(ValueError):  # nan and infinity are told as what they are
-        return float(str(time))
-    raise InputError(say("fault.C031", text=str(time)))
+        return float(time)
+    return time
 
 
 def step_choice(run: Run, error: float | None) -> StepChoice:

@@ -1,7 +1,7 @@
 """Where a line of a page on the screen may not end: in a number with its unit, in a short equation, quotient or label.
 
 Enters: sentences, as runs or with gaps.  Leaves: their runs in groups, those of one group on one line.
-Used by `templates.py` and `report/live/page.py`.
+Used by `words/page_runs.py` and `report/live/page.py`.
 """
 
 from __future__ import annotations

@@ -17,7 +17,6 @@ WRONG = [
     (lambda: coursework.solve("31", error=True), "error: a number"),
     (lambda: coursework.solve("31", quantities=[1]), "names of quantities"),
     (lambda: coursework.solve("31", quantities=["M.vx"]), "run.points"),
-    (lambda: coursework.solve("31", step=True), "a step in seconds"),
     (lambda: coursework.solve("31", step="20 kg"), "a step in seconds"),
     (lambda: coursework.solve("31", student=5), "student: a text"),
     (lambda: coursework.solve("31", scheme="RK4"), 'mean "rk4"'),
