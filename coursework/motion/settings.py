@@ -7,7 +7,8 @@ Used by `api.py`, `exact_scene.py`, `many.py`, `assigning/`, `checks/` and `mode
 from __future__ import annotations
 
 from coursework.motion.geometry.chain import is_chain
-from coursework.motion.integration.integrate import refuse_gain
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.integration.integrate import Correction, refuse_gain
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, scheme_of
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
@@ -56,3 +57,13 @@ class Settings:
         if self.gain and self.project:
             raise InputError(say("fault.C005"))
         return self
+
+    def correction(self, closure: Closure | None) -> Correction | None:
+        """Return what keeps the positions closed, None where nothing does.  Raises `InputError` where it cannot be had."""
+        if not (self.project or self.gain):
+            return None
+        if closure is None or not closure.complete:
+            raise InputError(say("fault.C016"))
+        if self.columns:
+            raise InputError(say("fault.C017"))
+        return Correction(closure, self.project, self.gain)

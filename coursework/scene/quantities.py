@@ -10,7 +10,7 @@ Heavy imports stand inside.  Steps on the way that nobody may ask for are proper
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 import numpy as np
@@ -227,17 +227,12 @@ def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
 
 def _moving(table: ExtraTable) -> ExtraTable:
     """Return the columns of the points that move: a page of zeros for a fixed pivot helps nobody."""
-    from coursework.results.kinematics.extra import ExtraTable
-
     points = [name.partition(".")[0] for name in table.names]
-    moving = {
-        point
-        for point, name, column in zip(points, table.names, table.rows.T, strict=True)
-        if ".v" in name and np.any(column)
-    }  # fmt: skip
+    columns = zip(points, table.names, table.rows.T, strict=True)
+    moving = {point for point, name, column in columns if ".v" in name and np.any(column)}
     kept = [index for index, point in enumerate(points) if point in moving]
     names, units = (tuple(texts[index] for index in kept) for texts in (table.names, table.units))
-    return ExtraTable(table.title, names, units, table.rows[:, kept])
+    return replace(table, names=names, units=units, rows=table.rows[:, kept])
 
 
 def _refuse_no_points(variant: Variant) -> Sentence | None:

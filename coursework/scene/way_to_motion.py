@@ -184,14 +184,7 @@ class WayToMotion:
     @property
     def correction(self) -> Correction | None:
         """What keeps the positions closed, None where nothing does.  Raises `InputError` where it cannot be had."""
-        settings = self.settings
-        if not (settings.project or settings.gain):
-            return None
-        if self.closure is None or not self.closure.complete:
-            raise InputError(say("fault.C016"))
-        if settings.columns:
-            raise InputError(say("fault.C017"))
-        return Correction(self.closure, settings.project, settings.gain)
+        return self.settings.correction(self.closure)
 
     @property
     def begin(self) -> list[float]:
