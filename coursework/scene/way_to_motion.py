@@ -22,13 +22,12 @@ from coursework.equations.reduction.solution import Solution
 from coursework.equations.reduction.solution import solutions as solve_blocks
 from coursework.equations.reduction.structure import Structure, structure_of
 from coursework.mechanism.mechanism import Mechanism
-from coursework.motion.geometry.agreement import require_agreement
 from coursework.motion.geometry.chain import chain_positions, is_chain
 from coursework.motion.geometry.closure import Closure, compile_closure, require_start
 from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.motion.geometry.oscillation import fastest
 from coursework.motion.geometry.start import start_values
-from coursework.motion.geometry.unseen_signs import unseen_signs
+from coursework.motion.geometry.unseen_signs import judged
 from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
 from coursework.motion.integration.integrate import Correction, left_by_scheme, march
@@ -88,11 +87,7 @@ class WayToMotion:
         """The position equations, if the file has any; checked against start and written equations."""
         closure = compile_closure(self.equations, self.start)
         require_start(closure)
-        found = require_agreement(self.equations, closure)
-        if closure is None:
-            return None
-        closure = replace(closure, agreed=found.agreed, unjudged=found.unjudged)
-        return replace(closure, unseen=unseen_signs(self.equations, closure))
+        return judged(self.equations, closure)
 
     @computed("equations", "start")
     def reduction(self) -> Reduction:

@@ -1,7 +1,7 @@
 """Whether the written velocity equations say what the geometry of the file says.
 
 Enters: written equations, those the geometry gives, positions on the closure.  Leaves: `Agreement`, which equations agree and
-which are not judged.  Raises `InputError` naming each that does not.  Used by `way_to_motion.py`.
+which are not judged.  Raises `InputError` naming each that does not.  Used by `unseen_signs.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Terms of written equations that are zero with the data of the file: a sign turned there changes nothing, and is not judged.
 
-Enters: velocity equations that agree with the geometry, and its closure.  Leaves: terms by equation.  Used by `way_to_motion.py`.
+Enters: velocity equations and their closure.  Leaves: the closure with what agrees, what is not judged, and such terms.
+Used by `way_to_motion.py`.
 u*sin(gamma) is such a term where the guide is horizontal.  With other data it shows whether its sign is right: where the
 equation agrees with the geometry for them too, it is; where not, the equation is right for these data only.
 """
@@ -11,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.motion.geometry.agreement import agrees
+from coursework.motion.geometry.agreement import agrees, require_agreement
 from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, on_axes, signed, spelled
 from coursework.words.errors import InputError
@@ -21,10 +22,17 @@ _MOVED = 0.01
 # Values of what is no datum, and the size below which a term of such values is zero.
 _ANY, _ZERO = 0.6180339887498949, 1e-12
 
-UnseenSigns = tuple[tuple[str, tuple[str, ...]], ...]
+
+def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | None:
+    """Return a closure with what it says of the written equations.  Raises `InputError` naming each that it contradicts."""
+    found = require_agreement(equations, closure)
+    if closure is None:
+        return None
+    closure = replace(closure, agreed=found.agreed, unjudged=found.unjudged)
+    return replace(closure, unseen=_unseen_signs(equations, closure))
 
 
-def unseen_signs(equations: VelocityEquations, closure: Closure) -> UnseenSigns:
+def _unseen_signs(equations: VelocityEquations, closure: Closure) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Return the written equations that agree with these data only, each with its terms that are zero with them."""
     found = []
     for one in equations.equations:
