@@ -81,6 +81,19 @@ def test_a_cell_put_right_never_lowers_the_points(seed):
         assert after.share >= before.share - 1e-9, (desk.variant.title, place, before, after)
 
 
+def test_cells_put_right_in_the_table_of_a_wrong_equation_take_nothing_of_what_it_is_worth():
+    """So many may be right that Euler's rules explain as many cells as the equation does, looked at from afar."""
+    desk = variants()[0]
+    table = made(desk)[-1].copy()
+    put = {0: (3, 6), 2: (5,), 3: (1,), 4: (3,), 5: (2,), 6: (2, 3, 4, 5), 7: (3,), 11: (3,), 13: (4,), 15: (6,), 17: (6,), 19: (6,),
+           20: (2, 3), 21: (2,), 22: (1, 2, 4), 23: (2,), 24: (2,)}  # fmt: skip
+    for place in ((row, column) for row, columns in put.items() for column in columns):
+        table[place] = desk.key.table[place]
+    before = earned(desk, table)[0].share
+    table[14, 1] = desk.key.table[14, 1]
+    assert earned(desk, table)[0].share >= before >= 0.5
+
+
 def test_a_start_put_right_in_print_only_is_still_another_start():
     """A table made from another start is worth the same whether row 1 prints that start or the task's."""
     for desk in variants():

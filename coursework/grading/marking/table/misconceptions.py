@@ -118,9 +118,8 @@ def explanations(
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
     part = 1.0
-    # A closer look is for what explains more than Euler's rules do, and not everything.
-    by_key = cells.marks == KEY
-    few, most = int((explained | by_key).sum()), int(spoken.sum())
+    # A closer look is for what does not explain everything.
+    by_key, most = cells.marks == KEY, int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
             continue
@@ -136,7 +135,7 @@ def explanations(
             fits[claim.code] = Fit(claim.code, fit, claim.names)
             part = claim.part if claim.code == OTHER_STEP else part
         count = int((holds | by_key).sum())
-        if claim.student is None and few < count < most and (claim.code not in held or count > held[claim.code][0]):
+        if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
             held[claim.code] = count, claim, holds
     for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
         holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
