@@ -84,6 +84,8 @@ const watch = {
   },
   duration: (ms) => (ms < 1 ? `${plain(ms * 1000, 3)} ${data.words.us}` : `${plain(ms, 3)} ${data.words.ms}`),
   draw() {
+    // One mark is no diagram.
+    byId("lab-diagram").closest("figure").hidden = this.schemes.length + this.tries.length < 2;
     const field = byId("lab-diagram"), left = 62, right = 330, top = 20, bottom = 174;
     const powers = (values) => {
       const low = Math.floor(Math.log10(Math.min(...values)) - 0.05), high = Math.ceil(Math.log10(Math.max(...values)) + 0.05);
@@ -111,6 +113,12 @@ const watch = {
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
     title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 17, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
+    for (const scheme in data.schemes) {
+      const own = this.tries.filter((one) => one.scheme === scheme).sort((a, b) => a.time - b.time);
+      const way = own.map((one, k) => `${k ? "L" : "M"}${f1(x(one.time))} ${f1(y(one.error))}`).join("");
+      if (own.length > 1) svg("path", { d: way, class: "live-tries" }, field);
+    }
+    const taken = [];
     for (const one of marks) {
       const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: one === own ? "live-mark live-last" : "live-mark" }, field);
       mark.setAttribute("transform", `translate(${f1(x(one.time))} ${f1(y(one.error))})`);
@@ -118,6 +126,13 @@ const watch = {
       if (this.tries.includes(one)) mark.dataset.tried = "";
       const told = svg("title", {}, mark);
       const name = data.words["scheme_" + one.scheme];
+      // Named where its name has room.
+      const right_ = x(one.time) < right - 90, px = x(one.time) + (right_ ? 8 : -8), py = y(one.error) + 4;
+      const wide = 7.5 * name.length, box = [right_ ? px : px - wide, py, wide];
+      if (!taken.some(([tx, ty, far]) => Math.abs(ty - py) < 15 && box[0] < tx + far && tx < box[0] + wide)) {
+        taken.push(box);
+        svg("text", { x: f1(px), y: f1(py), "text-anchor": right_ ? "start" : "end" }, field).textContent = name;
+      }
       told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
     }
     // No line breaks within the name of a scheme.

@@ -8,13 +8,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from coursework.report.text.numbers import FIGURE, POINT_WIDE
 from coursework.words.templates import clean
 
 DIGITS = 6  # of the largest number of a column; what a mark depends on is said in sentences, in full
 FEW = 1e-3  # of a number below which fixed decimals would show mostly zeros
 LONGEST_CELL = 16  # characters of what is no number
 _DECIMAL = re.compile(r"[-+−]?\d+([.,]\d*)?(?:[eE][-+−]?\d+)?")
-_FIGURE, _POINT = "\u2007", "\u2008"  # spaces as wide as a digit, as a decimal sign
 
 
 def shown_column(texts: Sequence[str]) -> list[str]:
@@ -51,5 +51,5 @@ def _number(text: str, decimals: int) -> str:
     mark = "," if "," in text else "."
     shown = f"{value:.{decimals}f}" if written > decimals else text.lstrip("+").replace(",", ".")
     missing = decimals - min(written, decimals)
-    padding = (_POINT if missing and "." not in shown else "") + _FIGURE * missing
+    padding = (POINT_WIDE if missing and "." not in shown else "") + FIGURE * missing
     return shown.replace("-", "−").replace(".", mark) + padding

@@ -1,4 +1,4 @@
-"""The graphs: one small panel for each velocity, then for each coordinate, the rows on the exact curve.
+"""The graphs: one small panel for each coordinate, then for each velocity, the rows on the exact curve.
 
 Enters: a `PageContext`.  Leaves: figures of panels.  Used by `sections.py` and `notebook.py`.
 """
@@ -30,6 +30,7 @@ from coursework.report.graphs.graph_paper import (
 )
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part
+from coursework.report.text.tables import given_constants
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -50,12 +51,13 @@ class Rows:
 
 
 def graphs(context: PageContext) -> list[Part]:
-    """Velocities first, then coordinates."""
+    """Coordinates first, then velocities, but for those that the drive keeps at one value."""
     motion = context.run.motion
     if not len(motion.t):
         return []
     curve = _curves(context)
-    named = [_rows(context, name, curve) for name in (*motion.velocity_names, *motion.coordinate_names)]
+    constant = given_constants(context.run)
+    named = [_rows(context, name, curve) for name in motion.names if name not in constant]
     parts: list[Part] = []
     for first in range(0, len(named), MOST_PANELS):
         parts.append(_figure(context, named[first : first + MOST_PANELS], first // MOST_PANELS + 1))
