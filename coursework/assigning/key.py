@@ -13,6 +13,7 @@ from coursework.assigning.page_words import Equation, Plain, equation, lettered,
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.output.tables import timed_csv
 from coursework.report.sections.construction import READING_HEADS, reading_row
+from coursework.report.text.readable import least_width
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import named
@@ -75,9 +76,11 @@ def _check(handout: Handout, words: Words) -> Plain | None:
         return lettered(variant, clean(words.written(text)))
 
     heading = words("key.check", row=check.row, time=words.amount(numbers.plain(check.time), "s"))
+    drawing = check.drawing(words.written)
     return {
         "heading": lettered(variant, heading),
-        "svg": check.drawing(words.written).svg,
+        "svg": drawing.svg,
+        "least": least_width(drawing.svg, drawing.width),
         "says": words("key.drawn"),
         "heads": [words(f"graph.{key}") for key in READING_HEADS],
         "rows": [reading_row(words, one, rich, rich) for one in check.readings],

@@ -15,6 +15,7 @@ from coursework.grading.marking.rubric import PARTS, Answer, Rubric
 from coursework.report.formulas.svg import Drawn, draw
 from coursework.report.graphs.figures import scale_on_paper
 from coursework.report.text.parts import Runs
+from coursework.report.text.readable import least_width
 from coursework.report.text.words import Words
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import OutputError
@@ -74,7 +75,14 @@ def _drawing(handout: Handout, words: Words) -> Plain | None:
         return None
     caption = scale_on_paper(words, lettered(handout.variant, words.written(drawing.caption)))
     size = {"width": round(drawing.width, 4), "height": round(drawing.height, 4)}
-    return {"svg": drawing.svg, "alt": words.written(drawing.alt), "caption": caption, **size}
+    size |= {"least": least_width(drawing.svg, drawing.width)}
+    return {
+        "svg": drawing.svg,
+        "alt": words.written(drawing.alt),
+        "caption": caption,
+        "least": least_width(drawing.svg, drawing.width),
+        **size,
+    }
 
 
 def data_rows(handout: Handout, words: Words) -> list[list[object]]:

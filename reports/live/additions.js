@@ -81,9 +81,9 @@ const additions = {
       svg("path", { d: `M${f1(x)} ${f1(y)}L${drawing.put(place, name).map(f1).join(" ")}`, class: "live-ray" }, layer);
     }
     // On the side away from the link.
-    const at = bar.points.map((name) => drawing.put(place, name)), mean = (k) => at.reduce((sum, one) => sum + one[k], 0) / at.length;
-    const [wx, wy] = [x - mean(0), y - mean(1)], off = 12 / (Math.hypot(wx, wy) || 1);
-    const text = svg("text", { x: f1(x + off * wx), y: f1(y + off * wy + 5), "text-anchor": wx < 0 ? "end" : "start" }, layer);
+    const [px, py] = drawing.put(place, a), [qx, qy] = drawing.put(place, b), wx = 2 * x - px - qx, wy = 2 * y - py - qy;
+    const off = 12 / (Math.hypot(wx, wy) || 1), at = { x: f1(x + off * wx), y: f1(y + off * wy + 5) };
+    const text = svg("text", { ...at, "text-anchor": wx < 0 ? "end" : "start" }, layer);
     symbolic(text, `${data.centre}_${bar.name}`);
   },
 };

@@ -114,9 +114,8 @@ const laboratory = {
   },
   // Errors of other data are those of another mechanism: both are told.
   otherDatum() {
-    const { size } = data.sliders[tried.datum], { first, worst } = motion;
-    const values = { name: label(tried.datum), value: byId("lab-value").textContent, file: plain(data.given[tried.datum] / size, 4) };
-    return say("other_datum", { ...values, error: this.amount(worst), first: this.amount(first) });
+    const file = plain(data.given[tried.datum] / data.sliders[tried.datum].size, 4), { worst, first } = motion;
+    return say("other_datum", { name: label(tried.datum), value: byId("lab-value").textContent, file, error: this.amount(worst), first: this.amount(first) });
   },
   amount({ value, place }) {
     const size = value < ROUND_OFF ? 0 : value, angle = data.units[data.coordinates[place]] === "rad";

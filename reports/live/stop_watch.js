@@ -113,25 +113,23 @@ const watch = {
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
     title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 17, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
-    for (const scheme in data.schemes) {
-      const own = this.tries.filter((one) => one.scheme === scheme).sort((a, b) => a.time - b.time);
-      const way = own.map((one, k) => `${k ? "L" : "M"}${f1(x(one.time))} ${f1(y(one.error))}`).join("");
-      if (own.length > 1) svg("path", { d: way, class: "live-tries" }, field);
-    }
+    // The tries of a scheme are joined.
+    const ways = {}, place = (one) => `${f1(x(one.time))} ${f1(y(one.error))}`;
+    for (const one of this.tries.toSorted((a, b) => a.time - b.time)) ways[one.scheme] = (ways[one.scheme] ? ways[one.scheme] + "L" : "M") + place(one);
+    svg("path", { d: Object.values(ways).join(""), class: "live-tries" }, field);
     const taken = [];
     for (const one of marks) {
       const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: one === own ? "live-mark live-last" : "live-mark" }, field);
-      mark.setAttribute("transform", `translate(${f1(x(one.time))} ${f1(y(one.error))})`);
+      mark.setAttribute("transform", `translate(${place(one)})`);
       mark.dataset.scheme = one.scheme;
       if (this.tries.includes(one)) mark.dataset.tried = "";
       const told = svg("title", {}, mark);
       const name = data.words["scheme_" + one.scheme];
       // Named where its name has room.
-      const right_ = x(one.time) < right - 90, px = x(one.time) + (right_ ? 8 : -8), py = y(one.error) + 4;
-      const wide = 7.5 * name.length, box = [right_ ? px : px - wide, py, wide];
-      if (!taken.some(([tx, ty, far]) => Math.abs(ty - py) < 15 && box[0] < tx + far && tx < box[0] + wide)) {
-        taken.push(box);
-        svg("text", { x: f1(px), y: f1(py), "text-anchor": right_ ? "start" : "end" }, field).textContent = name;
+      const px = x(one.time), py = y(one.error), way = px > right - 90 ? -8 : 8;
+      if (!taken.some((at) => Math.abs(at[0] - px) < 130 && Math.abs(at[1] - py) < 15)) {
+        taken.push([px, py]);
+        svg("text", { x: f1(px + way), y: f1(py + 4), "text-anchor": way < 0 ? "end" : "start" }, field).textContent = name;
       }
       told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
     }

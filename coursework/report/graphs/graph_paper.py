@@ -40,7 +40,9 @@ INK, SCHEME_INK, FAINT = "#111", "#0072b2", "#bbb"
 EXACT_PEN = f'class="exact" fill="none" stroke="{INK}" stroke-width="0.42" stroke-linejoin="round"'
 SCHEME_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.25"'
 DOT_PEN = f'class="dots" stroke="{SCHEME_INK}" stroke-width="{2 * RADIUS:g}" stroke-linecap="round"'
-STOP_PEN = f'class="stop" stroke="{INK}" stroke-width="0.3" stroke-dasharray="1.8 1.2"'
+STOP_INK = "#b4460f"
+STOP_PEN = f'class="stop" stroke="{STOP_INK}" stroke-width="0.4" stroke-dasharray="1.8 1.2"'
+STOP_WORDS = f' fill="{STOP_INK}"'
 
 
 @frozen

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from coursework.system.frozen import frozen
 
 HEIGHT = 52.0  # px
-LEFT, RIGHT, BASE = 12.0, 628.0, 34.0  # of the axis
-MARK = 3.0  # radius of a mark; marks that would touch are stacked
+LEFT, RIGHT, BASE = 12.0, 348.0, 34.0  # of the axis
+MARK = 2.5  # radius of a mark; marks that would touch are stacked
 HIGHEST = 90.0  # of a stack; in a higher one the marks overlap
 
 

@@ -31,7 +31,7 @@ from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 
 # Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
-MOST_BYTES, MOST_ROWS = 60_000, 512
+MOST_BYTES, MOST_ROWS = 60 * 1024, 512
 FINE = 16  # points of the true motion from row to row, as laboratory_motion.js makes them
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
 _PUT_TOGETHER = ("scheme_", "on_", "off_")  # words whose keys a script puts together

@@ -55,9 +55,11 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     is_short = len(unit) <= SHORT_UNIT
     value = check.value if check.value is None else counted(check.value, check.unit)
     is_left = isinstance(check.unit, Sentence) and check.unit.key == DIGITS_LEFT  # 15.4 of sixteen: never 15.40
-    if value and check.verdict == "PASS" and not check.is_least and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0):
-        value = 0.0
     is_count = value is not None and value >= 1 and (value.is_integer() or is_left)
+    passes = check.verdict == "PASS" and not check.is_least
+    left = value if value and passes and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0) else None
+    value = value if left is None else 0.0
+    told = amount(context, value, check.unit, whole=is_count) if left is None else rounded_off(context, left)
     heads, lines = _lines(context, check)
     if check.verdict == "PASS" and value == 0:
         heads, lines = [], []  # where nothing is off, noughts say nothing more
@@ -67,7 +69,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
         code=clean(check.code) if context.words.phrases.language == ENGLISH else "",  # a code is a word of English
         title=context.rich(check.title),
         sentence=context.rich(parted(check.sentence)[0]),
-        value=numeral(amount(context, value, check.unit, whole=is_count)),
+        value=numeral(told),
         limit=numeral(bound(context, check)),
         unit="" if is_short or check.value is None else context.unit(unit),
         heads=heads,
@@ -101,6 +103,11 @@ def amount(context: PageContext, value: float | None, unit: str, *, whole: bool 
         return NOTHING
     shown = context.numbers.limit(value) if whole else context.numbers.scalar(value)
     return context.with_unit(shown, context.unit_beside(value, unit) if len(context.told(unit)) <= SHORT_UNIT else "")
+
+
+def rounded_off(context: PageContext, value: float) -> str:
+    """Return what is left of nought: "2·10⁻¹⁶ (round-off)"."""
+    return context.words("control.round_off", value=context.numbers.power(value, 1))
 
 
 def bound(context: PageContext, check: Finding) -> str:

@@ -6,7 +6,7 @@ Used by `sections.py`; codes stand in the appendix (`checks.py`).
 
 from __future__ import annotations
 
-from coursework.report.sections.checks import SHARES, amount, bound, counted
+from coursework.report.sections.checks import SHARES, amount, bound, counted, rounded_off
 from coursework.report.text.numbers import ROUND_OFF
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Cell, Claims, Paragraph, Part
@@ -80,7 +80,7 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     if value is None:
         return ""
     if 0 < abs(value) <= ROUND_OFF:
-        return numeral(context.words("control.round_off", value=numbers.power(value, 1)))
+        return numeral(rounded_off(context, value))
     value = counted(value, finding.unit)
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
     if key in SHARES:

@@ -20,6 +20,7 @@ from coursework.report.graphs.graph_paper import (
     SCHEME_INK,
     SCHEME_PEN,
     STOP_PEN,
+    STOP_WORDS,
     axes,
     dots,
     field_for,
@@ -134,6 +135,9 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     if run.stop is not None:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
+        # Named above its end, on the side that has room.
+        side = "end" if x > field.width / 2 else "start"
+        inside += graph_paper.words(x, graph_paper.TOP - 2.2, escape(context.event(run.stop.kind)), side, STOP_WORDS)
     if len(rows.curve):
         inside += f'<path {EXACT_PEN} d="{field.path(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):

@@ -19,7 +19,7 @@ from coursework.report.text.symbols import LINEAR, Rates, Symbol, symbol
 from coursework.report.text.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.text.words import Words
 from coursework.results.checks.result import beside
-from coursework.scene.quantities import CHECKS, PLOTS, TABLE
+from coursework.scene.quantities import ACCURACY, CHECKS, PLOTS, TABLE
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -58,7 +58,7 @@ class PageContext:
     @property
     def is_about_accuracy(self) -> bool:
         """Return whether the page is asked for nothing but what accuracy costs."""
-        return self.run.accuracy is not None and not (self.run.asks(TABLE) or self.run.asks(CHECKS))
+        return self.run.asks(ACCURACY) and not (self.run.asks(TABLE) or self.run.asks(CHECKS))
 
     @cached_property
     def rates(self) -> Rates:
