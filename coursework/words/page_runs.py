@@ -57,6 +57,8 @@ def _written(runs: Sequence[dict[str, str]], kept: bool) -> str:
 def _one(run: dict[str, str], kept: bool) -> str:
     if "t" in run:
         return run["t"].translate(_ESCAPED)
+    if "o" in run:
+        return f'<span class="paper">{run["o"].translate(_ESCAPED)}</span>'
     if "p" in run:
         return f"<sup>{run['p'].translate(_ESCAPED)}</sup>"
     if "c" in run:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +27,7 @@ _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
 _UNBROKEN = rf"[^\s{HAN_HERE}]{{25,}}"
 _SHORT = 24  # characters, below which no word needs a place to break
 _PIECE = re.compile(r"\S{1,12}")
+_BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,])\s*|(?<=:)\s+""", re.DOTALL)  # of a stylesheet
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
@@ -69,8 +70,17 @@ def _template(place: Path, name: str) -> Template:
         lstrip_blocks=True,
         optimized=False,  # a page is filled once, seldom twice
     )
-    looks.globals.update(said=said, said_text=said_text, said_cell=said_cell)
+    looks.globals.update(said=said, said_text=said_text, said_cell=said_cell, look=partial(_look, place))
     return looks.get_template(name)
+
+
+@lru_cache
+def _look(place: Path, *names: str) -> str:
+    """Return look.css and further stylesheets, without the remarks and margins that only their reader needs."""
+    from markupsafe import Markup
+
+    texts = ((place / f"{name}.css").read_text(encoding="utf-8") for name in ("look", *names))
+    return Markup(_BARE.sub(lambda found: found[1] or found[2] or "", "".join(texts)))
 
 
 def unreadable(piece: Path) -> Fault | None:

@@ -32,7 +32,7 @@ TIME_ROOM = 6.0  # mm at the end of the axis of t, for its name
 MOST_TICKS = 5  # of the values; a low field has fewer, each with the room of its word
 ROOM = 0.07  # of the range of the values, above and below
 RADIUS = 0.62  # mm of a dot
-MOST_DOTS = 60
+MOST_DOTS = 30
 MOST_POINTS = 2000  # of one curve; finer than any printer at this width
 BETWEEN = 8  # points of a smooth curve a row
 ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
@@ -40,7 +40,9 @@ INK, SCHEME_INK, FAINT = "#111", "#0072b2", "#bbb"
 EXACT_PEN = f'class="exact" fill="none" stroke="{INK}" stroke-width="0.42" stroke-linejoin="round"'
 SCHEME_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.25"'
 DOT_PEN = f'class="dots" stroke="{SCHEME_INK}" stroke-width="{2 * RADIUS:g}" stroke-linecap="round"'
-STOP_PEN = f'class="stop" stroke="{INK}" stroke-width="0.3" stroke-dasharray="1.8 1.2"'
+STOP_INK = "#b4460f"
+STOP_PEN = f'class="stop" stroke="{STOP_INK}" stroke-width="0.4" stroke-dasharray="1.8 1.2"'
+STOP_WORDS = f' fill="{STOP_INK}"'
 
 
 @frozen

@@ -21,7 +21,7 @@ Cell = str | Runs
 
 @frozen
 class Paragraph:
-    """Running text; `style` is "", "note" (small) or "callout" (framed, with a bold `lead`)."""
+    """Running text; `style` is "", "note" (small), or with a bold `lead` "callout" (framed) or "bar" (so under the title)."""
 
     text: Runs
     style: str = ""
@@ -55,18 +55,25 @@ class TitleBlock:
 
 @frozen
 class Result:
-    """The framed answer of the first page: a title and its sentences."""
+    """The framed answer of the first page: a title, the verdict in few words (`lead`), sentences."""
 
     title: str
+    lead: Runs
     items: list[Runs]
     kind: str = field(default="result", init=False)
 
 
 @frozen
 class Claims:
-    """One line a check: mark, verdict in a word, claim in plain words, one number."""
+    """One line a check under one question: mark, verdict in a word, claim in plain words, a number and its limit.
 
-    items: list[tuple[str, str, Runs, Cell]]
+    `heads` are the words above the columns; the first `strong` lines are set bold.
+    """
+
+    title: str
+    heads: list[str]
+    items: list[tuple[str, str, Runs, Cell, Cell]]
+    strong: int = 0
     kind: str = field(default="claims", init=False)
 
 
@@ -123,15 +130,6 @@ class Table:
     id: str = ""
     places: list[int] = field(default_factory=list)
     kind: str = field(default="table", init=False)
-
-
-@frozen
-class Beside:
-    """A table with the answer at its side where the page is wide enough."""
-
-    left: Table
-    right: Result
-    kind: str = field(default="beside", init=False)
 
 
 @frozen
@@ -216,7 +214,7 @@ class Checks:
     kind: str = field(default="checks", init=False)
 
 
-Part = Paragraph | Bullets | Facts | TitleBlock | Result | Claims | Equations | Table | Beside | Figure | Panels | Checks
+Part = Paragraph | Bullets | Facts | TitleBlock | Result | Claims | Equations | Table | Figure | Panels | Checks
 
 
 @frozen

@@ -19,7 +19,7 @@ Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
 # Units of what is never told as more than there is, a part of a whole and digits left of sixteen, and their decimals.
 OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
-_DECIMALS = {OF_POWER: 4, DIGITS_LEFT: 1}
+_DECIMALS = {OF_POWER: 3, DIGITS_LEFT: 1}
 # From here on a share is told as so many times the whole, and from there on as more than so many: nobody compares such numbers.
 _MANY, _MOST = 1000.0, 1e6
 # The status a command ends with is that of the worst verdict.
@@ -99,7 +99,7 @@ def beside(unit: str, value: float) -> str:
 
 
 def percent(share: float) -> Sentence:
-    """Return a share in percent: whole from 10 % on, two digits below; as a number of wholes from a thousand percent on."""
+    """Return a share in percent: with one decimal, a tiny one with two digits; a number of wholes from a thousand percent on."""
     value = 100 * share
     if share >= _MOST:
         return say("amount.share_beyond", value=_MOST)
@@ -107,4 +107,4 @@ def percent(share: float) -> Sentence:
         return say("amount.share_times", value=share)
     if 0 < value < 1e-4:
         return say("amount.share_below", value=1e-4)
-    return say("amount.share" if value >= 9.95 or value == 0 else "amount.share_two", value=value)
+    return say("amount.share" if value >= 0.05 else "amount.share_two", value=value)

@@ -59,8 +59,8 @@ def test_constant_and_single_points_have_room() -> None:
 
 def test_a_panel_for_every_column_with_unit_and_symbol(real: ModuleType) -> None:
     panels = real.parts(real.full(), "graphs")[0]
-    assert [item["name"] for item in panels["items"]] == ["w1", "w2", "w3", "w4", "phi1", "phi2", "phi3"]
-    first = panels["items"][0]["svg"]
+    assert [item["name"] for item in panels["items"]] == ["phi1", "phi2", "phi3", "w1", "w2", "w3", "w4"]
+    first = panels["items"][3]["svg"]
     assert 'width="82mm" height="34mm"' in first
     assert re.search(r">ω</tspan><tspan[^>]*>1</tspan>.*, rad/s</text>", first)
     assert "stop" not in first
@@ -76,7 +76,7 @@ def test_a_stop_is_a_broken_line_in_every_panel(real: ModuleType) -> None:
 
 def test_more_than_eight_panels_take_another_figure(real: ModuleType) -> None:
     figures = real.parts(solved("jansen", quantities=["table", "plots"]), "graphs")
-    assert [len(part["items"]) for part in figures] == [8, 6]
+    assert [len(part["items"]) for part in figures] == [8, 5], "the crank turns evenly, which is no graph"
 
 
 def test_the_same_model_twice_is_the_same_bytes(real: ModuleType) -> None:
