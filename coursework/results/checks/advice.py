@@ -141,9 +141,9 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, few
             coarse = [Finding("COARSE", "", share, LIMIT)]
             continue
         tried = _tried(evidence, own, parts, motion)
-        if motion is not None and tried is None:
-            return 0, None  # nothing to judge it against is known
-        coarse = [one for one in judge(tried) if _curable(one)] if tried is not None else [Finding("COARSE", "")]
+        if tried is None:
+            return 0, None  # nothing to judge it against is known, and with more rows it is no nearer
+        coarse = [one for one in judge(tried) if _curable(one)]
         if coarse:
             continue
         worse = None if motion is None or share > expected / _LUCK else _worse(evidence, own, parts, order)
