@@ -56,7 +56,7 @@ def _bar(context: PageContext) -> list[Part]:
         return []
     time, all_rows = context.quantity(stop.time, "s", STOP_DIGITS), run.variant.time.steps + 1
     kept = say("stop.bar_rows", kept=say.count("count.rows", len(run.motion.t)), rows=say.numbers.whole(all_rows))
-    phases = [{"t": say("join.sentences")}, *context.rich(run.scene.phases)] if run.phases else []
+    phases = [{"t": say("join.sentences")}, *context.rich(run.scene.phases)] if run.scene.phases else []
     lead = say("stop.bar", mark=say("checks.mark.FAIL"), time=time, kind=context.event(stop.kind))
     return [Paragraph([*runs(kept), *phases], "bar", lead)]
 
