@@ -133,7 +133,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
     if len(rows.curve):
-        inside += f'<path {EXACT_PEN} d="{field.path(rows.curve_t, rows.curve)}"/>'
+        inside += f'<path {EXACT_PEN} d="{field.curve(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):
         t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
         inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
