@@ -62,7 +62,7 @@ class Lines:
         self.length = np.hypot(*self.step.T)
         self.step[self.step == 0] = STILL
         self.plain = self.count if plain is None else plain
-        self.free: Array = np.where(np.arange(self.count) >= self.plain, float(free), 0.0)[:, None]
+        self.free: Array = np.where(np.arange(self.count) < self.plain, 0.0, free)[:, None]
 
     def parts(self, low: Array, high: Array) -> Array:
         """Return the part (n, m), 0 to 1, of each segment that lies in each rectangle."""

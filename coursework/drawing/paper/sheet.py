@@ -161,7 +161,7 @@ class Sheet:
         lean = (away / abs(away) - along / abs(along)) * 1.3
         strokes = [(a + (k + 0.5) * along, a + (k + 0.5) * along + lean) for k in range(count)]
         kept = [(p, q) for p, q in strokes if inside(p, q, self.field)]
-        text = "".join(f"M{number(p.real)} {number(p.imag)}L{number(q.real)} {number(q.imag)}" for p, q in kept)
+        text = "".join(f"M{number(p.real)} {number(p.imag)}l{number(lean.real)} {number(lean.imag)}" for p, q in kept)
         self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
         self.segments += kept
 

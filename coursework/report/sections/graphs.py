@@ -139,7 +139,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
         side = "end" if x > field.width / 2 else "start"
         inside += graph_paper.words(x, graph_paper.TOP - 2.2, escape(context.event(run.stop.kind)), side, STOP_WORDS)
     if len(rows.curve):
-        inside += f'<path {EXACT_PEN} d="{field.path(rows.curve_t, rows.curve)}"/>'
+        inside += f'<path {EXACT_PEN} d="{field.curve(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):
         t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
         inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'

@@ -135,6 +135,28 @@ def test_a_value_that_is_no_number_interrupts_a_line() -> None:
     assert field.path(np.arange(2.0), np.full(2, np.nan)) == ""
 
 
+def test_a_smooth_curve_is_told_in_cubics_and_a_kink_in_it_in_steps() -> None:
+    t = np.linspace(0.0, 2.0, 24 * BETWEEN + 1)
+    field = field_for((82, 34), [t], [np.array([-1.0, 1.0])])
+    kinked = np.where(t < 1, 0.5 * t - 0.5, np.abs(t - 1.43) - 0.43)
+    for values, lines in ((t**3 / 4 - t**2 / 2, 0), (kinked, 1), (np.cos(t), 0)):
+        told = field.curve(t, values)
+        assert (told.count("c"), told.count("l")) == (24 - lines, lines)
+        at = complex(*map(float, re.findall(r"[\d.]+", told)[:2]))
+        seen = [at]
+        for kind, numbers in re.findall(r"([cl])([^cl]+)", told):
+            steps = [float(number) for number in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers)]
+            ends = [complex(x, y) for x, y in zip(steps[::2], steps[1::2], strict=True)]
+            if kind == "l":
+                seen += [at + sum(ends[: k + 1]) for k in range(BETWEEN)]
+            else:
+                a, b, c = ends
+                parts = np.arange(1, BETWEEN + 1) / BETWEEN
+                seen += [at + 3 * s * (1 - s) ** 2 * a + 3 * s**2 * (1 - s) * b + s**3 * c for s in parts]
+            at = seen[-1]
+        assert np.abs(np.array(seen) - (field.x(t) + 1j * field.y(values))).max() < 0.02
+
+
 def paths(drawing: ElementTree.Element, kind: str) -> list[str]:
     """Return the d of the paths of a class."""
     return [one.get("d", "") for one in drawing.iter(f"{measured.SVG}path") if one.get("class") == kind]
