@@ -85,8 +85,8 @@ def test_cells_put_right_in_the_table_of_a_wrong_equation_take_nothing_of_what_i
     """So many may be right that Euler's rules explain as many cells as the equation does, looked at from afar."""
     desk = variants()[0]
     table = made(desk)[-1].copy()
-    put = {0: (3, 6), 2: (5,), 3: (1,), 4: (3,), 5: (2,), 6: (2, 3, 4, 5), 7: (3,), 11: (3,), 13: (4,), 15: (6,), 17: (6,), 19: (6,),
-           20: (2, 3), 21: (2,), 22: (1, 2, 4), 23: (2,), 24: (2,)}  # fmt: skip
+    put = {0: (3, 6), 2: (5,), 3: (1,), 4: (3,), 5: (2,), 6: (2, 3, 4, 5), 7: (3,), 11: (3,), 13: (4,), 15: (6,), 17: (6,),
+           19: (6,), 20: (2, 3), 21: (2,), 22: (1, 2, 4), 23: (2,), 24: (2,)}  # fmt: skip
     for place in ((row, column) for row, columns in put.items() for column in columns):
         table[place] = desk.key.table[place]
     before = earned(desk, table)[0].share
