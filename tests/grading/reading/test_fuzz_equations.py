@@ -41,7 +41,7 @@ def test_a_number_or_a_bracket_at_the_beginning_is_the_equation_s(line):
     assert [mark.verdict for mark in found.marks] == ["right"] * 4, found.marks[1].line.repaired
 
 
-@pytest.mark.parametrize("line", ["so (at C) {}", "(a) {}", "We have (see Fig. 2): {}"])
-def test_an_aside_in_brackets_is_not(line):
+@pytest.mark.parametrize("line", ["so (at C) {}", "(a) {}", "We have (see Fig. 2): {}", "{} — equation 3", "{}  Gl. (12)"])
+def test_an_aside_or_a_number_is_not(line):
     found = marked("\n".join(line.format(one) for one in PLAIN["31"].split("\n")), "31")
     assert found.share == 1.0, [(mark.verdict, mark.line.repaired) for mark in found.marks]
