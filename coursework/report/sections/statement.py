@@ -228,20 +228,33 @@ def _answer(context: PageContext) -> Result:
     """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
     run, say = context.run, context.words
     told: list[Runs] = []
-    if run.asks(CHECKS):
+    verdict = _verdict(context)
+    if run.asks(CHECKS) and not (verdict and _says_all(context)):
         # Where it stops is said already.
         findings = [replace(one, option="", value=None if one.code == "STOP" else one.value) for one in run.checks]
         told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
-        # What to take is said here and nowhere else.
-        if advice := next((advice for finding in run.checks if (advice := parted(finding.sentence)[1])), ""):
-            told.append(context.rich(advice))
+    # What to take is said here and nowhere else.
+    advice = next((advice for finding in run.checks if (advice := parted(finding.sentence)[1])), "") if run.asks(CHECKS) else ""
+    told += [context.rich(advice)] if advice else []
     if run.asks(TABLE) and len(run.motion.t):
         told.append(runs(_checked(context)))
     if run.asks(CHECKS):
         told += _misses(context)
     if not told:
         told.append(runs(say("result.rows", rows=say.count("count.rows", len(run.motion.t)))))
-    return Result(say("result.title"), _verdict(context), told)
+    return Result(say("result.title"), verdict, told)
+
+
+def _says_all(context: PageContext) -> bool:
+    """Return whether the verdict leaves nothing for the sentences of the summary: an ordinary run of a scheme."""
+    checks = [one for one in context.run.checks if one.code != "STOP"]
+    if context.run.tableau is None or any(one.headline or one.unjudged for one in checks):
+        return False
+    odd = [one for one in checks if one.verdict not in {"PASS", "SKIP"}]
+    is_coarse = all(one.group == "motion" and one.verdict == "COARSE" for one in odd)
+    by_accuracy = is_coarse and any(one.code == "ACCURACY" for one in odd)
+    known = any(one.code == "ACCURACY" and one.verdict != "SKIP" for one in checks)
+    return known and (by_accuracy or not odd)
 
 
 def _verdict(context: PageContext) -> Runs:
