@@ -18,9 +18,11 @@ from coursework.motion.schemes import SCHEMES
 from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
-from coursework.variant.record.vocabulary import scheme_names
+from coursework.variant.record.vocabulary import EXACT, scheme_names
 
 if TYPE_CHECKING:
+    from coursework.effects.analysis import ForceAnalysis
+    from coursework.effects.energy import Energy
     from coursework.results.checks.evidence import Evidence
     from coursework.results.checks.result import Finding
 
@@ -67,6 +69,33 @@ class MotionResults:
         from coursework.results.kinematics.points import point_rows
 
         return point_rows(self.scene.equations, self.motion, self.accelerations)
+
+    @computed("motion", "mechanism", "equations", "accelerations")
+    def forces(self) -> ForceAnalysis:
+        """The reactions in every joint and what must drive the mechanism, of every row (N, N m)."""
+        from coursework.effects.analysis import analyse
+
+        return analyse(self.scene.mechanism, self.scene.equations, self.motion, self.accelerations)
+
+    @computed("forces")
+    def energy(self) -> Energy:
+        """Kinetic and potential energy, and the powers of drive, loads, friction and dampers (J, W)."""
+        return self.forces.energy
+
+    @computed("forces", "motion", "exact")
+    def exact_forces(self) -> ForceAnalysis | None:
+        """The forces of the exact motion on the same rows; None where it is not known."""
+        exact = self.scene.exact
+        if self.motion.scheme == EXACT:
+            return self.forces
+        return MotionResults(self.scene, exact, Ledger()).forces if len(exact.t) else None
+
+    @computed("forces", "exact_forces")
+    def force_checks(self) -> tuple[Finding, ...]:
+        """The checks of forces: three ways that must agree, power, what the joints bear."""
+        from coursework.effects.checks import check_forces
+
+        return check_forces(self.forces, self.exact_forces)
 
     @property
     def marched(self) -> bool:

@@ -20,19 +20,9 @@ from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.schemes import SCHEMES, Scheme, title_of
 from coursework.motion.settings import Settings
 from coursework.scene.motion_results import MotionResults
-from coursework.scene.quantities import (
-    ACCURACY,
-    CHECKS,
-    GRAPH_CHECK,
-    Columns,
-    Listing,
-    OwnFigure,
-    OwnTable,
-    Quantity,
-    all_needs,
-    quantities_for,
-)
+from coursework.scene.quantities import ACCURACY, CHECKS, FORCES, GRAPH_CHECK, Quantity, all_needs, quantities_for
 from coursework.scene.scene import Scene
+from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnTable
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Plan, make_plan
 from coursework.system.version import VERSION
@@ -103,8 +93,8 @@ class SceneRun:
 
     @property
     def checks(self) -> tuple[Finding, ...]:
-        """Return what each check has found."""
-        return self.results.checks
+        """Return what each check has found, those of forces where they are asked for."""
+        return self.results.checks + (self.results.force_checks if self.asks(FORCES) else ())
 
     @property
     def summary(self) -> str:
@@ -229,6 +219,15 @@ class SceneRun:
         """Return the tables asked for whose rows are not those of the results table."""
         records = ((one, one.shows) for one in quantities_for(self.asked).values())
         return {one.name: shows.of(self.results, self.of(one)) for one, shows in records if isinstance(shows, OwnTable)}
+
+    @property
+    def section_tables(self) -> dict[str, ExtraTable]:
+        """Return the tables of what has a section of its own, by the names of their files."""
+        records = ((one, one.shows) for one in quantities_for(self.asked).values())
+        return {
+            one.name: shows.table(self.results, self.of(one))
+            for one, shows in records if isinstance(shows, OwnSection) and shows.table is not None
+        }  # fmt: skip
 
     @property
     def listings(self) -> tuple[Listing, ...]:

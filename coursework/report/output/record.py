@@ -12,7 +12,7 @@ from dataclasses import asdict, replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from coursework.scene.quantities import Quantity, quantities_for
+from coursework.scene.quantities import FORCES, Quantity, quantities_for
 from coursework.scene.scene_run import SceneRun
 from coursework.words.custom_templates import stamp_of_templates
 
@@ -27,7 +27,7 @@ def stamp_of(run: SceneRun, language: str = "en") -> str:
     """Return the stamp of a run: a hash of its variant, its options and the tool's version, wherever the file lies."""
     named = (run.student, run.group, run.teacher, run.institution, run.date, run.blank)
     settings = (run.settings, run.asked, named, language, stamp_of_templates(), run.versions["coursework"])
-    content = repr((replace(run.variant, path=None), settings))
+    content = repr((replace(run.variant, path=None), settings)) + (repr(run.variant.forces) if run.variant.forces else "")
     return hashlib.sha256(content.encode("utf-8", "backslashreplace")).hexdigest()[:STAMP_LENGTH]
 
 
@@ -56,7 +56,14 @@ def record(run: SceneRun) -> dict[str, Any]:
         "lesson": asdict(run.distance_to_exact) if run.distance_to_exact is not None else None,
         "checks": [_finding(check) for check in checks],
         **({"graph_check": _graph(run.graph_check)} if run.graph_check is not None else {}),
+        **({"forces": _forces(run)} if run.asks(FORCES) else {}),
     }
+
+
+def _forces(run: SceneRun) -> dict[str, Any]:
+    from coursework.effects.told import force_record
+
+    return force_record(run.of(FORCES), run.variant.time.period)
 
 
 def _content(quantity: Quantity[Any]) -> dict[str, Any]:

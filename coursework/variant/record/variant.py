@@ -9,6 +9,7 @@ import pathlib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
@@ -31,6 +32,9 @@ from coursework.variant.record.texts import Texts
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    from coursework.variant.record.forces import Forces
 
 __all__ = [
     "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Binding", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law",
@@ -93,6 +97,7 @@ class Variant:
     changes: Mapping[KeyPath, float | str] = field(default_factory=dict, repr=False, compare=False)
     texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
     bindings: tuple[Binding, ...] = ()
+    forces: Forces | None = field(default=None, repr=False)
 
     @property
     def values(self) -> dict[str, float]:
