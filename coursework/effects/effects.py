@@ -21,13 +21,17 @@ from coursework.variant.record.forces import Forces
 
 @frozen
 class Action:
-    """A `force` (n,) complex N at a place (n,) complex m, or a `couple` (n,) N m, on a body; `effect` says of which."""
+    """A `force` (n,) complex N at a place (n,) complex m, or a `couple` (n,) N m, on a body; `effect` says of which.
+
+    `name` is that which the file gives it, "" where it has none of its own.
+    """
 
     effect: str
     body: str
     force: Complex | None = None
     at: Complex | None = None
     couple: Array | None = None
+    name: str = ""
 
 
 @frozen
@@ -63,9 +67,9 @@ def _loads(rows: Rows) -> Iterator[Action]:
     for load in rows.scheme.forces.loads:
         body = rows.scheme.body_named(load.on)
         if load.torque is not None:
-            yield Action("loads", body, couple=rows.scalar(load.torque))
+            yield Action("loads", body, couple=rows.scalar(load.torque), name=load.name)
         elif load.force is not None and load.at is not None:
-            yield Action("loads", body, rows.vector(load.force), rows.vector(load.at))
+            yield Action("loads", body, rows.vector(load.force), rows.vector(load.at), name=load.name)
 
 
 def _springs(rows: Rows) -> Iterator[Action]:
@@ -80,7 +84,7 @@ def _springs(rows: Rows) -> Iterator[Action]:
             pull = pull + rows.scalar(spring.stiffness) * (length - rows.scalar(spring.free))
         for end, force in zip(spring.ends, (pull * unit, -pull * unit), strict=True):
             if (body := rows.scheme.holder(end)) != FRAME:
-                yield Action("springs", body, force, rows.vector(Formula("name", name=end)))
+                yield Action("springs", body, force, rows.vector(Formula("name", name=end)), name=spring.name)
 
 
 INERTIA = Effect("inertia", "masses", lambda forces: bool(forces.masses), _inertia)

@@ -224,15 +224,18 @@ class SceneRun:
     def section_tables(self) -> dict[str, ExtraTable]:
         """Return the tables of what has a section of its own, by the names of their files."""
         records = ((one, one.shows) for one in quantities_for(self.asked).values())
-        return {
-            one.name: shows.table(self.results, self.of(one))
-            for one, shows in records if isinstance(shows, OwnSection) and shows.table is not None
-        }  # fmt: skip
+        own = ((one, shows.table) for one, shows in records if isinstance(shows, OwnSection) and shows.table is not None)
+        return {one.name: table(self.results, self.of(one)) for one, table in own}
 
     @property
     def listings(self) -> tuple[Listing, ...]:
         """Return the files in which drawings that were asked for keep their numbers."""
-        return tuple(shows.listing(self.of(one)) for _, one, shows in self._own_figures() if shows.listing is not None)
+        found = [shows.listing(self.of(one)) for _, one, shows in self._own_figures() if shows.listing is not None]
+        if self.asks(FORCES):
+            from coursework.drawing.force_plans.force_plans import HEAD, make_force_plans
+
+            found.append(Listing("polygons.csv", HEAD, make_force_plans(self.of(FORCES), 0).rows()))
+        return tuple(found)
 
     def _own_figures(self) -> Iterator[tuple[str, Quantity[Any], OwnFigure[Any]]]:
         for name, one in quantities_for(self.asked).items():
