@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coursework.motion.schemes import SEMI_IMPLICIT
 from coursework.motion.settings import Settings, scheme_for
 from coursework.run import Run
 from coursework.scene.exact_scene import scene_of
@@ -62,7 +63,7 @@ def solve(
     chosen = timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
     order = max((one.order for one in quantities_for(asked).values()), default=1)
-    settings = Settings(scheme_for(chosen, scheme), project, gain, columns, order=order).checked(chosen.time.step)
+    settings = Settings(scheme_for(chosen, scheme), project, gain, columns, order=order).checked(chosen.time.step, _also(chosen))
     return Run(scene_of(chosen, settings), asked, student, group, date, teacher=teacher, institution=institution, blank=blank)
 
 
@@ -88,6 +89,11 @@ def exact(
         return table
     rates = run.scene.rates
     return table[[*rates.coordinates, *rates.velocities]]
+
+
+def _also(variant: Variant) -> tuple[str, ...]:
+    """Return the schemes that only a scene knows that forces move."""
+    return (SEMI_IMPLICIT.name,) if variant.forces is not None and variant.forces.motor is not None else ()
 
 
 def variant_of(path_or_name: str | Path) -> Variant:

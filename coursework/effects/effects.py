@@ -53,8 +53,9 @@ def _weighed(rows: Rows) -> Iterator[tuple[Body, Array, Complex]]:
 def _inertia(rows: Rows) -> Iterator[Action]:
     for body, mass, centre in _weighed(rows):
         yield Action("inertia", body.name, np.asarray(-mass * rows.vector(body.centre, SECOND)), centre)
-        if body.inertia is not None:
-            yield Action("inertia", body.name, couple=-rows.inertia(body) * rows.epsilon(body))
+    for body in rows.scheme.bodies:
+        if np.any(inertia := rows.inertia(body)):
+            yield Action("inertia", body.name, couple=-inertia * rows.epsilon(body))
 
 
 def _weight(rows: Rows) -> Iterator[Action]:

@@ -65,8 +65,7 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array]) -> Energy:
         if body.mass is not None:
             kinetic += rows.mass(body) * np.abs(rows.vector(body.centre, RATE)) ** 2 / 2
             potential -= rows.mass(body) * (np.conj(x + 1j * y) * rows.vector(body.centre)).real
-        if body.inertia is not None:
-            kinetic += rows.inertia(body) * rows.omega(body) ** 2 / 2
+        kinetic += rows.inertia(body) * rows.omega(body) ** 2 / 2
     bodies = {body.name: body for body in scheme.bodies}
     for action in LOADS.acts(rows):
         body = bodies[action.body]

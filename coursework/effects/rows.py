@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 
 from coursework.effects.force_scheme import Body, ForceScheme, Unknown
-from coursework.equations.algebra.expression import Expression
+from coursework.equations.algebra.calculus import derivative as derivative_by
+from coursework.equations.algebra.expression import Expression, add
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import placed, symbol
-from coursework.motion.geometry.time_derivatives import compile_rows, second_rate
+from coursework.motion.geometry.time_derivatives import compile_rows, derivative, second_rate
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
 from coursework.variant.formula.tree import Formula
@@ -95,13 +96,16 @@ class Rows:
         return self.scalar(body.mass)
 
     def inertia(self, body: Body) -> Array:
-        """Return the moment of inertia about the centre of mass (n,) kg m²."""
+        """Return the moment of inertia about the centre of mass (n,) kg m², that of a flywheel on the body included."""
+        wheel = self.scheme.forces.flywheel
+        turning = wheel is not None and wheel.inertia is not None and self.scheme.body_named(wheel.on) == body.name
+        added = self.scalar(wheel.inertia) if wheel is not None and turning else 0.0
         if isinstance(body.inertia, str):
             assert body.span is not None
             length = np.abs(self.vector(body.span[1]) - self.vector(body.span[0]))
-            found: Array = self.mass(body) * length**2 * {ROD: 1 / 12, DISC: 1 / 2}[body.inertia]
+            found: Array = self.mass(body) * length**2 * {ROD: 1 / 12, DISC: 1 / 2}[body.inertia] + added
             return found
-        return self.scalar(body.inertia)
+        return np.asarray(self.scalar(body.inertia) + added)
 
     @cached_property
     def length(self) -> float:
@@ -185,14 +189,19 @@ def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Progra
         if isinstance(level, str):
             return symbols.partial(expr, symbol(level))
         rate = symbols.rate(expr) if level else expr
-        return second_rate(equations, rate) if level == SECOND else rate
+        return again(rate) if level == SECOND else rate
+
+    def again(rate: Expression) -> Expression:
+        # Free rates stand for drives that say nothing of how they change: forces do.
+        free = scheme.forces.motor.rates if scheme.forces.motor else ()
+        return add(second_rate(equations, rate), *[derivative_by(rate, symbol(name)) * derivative(name) for name in free])
 
     for formula, is_vector, level in wanted:
         with placed(equations.variant, "forces", 1):
             parts = symbols.vector(formula) if is_vector else (symbols.scalar(formula),)
             found += [raised(part, level) for part in parts]
     for rate in _rates(scheme):
-        found += [symbol(rate), second_rate(equations, symbol(rate))]
+        found += [symbol(rate), again(symbol(rate))]
     for body in scheme.bodies:
         centre = symbols.vector(body.centre)
         found += [symbols.partial(part, symbol(c.name)) for c in equations.variant.coordinates for part in centre]

@@ -1,6 +1,7 @@
 """What is told of the forces of a run: which effects are on and why the others are not, and what run.json keeps of them.
 
-Enters: a `Variant`, a `ForceAnalysis`.  Leaves: sentences, plain data.  Used by `commands/run.py` and `report/output/record.py`.
+Enters: a `Variant`, a `ForceAnalysis`.  Leaves: sentences, plain data.
+Used by `commands/run.py`, `motion_results.py` and `report/output/record.py`.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import numpy as np
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import EFFECTS
 from coursework.effects.flywheel import find_flywheel
+from coursework.results.kinematics.extra import ExtraTable
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -32,6 +34,16 @@ def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence
         _, equations, unknowns = found.reactions.matrix.shape
         lines.append(say("plan.forces_cost", equations=equations, unknowns=unknowns, count=len(found.rows.scheme.bodies)))
     return lines
+
+
+def dynamics_table(found: ForceAnalysis) -> ExtraTable:
+    """Return the columns of `dynamics.csv`: coordinates, rates, and kinetic and potential energy together."""
+    motion, variant = found.rows.motion, found.equations.variant
+    names = (*motion.coordinate_names, *variant.rates)
+    energy = found.energy.kinetic + found.energy.potential
+    rows = np.column_stack([motion.t, *(motion.column(name) for name in names), energy])
+    units = ("s", *(variant.unit_of(name) for name in names), "J")
+    return ExtraTable(say("extra.dynamics"), ("t", *names, "energy"), units, rows)
 
 
 def force_record(found: ForceAnalysis, period: float | None) -> dict[str, Any]:

@@ -20,7 +20,8 @@ MOST_CORRECTIONS = 20  # Newton's method has settled long before
 
 def scheme_for(variant: Variant, scheme: str | None = None) -> str:
     """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
-    return scheme or variant.time.scheme or (EXACT if is_chain(variant) else DEFAULT_SCHEME.name)
+    by_forces = variant.forces is not None and variant.forces.motor is not None
+    return scheme or variant.time.scheme or (EXACT if is_chain(variant) and not by_forces else DEFAULT_SCHEME.name)
 
 
 @frozen
@@ -36,11 +37,14 @@ class Settings:
     columns: tuple[str, ...] = ()
     order: int = 1
 
-    def checked(self, step: float) -> Settings:
-        """Return the settings.  Raises `InputError` for a scheme that does not exist and gains that grow the error."""
-        if self.scheme not in scheme_names():
-            known = ", ".join(scheme_names())
-            raise InputError(say("fault.C003", scheme=self.scheme, hint=closest(self.scheme, scheme_names()), known=known))
+    def checked(self, step: float, also: tuple[str, ...] = ()) -> Settings:
+        """Return the settings; `also` are schemes that this scene knows beside the others.
+
+        Raises `InputError` for a scheme that does not exist and gains that grow the error.
+        """
+        names = (*scheme_names(), *also)
+        if self.scheme not in names:
+            raise InputError(say("fault.C003", scheme=self.scheme, hint=closest(self.scheme, names), known=", ".join(names)))
         if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
             raise InputError(say("fault.C004", most_corrections=MOST_CORRECTIONS, project=self.project))
         if self.scheme == EXACT and (self.project or self.gain):

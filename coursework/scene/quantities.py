@@ -215,12 +215,22 @@ def _force_columns(_: MotionResults, found: ForceAnalysis) -> ExtraTable:
     return found.as_table()
 
 
+def _force_listing(found: ForceAnalysis) -> Listing:
+    from coursework.drawing.force_plans.force_plans import HEAD, make_force_plans
+
+    return Listing("polygons.csv", HEAD, make_force_plans(found, 0).rows())
+
+
 def _energy_columns(results: MotionResults, found: Energy) -> ExtraTable:
     return found.as_table(results.motion.t)
 
 
 def _refuse_no_forces(variant: Variant) -> Sentence | None:
     return say("fault.V733") if variant.forces is None else None
+
+
+def _refuse_no_motor(variant: Variant) -> Sentence | None:
+    return say("fault.V743") if variant.forces is None or variant.forces.motor is None else None
 
 
 _POINT_COLUMNS = Columns(_point_columns, _moving)
@@ -240,13 +250,14 @@ TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_p
 PLANS = Quantity(
     plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), order=2, refuses=_refuse_no_points
 )
-FORCES = Quantity(MotionResults.forces, OwnSection(_force_columns), order=2, refuses=_refuse_no_forces)
+FORCES = Quantity(MotionResults.forces, OwnSection(_force_columns, _force_listing), order=2, refuses=_refuse_no_forces)
+DYNAMICS = Quantity(MotionResults.dynamics, OwnSection(lambda _, found: found), order=2, refuses=_refuse_no_motor)
 ENERGY = Quantity(MotionResults.energy, OwnSection(_energy_columns), order=2, refuses=_refuse_no_forces)
 HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points, only_pages=True)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (
     TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, PLANS, TRAJECTORIES, HODOGRAPHS,
-    FORCES, ENERGY,
+    FORCES, ENERGY, DYNAMICS,
 )  # fmt: skip
 
 

@@ -63,3 +63,4 @@ class OwnSection(Generic[T]):
 
     kind: ClassVar[str] = "section"
     table: Callable[[MotionResults, T], ExtraTable] | None = None
+    listing: Callable[[T], Listing] | None = None

@@ -1,6 +1,6 @@
 """The forces: masses and inertia of the check row, group after group on paper, the lever, both read and compared, every row.
 
-Enters: a `PageContext` of a run that was asked for forces.  Leaves: parts.  Used by `sections.py`.
+Enters: a `PageContext` of a run that was asked for forces.  Leaves: parts.  Used by `by_forces.py`.
 """
 
 from __future__ import annotations

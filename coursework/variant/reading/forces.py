@@ -131,7 +131,6 @@ def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:
             if key != "flywheel":
                 parts.say(("motor", key), say("fault.V710"))
         return None
-    parts.say(("motor", "rates"), say("fault.V717"))
     known = {parts.names.canonical(rate): parts.names.canonical(key) for key, (rate, _) in _rates(file).items()}
     found = _free(rates, known, parts)
     if file.drive:

@@ -10,7 +10,7 @@ import math
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
 from coursework.variant.record.variant import MAX_ROWS, Quote, Time, whole_steps
-from coursework.variant.record.vocabulary import scheme_names
+from coursework.variant.record.vocabulary import OF_FORCES, scheme_names
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say
 
@@ -37,9 +37,9 @@ def read_time(entry: schema.Time, parts: Parts) -> Time:
 
 def _scheme(name: str | None, path: KeyPath, parts: Parts) -> str:
     """Return the name of a scheme, "" for none."""
-    if name is not None and name not in scheme_names():
-        known = ", ".join(scheme_names())
-        parts.say(path, say("fault.V065", name=name, hint=closest(name, scheme_names()), known=known))
+    names = (*scheme_names(), *(OF_FORCES if "motor" in parts.source.data else ()))
+    if name is not None and name not in names:
+        parts.say(path, say("fault.V065", name=name, hint=closest(name, names), known=", ".join(names)))
     return name or ""
 
 

@@ -121,6 +121,12 @@ class Variant:
         laws = {law.name for law in self.drive}
         return tuple(rate for rate in self.rates if rate in laws)
 
+    @cached_property
+    def given_rates(self) -> tuple[str, ...]:
+        """Return the rates that follow a given law: those in [drive], none that forces move."""
+        free = self.forces.motor.rates if self.forces is not None and self.forces.motor is not None else ()
+        return tuple(rate for rate in self.known_rates if rate not in free)
+
     @property
     def driven_coordinates(self) -> tuple[Coordinate, ...]:
         """Return the coordinates whose rate stands in [drive]."""
