@@ -136,7 +136,7 @@ def test_energy_and_error_are_told_with_the_step_that_would_do():
 
 
 def test_a_steep_motor_is_told_and_its_explosion_shown():
-    text = text_of("example-2-motor", ('k  = "35 N*m*s"', 'k  = "3500 N*m*s"'), ('M0 = "600 N*m"', 'M0 = "35000 N*m"'))
+    text = text_of("example-2-motor", ('"35 N*m*s"', '"3500 N*m*s"'), ('"600 N*m"', '"35000 N*m"'))
     run = coursework.solve(coursework.parse_variant(text), scheme="euler")
     told = {one.code: one for one in run.results.checks}["STABLE"]
     assert told.verdict == "COARSE" and told.value > 2

@@ -20,7 +20,8 @@ CASES = [
     ("example-1-forces", 'on = "3", at = "C"', 'on = "1", at = "C"', "V732", "does not move with link 1"),
     ("example-1-forces", 'at = "C", ', "", "V708", "the force F1 has no point"),
     ("example-1-forces", ', torque = "-60 N*m"', "", "V707", "either a force or a torque"),
-    ("example-1-forces", 'F0 = "-200 N"', 'F0 = "-200 kg"', "V205", "a mass"),
+
+    ("example-1-forces", 'value = "-200 N"', 'value = "-200 kg"', "V205", "a mass"),
     ("andrews-forces", ', free = "77.85 mm"', "", "V706", "free is missing"),
     ("andrews-forces", 'spring = ["S", "K"]', 'spring = ["S", "Q"]', "V059", "Q"),
 ]  # fmt: skip
