@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from coursework.effects.effects import Action, actions_of
 from coursework.effects.energy import Energy, energy_of
 from coursework.effects.force_scheme import drives_of
 from coursework.effects.groups import by_groups
@@ -40,6 +41,11 @@ class ForceAnalysis:
     equations: VelocityEquations
 
     @property
+    def actions(self) -> tuple[Action, ...]:
+        """Return every known force and couple, those of friction too."""
+        return (*actions_of(self.rows), *self.reactions.friction)
+
+    @property
     def drive_names(self) -> tuple[str, ...]:
         """Return the names of the driving couples and forces."""
         return self.reactions.names[len(self.reactions.names) - len(drives_of(self.rows.scheme)) :]
@@ -61,8 +67,8 @@ class ForceAnalysis:
     @cached_property
     def energy(self) -> Energy:
         """Energies and powers of every row."""
-        drives = drives_of(self.rows.scheme)
-        return energy_of(self.rows, {one: self.column(name) for one, name in zip(drives, self.drive_names, strict=True)})
+        drives = zip(drives_of(self.rows.scheme), self.drive_names, strict=True)
+        return energy_of(self.rows, {one: self.column(name) for one, name in drives}, self.reactions.friction)
 
     @cached_property
     def beside(self) -> dict[str, Array]:

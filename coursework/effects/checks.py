@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.effects import Action, actions_of
+from coursework.effects.effects import Action
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
 from coursework.results.checks.result import Finding, Group, floored, skipped
@@ -76,7 +76,7 @@ def outer_sum(own: ForceAnalysis) -> Array:
             total[:, 1] += force.imag
             total[:, 2] += (np.conj(at) * force).imag
 
-    actions: tuple[Action, ...] = actions_of(rows)
+    actions: tuple[Action, ...] = own.actions
     for action in actions:
         add(action.force, action.at, action.couple)
     for name, unknown in zip(own.reactions.names, rows.scheme.unknowns, strict=True):
@@ -186,6 +186,18 @@ def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     return Finding("PASS" if good else "COARSE", sentence, share, _CLOSE, say("unit.relative"), name, row + 1)
 
 
+def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
+    if not own.rows.scheme.forces.friction:
+        return skipped(say("check.FRICTION.skip"))
+    locked = np.flatnonzero(np.isnan(own.reactions.rows).all(axis=1))
+    if len(locked):
+        told = {"count": len(locked), "number": own.rows.count, "row": int(locked[0]) + 1}
+        return Finding("FAIL", say("check.FRICTION.locked", **told), row=int(locked[0]) + 1)
+    power = own.energy.friction
+    row = int(np.argmin(power))
+    return Finding("PASS", say("check.FRICTION.pass", power=float(-power[row]), row=row + 1), row=row + 1)
+
+
 FORCE_CHECKS: tuple[ForceCheck, ...] = (
     ForceCheck("VIRTUAL-POWER", _virtual_power),
     ForceCheck("GROUPS", _groups),
@@ -193,6 +205,7 @@ FORCE_CHECKS: tuple[ForceCheck, ...] = (
     ForceCheck("POWER", _power, "motion"),
     ForceCheck("FORCE-ACCURACY", _accuracy, "motion"),
     ForceCheck("CONTACT", _contact),
+    ForceCheck("FRICTION", _friction),
     ForceCheck("FORCE-CONDITION", _condition, is_least=True),
 )
 

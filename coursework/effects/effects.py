@@ -93,7 +93,11 @@ WEIGHT = Effect("weight", "forces", lambda forces: bool(forces.masses) and force
 LOADS = Effect("loads", "forces", lambda forces: bool(forces.loads), _loads)
 SPRINGS = Effect("springs", "forces", lambda forces: bool(forces.springs), _springs)
 
-EFFECTS: tuple[Effect, ...] = (INERTIA, WEIGHT, LOADS, SPRINGS)
+# Friction depends on the reactions, so it is found around them (`friction.py`); a motor moves the mechanism (`dynamics.py`).
+FRICTION = Effect("friction", "friction", lambda forces: bool(forces.friction), lambda rows: iter(()))
+MOTOR = Effect("motor", "motor", lambda forces: forces.motor is not None, lambda rows: iter(()))
+
+EFFECTS: tuple[Effect, ...] = (INERTIA, WEIGHT, LOADS, SPRINGS, FRICTION, MOTOR)
 
 
 def actions_of(rows: Rows) -> tuple[Action, ...]:

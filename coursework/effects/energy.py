@@ -6,9 +6,11 @@ Used by `analysis.py`.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
-from coursework.effects.effects import LOADS
+from coursework.effects.effects import LOADS, Action
 from coursework.effects.force_scheme import Unknown
 from coursework.effects.rows import PLACE, RATE, Rows
 from coursework.mechanism.joints import FRAME
@@ -56,8 +58,8 @@ def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:
     return (np.conj(unit) * moved).real
 
 
-def energy_of(rows: Rows, drives: dict[Unknown, Array]) -> Energy:
-    """Return energies and powers; `drives` are the driving couples and forces (n,)."""
+def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, ...] = ()) -> Energy:
+    """Return energies and powers; `drives` are the driving couples and forces (n,), `friction` what it does."""
     scheme, still = rows.scheme, np.zeros(rows.count)
     kinetic, potential, loads, dampers = still.copy(), still.copy(), still.copy(), still.copy()
     x, y = (rows.scalar(part) for part in scheme.forces.gravity or (None, None))
@@ -66,14 +68,8 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array]) -> Energy:
             kinetic += rows.mass(body) * np.abs(rows.vector(body.centre, RATE)) ** 2 / 2
             potential -= rows.mass(body) * (np.conj(x + 1j * y) * rows.vector(body.centre)).real
         kinetic += rows.inertia(body) * rows.omega(body) ** 2 / 2
-    bodies = {body.name: body for body in scheme.bodies}
-    for action in LOADS.acts(rows):
-        body = bodies[action.body]
-        if action.couple is not None:
-            loads += action.couple * rows.omega(body)
-        elif action.force is not None and action.at is not None:
-            moved = rows.vector(body.centre, RATE) + 1j * rows.omega(body) * (action.at - rows.vector(body.centre))
-            loads += (np.conj(action.force) * moved).real
+    loads += _power(rows, LOADS.acts(rows))
+    rubbed = _power(rows, friction)
     for spring in scheme.forces.springs:
         first, second = map(named, spring.ends)
         way = rows.vector(second, PLACE) - rows.vector(first, PLACE)
@@ -81,4 +77,18 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array]) -> Energy:
         potential += rows.scalar(spring.stiffness) * (np.abs(way) - rows.scalar(spring.free)) ** 2 / 2
         dampers -= rows.scalar(spring.damping) * rate**2
     driven = sum((value * velocity_of_drive(rows, one) for one, value in drives.items()), still)
-    return Energy(kinetic, potential, driven, loads, still, dampers)
+    return Energy(kinetic, potential, driven, loads, rubbed, dampers)
+
+
+def _power(rows: Rows, actions: Iterable[Action]) -> Array:
+    """Return the power (n,) of forces and couples on bodies that move."""
+    bodies = {body.name: body for body in rows.scheme.bodies}
+    total = np.zeros(rows.count)
+    for action in actions:
+        body = bodies[action.body]
+        if action.couple is not None:
+            total += action.couple * rows.omega(body)
+        elif action.force is not None and action.at is not None:
+            moved = rows.vector(body.centre, RATE) + 1j * rows.omega(body) * (action.at - rows.vector(body.centre))
+            total += (np.conj(action.force) * moved).real
+    return total

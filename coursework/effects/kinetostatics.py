@@ -14,7 +14,7 @@ from dataclasses import field
 
 import numpy as np
 
-from coursework.effects.effects import actions_of, wrenches
+from coursework.effects.effects import Action, actions_of, wrenches
 from coursework.effects.force_scheme import ForceScheme, Unknown, names_of
 from coursework.effects.rows import Rows
 from coursework.system.arrays import Array, Complex, Flags
@@ -49,6 +49,7 @@ class Reactions:
     condition: Array
     length: float
     partly: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
+    friction: tuple[Action, ...] = ()
 
     @property
     def largest(self) -> float:
@@ -86,9 +87,25 @@ def _place(
 
 
 def react(rows: Rows) -> Reactions:
-    """Return every reaction and the drive of each row."""
+    """Return every reaction and the drive of each row; with friction what settles, nan in rows in which nothing does."""
+    found, friction = _ideal(rows, ()), rows.scheme.forces.friction
+    if not friction:
+        return found
+    from coursework.effects.friction import MOST_ROUNDS, SETTLED, friction_of
+
+    for _ in range(MOST_ROUNDS):
+        last, found = found, _ideal(rows, friction_of(rows, found.rows))
+        open_rows = np.abs(found.rows - last.rows).max(axis=1) > SETTLED * max(found.largest, 1e-300)
+        if not open_rows.any():
+            return found
+    found.rows[open_rows] = np.nan  # self-locking: the drive cannot overcome what it presses together
+    return found
+
+
+def _ideal(rows: Rows, friction: tuple[Action, ...]) -> Reactions:
+    """Return the reactions where friction is known."""
     scheme, length, matrix = rows.scheme, rows.length, matrix_of(rows)
-    wrench = wrenches(rows, actions_of(rows))
+    wrench = wrenches(rows, (*actions_of(rows), *friction))
     right = np.zeros(matrix.shape[:2])
     right[:, : 3 * len(scheme.bodies)] = -wrench.reshape(rows.count, -1)
     moments = np.arange(2, 3 * len(scheme.bodies), 3)
@@ -104,7 +121,7 @@ def react(rows: Rows) -> Reactions:
                 matrix, right, np.asarray(np.isnan(values[:, place : place + 2]).all(axis=1)), place
             )
     values[:, couples] *= length
-    return Reactions(names, values, wrench, matrix, condition, length, partly)
+    return Reactions(names, values, wrench, matrix, condition, length, partly, friction)
 
 
 def solve(matrix: Array, right: Array) -> tuple[Array, Array]:

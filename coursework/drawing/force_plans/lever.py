@@ -22,7 +22,6 @@ from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.foot import FOOT, draw_foot
 from coursework.drawing.plans.plan_scale import LONGEST, read_length
 from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.effects import actions_of
 from coursework.effects.force_scheme import drives_of
 from coursework.effects.virtual_power import twists, unit_motions
 from coursework.system.frozen import frozen
@@ -74,7 +73,7 @@ def levers_of(found: ForceAnalysis, row: int) -> tuple[Lever, ...]:
     for index, name in enumerate(found.drive_names):
         arms, couples = [], 0.0
         listed = []
-        for action in actions_of(rows):
+        for action in found.actions:
             place = places[action.body]
             centre = scheme.bodies[place].centre
             turned = moves[place, 2, index]

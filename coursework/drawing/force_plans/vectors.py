@@ -15,14 +15,14 @@ import numpy as np
 
 from coursework.drawing.paper.symbols import name_word
 from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.effects import Action, actions_of
+from coursework.effects.effects import Action
 from coursework.effects.force_scheme import ForceScheme, Unknown
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
 
 KNOWN, DIRECTION, FOUND = "known", "direction", "found"  # given; its direction alone is; neither
 SUPERSCRIPT = {"t": "ᵗ", "n": "ⁿ"}
-_LETTERS = {"inertia": ("F", "in"), "weight": ("G", "")}
+_LETTERS = {"inertia": ("F", "in"), "weight": ("G", ""), "friction": ("F", "fr")}
 
 
 @frozen
@@ -109,11 +109,11 @@ def _turned(name: str, unknown: Unknown) -> str:
 
 
 def _plan(found: ForceAnalysis, group: Sequence[str], before: set[str]) -> GroupPlan:
-    rows, later = found.rows, {body.name for body in found.rows.scheme.bodies} - before - set(group)
+    later = {body.name for body in found.rows.scheme.bodies} - before - set(group)
     known: dict[str, list[ForceVector]] = {body: [] for body in group}
     outer: dict[str, list[ForceVector]] = {body: [] for body in group}
     inner: dict[str, list[ForceVector]] = {body: [] for body in group}
-    for action in actions_of(rows):
+    for action in found.actions:
         if action.body in known and action.force is not None and action.at is not None and np.any(action.force):
             word = word_of(action)
             known[action.body].append(ForceVector("".join(word), word, action.body, action.force, action.at, KNOWN))
@@ -176,7 +176,7 @@ def _moment_of_forces(found: ForceAnalysis, place: int) -> Array:
     """Return the moment (n,) about the centre of mass of the known forces on a body, without its couples."""
     body, rows = found.rows.scheme.bodies[place], found.rows
     total = np.zeros(rows.count)
-    for action in actions_of(rows):
+    for action in found.actions:
         if action.body == body.name and action.force is not None and action.at is not None:
             total += (np.conj(action.at - rows.vector(body.centre)) * action.force).imag
     return total

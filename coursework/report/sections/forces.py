@@ -13,7 +13,6 @@ import numpy as np
 from coursework.drawing.force_plans.force_plans import ForcePlans, make_force_plans
 from coursework.drawing.force_plans.vectors import DIRECTION, KNOWN, ForceVector, GroupPlan
 from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.effects import actions_of
 from coursework.effects.flywheel import find_flywheel
 from coursework.report.graphs.figures import drawn
 from coursework.report.graphs.force_graphs import force_graphs
@@ -66,7 +65,7 @@ def _known(context: PageContext, found: ForceAnalysis, row: int) -> Table:
     rows, numbers = found.rows, context.numbers
     lines: list[list[Cell]] = []
     for body in rows.scheme.bodies:
-        acts = [one for one in actions_of(rows) if one.body == body.name and one.effect == "inertia"]
+        acts = [one for one in found.actions if one.body == body.name and one.effect == "inertia"]
         force = sum((complex(one.force[row]) for one in acts if one.force is not None), 0j)
         couple = sum(float(one.couple[row]) for one in acts if one.couple is not None)
         at = complex(rows.vector(body.centre)[row])
