@@ -1,7 +1,7 @@
 """Newton and Euler, link by link: the reactions in every joint and what must drive the mechanism, in all rows at once.
 
 Enters: `Rows`.  Leaves: `Reactions`.  Computed on request only.
-Used by `analysis.py` and `groups.py`.
+Used by `analysis.py`, `groups.py` and `misread.py`.
 
 Three equations a body, two a pin that more than two links hold: m a_S = sum F, J eps = sum (p - S) x F + sum M.  What is not
 unique, in a support with more reactions than equations or at a dead point, is no number (nan), never one of many by chance.
@@ -10,7 +10,7 @@ unique, in a support with more reactions than equations or at a dead point, is n
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -104,8 +104,13 @@ def react(rows: Rows) -> Reactions:
 
 def _ideal(rows: Rows, friction: tuple[Action, ...]) -> Reactions:
     """Return the reactions where friction is known."""
+    return replace(react_to(rows, (*actions_of(rows), *friction)), friction=friction)
+
+
+def react_to(rows: Rows, actions: tuple[Action, ...]) -> Reactions:
+    """Return the reactions to known forces and couples."""
     scheme, length, matrix = rows.scheme, rows.length, matrix_of(rows)
-    wrench = wrenches(rows, (*actions_of(rows), *friction))
+    wrench = wrenches(rows, actions)
     right = np.zeros(matrix.shape[:2])
     right[:, : 3 * len(scheme.bodies)] = -wrench.reshape(rows.count, -1)
     moments = np.arange(2, 3 * len(scheme.bodies), 3)
@@ -121,7 +126,7 @@ def _ideal(rows: Rows, friction: tuple[Action, ...]) -> Reactions:
                 matrix, right, np.asarray(np.isnan(values[:, place : place + 2]).all(axis=1)), place
             )
     values[:, couples] *= length
-    return Reactions(names, values, wrench, matrix, condition, length, partly, friction)
+    return Reactions(names, values, wrench, matrix, condition, length, partly)
 
 
 def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
