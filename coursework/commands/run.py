@@ -12,7 +12,7 @@ from typing import Any
 
 from coursework.api import solve, variant_of
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, tell, tell_own_file, tell_unprinted
+from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_own_file, tell_unprinted
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
@@ -40,6 +40,8 @@ def run_variant(
     tell_own_file(variant)
     with under_way("reading"):
         read = with_set(variant_of(variant), set_values, check_row)
+    if precision == "single" or step == "auto":
+        refuse_motor(read)
     if precision == "single":
         with under_way("round_off"):
             status = tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))

@@ -53,6 +53,7 @@ def force_record(found: ForceAnalysis, period: float | None) -> dict[str, Any]:
     row, column = np.unravel_index(int(np.argmax(known)), known.shape) if known.size else (0, 0)
     wheel = find_flywheel(found, period)
     return {
+        "scale": reactions.largest,
         "largest": {"name": reactions.names[int(column)], "row": int(row) + 1, "value": float(known.max(initial=0.0))},
         "not_unique": [n for n, of in zip(reactions.names, reactions.rows.T, strict=True) if np.isnan(of).any()],
         "mean_moment": None if wheel is None else wheel.mean,

@@ -16,6 +16,7 @@ from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.dynamics import Dynamics, FreeMotion
 from coursework.effects.dynamics_checks import check_dynamics
 from coursework.effects.equations_of_motion import EquationsOfMotion, equations_of_motion
+from coursework.effects.regime import Regime, find_regime
 from coursework.effects.scheme import read_scheme
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.schemes import Scheme, scheme_named
@@ -26,6 +27,7 @@ from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.record.vocabulary import EXACT
+from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 
@@ -55,7 +57,26 @@ class MotorScene(Scene):
     @computed("mechanism", "equations", "reduction", "start")
     def free_equations(self) -> EquationsOfMotion:
         """The equations of motion in the free coordinates."""
-        return equations_of_motion(self.equations, self.reduction, read_scheme(self.mechanism), self.start)
+        found = equations_of_motion(self.equations, self.reduction, read_scheme(self.mechanism), self.start)
+        try:
+            found.slope(0.0, *self.start, *(0.0 for _ in found.free))
+        except ZeroDivisionError:
+            motor = self.variant.forces.motor if self.variant.forces is not None else None
+            told = say("fault.V744", names=motor.rates if motor is not None else ())
+            raise InputError([Fault(told, self.variant.file, self.variant.nearest_line("motor", "rates"))]) from None
+        return found
+
+    @cached_property
+    def regime(self) -> Regime | None:
+        """The steady motion of a crank that forces turn, None where there is none that the exact rows tend to."""
+        motion, forces = self.exact, self.variant.forces
+        assert forces is not None and forces.motor is not None
+        torques = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
+        timed = any(formula is not None and "t" in formula.names() for formula in torques)
+        speed = float(motion.column(forces.motor.rates[0])[-1]) if len(motion.t) else 0.0
+        if len(self.free_equations.free) != 1 or timed or not speed or motion.stop is not None:
+            return None
+        return find_regime(self.free_equations, list(self.start), speed)
 
     @computed("equations")
     def search(self) -> Search:

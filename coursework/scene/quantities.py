@@ -120,7 +120,7 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
     from coursework.results.accuracy.study import make_study
 
     scene = results.scene
-    if scene.stop is not None or scene.settings.columns or scene.search.passages:
+    if not scene.follows_laws or scene.stop is not None or scene.settings.columns or scene.search.passages:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
     units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
     problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)

@@ -208,3 +208,38 @@ def test_the_page_shows_what_a_step_costs(language):
     table = next(part for part in section.parts if part.kind == "table" and part.id == "dynamics-lesson")
     assert len(table.rows) == 12
     assert any(part.kind == "panels" and part.id == "dynamics-energy" for part in section.parts)
+
+
+def test_the_steady_motion_of_the_motor():
+    found, wanted = solved("example-2-motor").scene.regime, reference("example-2")["steady state"]
+    assert found.speed == pytest.approx(wanted["w1 at theta1=0"], rel=1e-11)
+    assert found.period == pytest.approx(wanted["period"], rel=1e-11)
+    assert found.mean == pytest.approx(wanted["w_mean"], rel=1e-11)
+    assert (found.largest, found.least) == (pytest.approx(wanted["w_max"], rel=1e-9), pytest.approx(wanted["w_min"], rel=1e-9))
+    assert found.delta == pytest.approx(wanted["delta"], rel=1e-9)
+    assert solved("falling-arm").scene.regime is None
+
+
+def test_what_has_no_mass_is_refused():
+    text = text_of(
+        "falling-arm", ('1 = { mass = "3 kg", inertia = "rod" }\n', ""), ('2 = { mass = "2 kg", inertia = "rod" }\n', "")
+    )
+    text = text.replace("[masses]\n", "")
+    with pytest.raises(coursework.InputError, match="V744"):
+        _ = coursework.solve(coursework.parse_variant(text), scheme="exact").motion
+
+
+@pytest.mark.parametrize("arguments", [("accuracy", "falling-arm"), ("run", "falling-arm", "--step", "auto", "--error", "0.01")])
+def test_studies_of_drives_are_refused(arguments, tmp_path, monkeypatch):
+    from tests.commands.test_cli import call
+
+    monkeypatch.chdir(tmp_path)
+    told = call(*arguments)
+    assert told.exit_code == 2
+    assert "C077" in told.stderr
+
+
+def test_the_page_of_a_motor_has_no_script_of_velocity_laws(tmp_path):
+    page = tmp_path / "report.html"
+    coursework.write_report(solved("falling-arm", "euler"), page)
+    assert 'id="live"' not in page.read_text(encoding="utf-8")

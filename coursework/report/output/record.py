@@ -12,7 +12,7 @@ from dataclasses import asdict, replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from coursework.scene.quantities import FORCES, Quantity, quantities_for
+from coursework.scene.quantities import DYNAMICS, FORCES, Quantity, quantities_for
 from coursework.scene.scene_run import SceneRun
 from coursework.words.custom_templates import stamp_of_templates
 
@@ -57,7 +57,14 @@ def record(run: SceneRun) -> dict[str, Any]:
         "checks": [_finding(check) for check in checks],
         **({"graph_check": _graph(run.graph_check)} if run.graph_check is not None else {}),
         **({"forces": _forces(run)} if run.asks(FORCES) else {}),
+        **({"dynamics": _dynamics(run)} if run.asks(DYNAMICS) else {}),
     }
+
+
+def _dynamics(run: SceneRun) -> dict[str, Any]:
+    """Return the steady motion of a crank that forces turn, None where there is none."""
+    regime = getattr(run.scene, "regime", None)
+    return {"regime": None if regime is None else asdict(regime) | {"delta": regime.delta}}
 
 
 def _forces(run: SceneRun) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from html import escape
 import numpy as np
 
 from coursework.effects.dynamics_lesson import Row, lesson
+from coursework.effects.regime import Regime
 from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_PEN, axes, field_for, sheet
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Display, Equations, Panel, Panels, Paragraph, Part, Table
@@ -32,7 +33,19 @@ def dynamics(context: PageContext) -> list[Part]:
     parts: list[Part] = [Paragraph(context.say("dynamics.equation")), Equations([Display(math, text)])]
     if lines := lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, scene.exact):
         parts.append(_compared(context, lines))
+    if scene.regime is not None:
+        parts.append(_regime(context, scene.regime, table.names[1 + len(context.run.motion.coordinate_names)]))
     return [*parts, _energy(context, scene), *extra_parts(context, table, "dynamics.csv")]
+
+
+def _regime(context: PageContext, found: Regime, rate: str) -> Paragraph:
+    """Return the steady motion in a sentence."""
+    speed, least, largest = (context.quantity(value, "rad/s", 5) for value in (found.speed, found.least, found.largest))
+    told = context.words(
+        "dynamics.regime", rate=context.lettering(rate), speed=speed, least=least, largest=largest, delta=found.delta,
+        period=context.quantity(found.period, "s", 5),
+    )  # fmt: skip
+    return Paragraph(context.lettered(told))
 
 
 def _compared(context: PageContext, lines: list[Row]) -> Table:
