@@ -12,6 +12,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coursework.motion.schemes import SEMI_IMPLICIT
 from coursework.motion.settings import Settings, scheme_for, stepping
 from coursework.run import Run
 from coursework.scene.exact_scene import scene_of
@@ -105,7 +106,8 @@ def make_run(
     asked, columns = _sorted(chosen, quantities)
     corrections = int(project) if isinstance(project, bool) else project  # as a flag, one
     order = max((one.order for one in quantities_for(asked).values()), default=1)
-    settings = Settings(scheme_for(chosen, scheme), corrections, gain, columns, order=order).checked(chosen.time.step)
+    asked_for = Settings(scheme_for(chosen, scheme), corrections, gain, columns, order=order)
+    settings = asked_for.checked(chosen.time.step, _also(chosen))
     return Run(scene_of(chosen, settings), asked, blank=blank, precision=precision, **title)  # type: ignore[arg-type]
 
 
@@ -128,6 +130,11 @@ def exact(
     table = run.framed(run.scene.over(run.scene.exact))
     rates = run.scene.rates
     return table[[*rates.coordinates, *rates.velocities]] if run.settings.columns else table
+
+
+def _also(variant: Variant) -> tuple[str, ...]:
+    """Return the schemes that only a scene knows that forces move."""
+    return (SEMI_IMPLICIT.name,) if variant.forces is not None and variant.forces.motor is not None else ()
 
 
 def variant_of(path_or_name: str | Path) -> Variant:

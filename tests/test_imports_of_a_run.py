@@ -30,6 +30,9 @@ EXTRA = {
     "coursework.drawing.check_sheet.graph_check",
     "coursework.results.checks.check",
     "coursework.results.accuracy.study",
+    "coursework.effects",
+    "coursework.variant.record.forces",
+    "coursework.variant.formula.mass_units",
 }
 
 

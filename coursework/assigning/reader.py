@@ -13,7 +13,7 @@ from typing import Any
 
 from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.units import KINDS, UnitFault, read, unlike
+from coursework.variant.formula.units import UnitFault, kind_of, read, unlike
 from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath, Positions
@@ -170,7 +170,7 @@ class _Reader:
         except UnitFault as error:
             self.faults.append(self.source.fault(path, error.message))
             return None
-        if quantity.si and si and KINDS[quantity.si][0] != KINDS[si][0]:
+        if quantity.si and si and kind_of(quantity.si)[0] != kind_of(si)[0]:
             self.faults.append(self.source.fault(path, unlike(si, str(value)[:40])))
             return None
         return Decimal(quantity.text.replace("−", "-")), quantity.unit

@@ -13,7 +13,7 @@ from pathlib import Path
 import click
 
 from coursework.api import make_run, variant_of
-from coursework.commands.screen import in_language, tell, tell_own_file, title_of
+from coursework.commands.screen import in_language, refuse_motor, tell, tell_own_file, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
@@ -32,6 +32,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     wanted = chosen(formats, "accuracy")
     tell_own_file(variant)
     read = variant_of(variant)
+    refuse_motor(read)
     run = make_run(read, quantities=("accuracy",))
     if run.stop is not None:
         tell(say("screen.nothing_to_study", sentence=run.stop.sentence))

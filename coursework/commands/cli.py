@@ -195,15 +195,18 @@ def variants_command(language: str) -> int:
 
 @main.command("new", cls=CommandWithKinds, short_help="Write a variant file to fill in.")
 @click.argument("name")
+@click.option("--with", "more", metavar="forces", help="Add masses and forces, to be changed.")
 @click.option("--groups", "kinds", metavar="KIND,KIND…", help="Write a chain of groups of these kinds (below), a crank first.")
 @click.option("--from", "original", shell_complete=offered("variants"), help="Copy this variant, with the tables it reads.")
 @SET
 @spoken(passed_on=True)
-def new_command(name: str, original: str | None, set_values: tuple[str, ...], kinds: str | None, language: str) -> int:
+def new_command(
+    name: str, original: str | None, set_values: tuple[str, ...], kinds: str | None, language: str, more: str | None
+) -> int:
     """Write NAME.toml, a commented variant file to fill in, a chain of groups, or a copy of another."""
     from coursework.commands.new import new_variant
 
-    return new_variant(name, original, set_values, kinds, language)
+    return new_variant(name, original, set_values, kinds, language, more)
 
 
 @main.command("accuracy", cls=CommandWithTemplates, short_help="Show what accuracy costs in time.")

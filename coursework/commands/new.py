@@ -18,6 +18,7 @@ from coursework.scene.model.variant_text import variant_text
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, CHECKS, GRAPH_CHECK, INVARIANTS, PLOTS, POINTS, TABLE, Quantity
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find, load, names
+from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.words.data_folders import REPORTS, folder
@@ -33,8 +34,9 @@ if TYPE_CHECKING:
 
 
 def new_variant(
-    name: str, original: str | None = None, set_values: Sequence[str] = (), kinds: str | None = None, language: str = ENGLISH
-) -> int:
+    name: str, original: str | None = None, set_values: Sequence[str] = (), kinds: str | None = None, language: str = ENGLISH,
+    more: str | None = None,
+) -> int:  # fmt: skip
     """Write NAME.toml: a copy of `original`, a chain of `kinds`, or the template in a language; what exists is left alone."""
     if kinds is not None and original is not None:
         raise InputError(say("fault.C070"))
@@ -50,6 +52,8 @@ def new_variant(
         contents = _copies(target, original, set_values)
     else:
         contents = {target: _template(stem, language) if kinds is None else _chain(stem, kinds)}
+    if more is not None:
+        contents[target] = _with_forces(contents[target], stem, more)
     for path, content in contents.items():
         if path.exists() and (path == target or path.read_bytes() != content):
             raise InputError(say("fault.C027", path=path))
@@ -90,6 +94,18 @@ def _chain(stem: str, kinds: str) -> bytes:
         return text_of(draft, stem, in_language, [one.name for one in _asked(draft)]).encode("utf-8")
     except DoesNotClose as error:
         raise InputError(say("fault.C073", number=error.number, kind=named[error.number - 1])) from error
+
+
+def _with_forces(content: bytes, stem: str, more: str) -> bytes:
+    """Return a file with the sections of masses and forces.  Raises `InputError` for another section, or where it has them."""
+    from coursework.effects.draft import with_forces
+
+    if more != "forces":
+        raise InputError(say("fault.C075", found=more))
+    variant = parse_variant(content, f"{stem}.toml")
+    if variant.forces is not None:
+        raise InputError(say("fault.C076"))
+    return with_forces(variant, content.decode("utf-8"), in_language).encode("utf-8")
 
 
 def _asked(draft: Draft) -> Iterator[Quantity[Any]]:

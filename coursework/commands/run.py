@@ -12,13 +12,13 @@ from typing import Any
 
 from coursework.api import make_run, step_choice, variant_of
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, tell, tell_own_file, tell_unprinted
+from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_own_file, tell_unprinted
 from coursework.motion.settings import stepping
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
-from coursework.scene.quantities import TABLE, quantities_for
+from coursework.scene.quantities import FORCES, TABLE, quantities_for
 from coursework.system.budget import Ended
 from coursework.system.file_set import files_of, working_folder
 from coursework.system.on_demand import under_way
@@ -37,6 +37,8 @@ def run_variant(
     tell_own_file(variant)
     with under_way("reading"):
         read = with_set(variant_of(variant), set_values, check_row)
+    if precision == "single" or step == "auto":
+        refuse_motor(read)
     if precision == "single":
         with under_way("round_off"):
             status = tell_round_off(
@@ -59,6 +61,11 @@ def run_variant(
     if plan:
         for line in Results(run, language, live).plan(any(PAGES in each.serves for each in wanted)).lines():
             tell(line)
+        if read.forces is not None:
+            from coursework.effects.told import effect_lines
+
+            for line in effect_lines(read, run.of(FORCES) if run.asks(FORCES) else None):
+                tell(line)
         used, left = run.blocks_evaluated()
         title = run.scheme_title
         tell(

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import click
 
 from coursework.variant.catalogue import own_file
-from coursework.words.errors import CourseworkError, Fault
+from coursework.words.errors import CourseworkError, Fault, InputError
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 if TYPE_CHECKING:
@@ -53,6 +53,12 @@ def title_of(variant: Variant) -> str:
 def tell(text: str, *, err: bool = False) -> None:
     """Print a line."""
     click.echo(in_language(text), err=err)
+
+
+def refuse_motor(variant: Variant) -> None:
+    """Raise `InputError` for motion under forces, whose rates no study of velocity laws follows."""
+    if variant.forces is not None and variant.forces.motor is not None:
+        raise InputError(say("fault.C077", name=variant.name))
 
 
 def tell_own_file(variant: str) -> None:

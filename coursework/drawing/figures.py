@@ -220,7 +220,7 @@ def _between(ends: tuple[complex, complex], at: complex) -> bool:
 def _driven_words(outline: Outline, variant: Variant) -> str:
     """Return how arrows show what is driven; what no arrow shows is named."""
     turned = tuple(rate for rate, _ in outline.cranks)
-    others = tuple(rate for rate in variant.known_rates if rate not in turned)
+    others = tuple(rate for rate in variant.given_rates if rate not in turned)
     told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []
     told += [say_count("drawing.mechanism.turned", len(turned), rates=turned)] if turned else []
     told += [say("drawing.mechanism.given", rates=others)] if others else []

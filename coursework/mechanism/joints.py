@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import field, replace
 
 from coursework.mechanism.groups import group_kind
@@ -54,8 +54,10 @@ class Linkage:
         return Mobility(len(self.bodies), takes.count(2), takes.count(1))
 
 
-def with_sliders(found: Linkage) -> Linkage:
+def with_sliders(found: Linkage, wanted: Callable[[Joint], bool] = lambda joint: True) -> Linkage:
     """Return a linkage in which each pin in a guide has its slider, a body with two joints that take two freedoms each.
+
+    Only those that are `wanted` get one.
 
     >>> from coursework.variant.catalogue import load
     >>> variant = load("example-2")
@@ -64,7 +66,7 @@ def with_sliders(found: Linkage) -> Linkage:
     """
     bodies, joints = [*found.bodies], []
     for joint in found.joints:
-        if not joint.kind.slides or joint.kind.takes > 1:
+        if not joint.kind.slides or joint.kind.takes > 1 or not wanted(joint):
             joints.append(joint)
             continue
         bodies.append(str(1 + max((int(name) for name in bodies if name.isdecimal()), default=0)))

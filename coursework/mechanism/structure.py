@@ -1,7 +1,7 @@
 """The structure of a mechanism as a textbook tells it: links, pairs, mobility, Assur groups with class and order.
 
 Enters: a `Mechanism`.  Leaves: `Structure`, None where a file does not show all links and pairs.
-Used by `report/sections/structure.py`.
+Used by `report/sections/structure.py` and `effects/scheme.py`.
 
 A pin that slides in a guide of the frame (one pair of class 4) is shown with its slider, a link with two pairs of class 5: the
 mobility is the same, and groups are made of lower pairs.  Of two ways to name a hinge of three links none is taken: it is one
@@ -36,19 +36,25 @@ def read_structure(mechanism: Mechanism) -> Structure | None:
     >>> found.mobility.degrees, [(group.group_class, group.links) for group in found.groups]
     (2, [('II', ('3', '4')), ('II', ('1', '2'))])
     """
+    found = fitting_linkage(mechanism)
+    if found is None:
+        return None
+    bodies, drives = Bodies(mechanism, with_sliders(found)), _drives(mechanism.variant)
+    return Structure(
+        tuple(bodies.members()), tuple(bodies.pairs()), bodies.linkage.mobility, found.mobility, drives, bodies.driven,
+        tuple(bodies.groups()) if found.mobility.degrees == drives else (),
+    )  # fmt: skip
+
+
+def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
+    """Return the links and joints whose freedoms are those that are driven, or fewer; None where a file does not show them."""
     variant = mechanism.variant
     ways = [mechanism.linkage] if mechanism.linkage is not None else []
     if ways and variant.links and variant.groups:
         ways.append(chain_of_groups(variant, dict(mechanism.points)))
     drives = _drives(variant)
     fitting = [way for way in ways if way.mobility.degrees == drives] or [way for way in ways if way.mobility.degrees < drives]
-    if not fitting or not drives:
-        return None
-    bodies = _Bodies(mechanism, with_sliders(fitting[0]))
-    return Structure(
-        tuple(bodies.members()), tuple(bodies.pairs()), bodies.linkage.mobility, fitting[0].mobility, drives, bodies.driven,
-        tuple(bodies.groups()) if fitting[0].mobility.degrees == drives else (),
-    )  # fmt: skip
+    return fitting[0] if fitting and drives else None
 
 
 def _drives(variant: Variant) -> int:
@@ -72,7 +78,7 @@ def in_order(names: Iterable[str]) -> list[str]:
 
 
 @dataclass(slots=True)
-class _Bodies:
+class Bodies:
     """The bodies of one linkage and what a page calls them."""
 
     mechanism: Mechanism
@@ -152,10 +158,13 @@ class _Bodies:
 
     def groups(self) -> Iterator[AssurGroup]:
         """Yield driven links and groups in the order in which they can be put together; nothing where that is not known."""
+        for bodies, placed in self.sets():
+            yield self._group(bodies, placed)
+
+    def sets(self) -> list[tuple[tuple[str, ...], set[str]]]:
+        """Return the bodies of each driven link and group, with what was placed before it; none where that is not known."""
         found = [*self._found()]
-        if sum(len(bodies) for bodies, _ in found) == len(self.linkage.bodies):
-            for bodies, placed in found:
-                yield self._group(bodies, placed)
+        return found if sum(len(bodies) for bodies, _ in found) == len(self.linkage.bodies) else []
 
     def _contacts(self) -> list[tuple[set[str], int]]:
         """Return what joins bodies: which, and how many freedoms each beyond the first loses."""

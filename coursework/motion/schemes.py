@@ -218,22 +218,31 @@ RK4 = Scheme(
 """Four slopes, order 4, the classical scheme.  Common mistake: k3 computed from k1, or the sum divided by 4."""
 
 SCHEMES: dict[str, Scheme] = {scheme.name: scheme for scheme in (EULER, MIDPOINT, HEUN, RALSTON, RK4)}
+# Only for what forces move, where a state has rates: v + h a(q, v, t) first, then q + h v with the new rates.  Beside the
+# tableaux: its slopes are those of Euler, and so is its order.
+SEMI_IMPLICIT = Scheme("semi-implicit", "semi-implicit Euler", nodes=(0,), rows=((),), weights=(1,), order=1)
 # What a table is made with where nothing else is said: the scheme of the coursework.
 DEFAULT_SCHEME = EULER
 # What finds a motion to round-off by halving its steps, and what the accuracy study calls the better scheme.
 PRECISE = RK4
 
 
-def scheme_of(name: str) -> Scheme:
-    """Return a scheme by its name.  Raises `InputError` for a name that is none.
+def scheme_of(name: str, also: tuple[str, ...] = ()) -> Scheme:
+    """Return a scheme by its name; `also` are names known beside the others.  Raises `InputError` for a name that is none.
 
     >>> scheme_of("rk4").slopes
     4
     """
-    if name not in SCHEMES:
-        known = scheme_names()
+    found = scheme_named(name) if name in SCHEMES or name in also else None
+    if found is None:
+        known = (*scheme_names(), *also)
         raise InputError(say("fault.C003", scheme=name, hint=closest(str(name), known), known=", ".join(known)))
-    return SCHEMES[name]
+    return found
+
+
+def scheme_named(name: str) -> Scheme | None:
+    """Return the scheme of a name, None for the exact motion, which no tableau makes."""
+    return SEMI_IMPLICIT if name == SEMI_IMPLICIT.name else SCHEMES.get(name)
 
 
 def title_of(scheme: Scheme) -> Sentence:

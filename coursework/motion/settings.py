@@ -21,7 +21,8 @@ MOST_CORRECTIONS = 20  # Newton's method has settled long before
 
 def scheme_for(variant: Variant, scheme: str | None = None) -> str:
     """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
-    return scheme or variant.time.scheme or (EXACT if is_chain(variant) else DEFAULT_SCHEME.name)
+    by_forces = variant.forces is not None and variant.forces.motor is not None
+    return scheme or variant.time.scheme or (EXACT if is_chain(variant) and not by_forces else DEFAULT_SCHEME.name)
 
 
 def stepping(variant: Variant, scheme: str | None) -> str:
@@ -44,10 +45,13 @@ class Settings:
     columns: tuple[str, ...] = ()
     order: int = 1
 
-    def checked(self, step: float) -> Settings:
-        """Return the settings.  Raises `InputError` for a scheme that does not exist and gains that grow the error."""
+    def checked(self, step: float, also: tuple[str, ...] = ()) -> Settings:
+        """Return the settings; `also` are schemes that this scene knows beside the others.
+
+        Raises `InputError` for a scheme that does not exist and gains that grow the error.
+        """
         if self.scheme != EXACT:
-            scheme_of(self.scheme)
+            scheme_of(self.scheme, also)
         if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
             raise InputError(say("fault.C004", most_corrections=MOST_CORRECTIONS, project=self.project))
         if self.scheme == EXACT and (self.project or self.gain):

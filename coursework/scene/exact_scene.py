@@ -25,6 +25,10 @@ from coursework.words.sentences import say
 
 def scene_of(variant: Variant, settings: Settings) -> Scene:
     """Return the scene of a variant: with rows of a scheme, or with the motion itself for its table."""
+    if variant.forces is not None and variant.forces.motor is not None:
+        from coursework.scene.motor_scene import MotorScene
+
+        return MotorScene(variant, settings)
     return (ExactScene if settings.scheme == EXACT else Scene)(variant, settings)
 
 

@@ -7,7 +7,7 @@ Used by `scene.py`, which makes it, `quantities.py` and `scene_run.py`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -18,11 +18,14 @@ from coursework.motion.schemes import SCHEMES
 from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
-from coursework.variant.record.vocabulary import scheme_names
+from coursework.variant.record.vocabulary import EXACT, scheme_names
 
 if TYPE_CHECKING:
+    from coursework.effects.analysis import ForceAnalysis
+    from coursework.effects.energy import Energy
     from coursework.results.checks.evidence import Evidence
     from coursework.results.checks.result import Finding
+    from coursework.results.kinematics.extra import ExtraTable
 
 Named = tuple[tuple[str, ...], Array]
 # More rows than this are not marched in extended numbers: a row there costs a hundred times one of the table.
@@ -63,9 +66,7 @@ class MotionResults:
     @computed("motion", "equations", "reduction", "search")
     def accelerations(self) -> Array:
         """The accelerations (n, k) of every row, from the differentiated equations (rad/s², m/s²)."""
-        from coursework.results.kinematics.accelerations import accelerations as compute
-
-        return compute(self.scene.equations, self.scene.reduction, self.motion, self.scene.search.passages)
+        return self.scene.accelerations_of(self.motion)
 
     @computed("motion", "equations")
     def points(self) -> Named:
@@ -80,6 +81,40 @@ class MotionResults:
         from coursework.results.kinematics.points import point_rows
 
         return point_rows(self.scene.equations, self.motion, self.accelerations)
+
+    @computed("motion", "mechanism", "equations", "accelerations")
+    def forces(self) -> ForceAnalysis:
+        """The reactions in every joint and what must drive the mechanism, of every row (N, N m)."""
+        from coursework.effects.analysis import analyse
+
+        return analyse(self.scene.mechanism, self.scene.equations, self.motion, self.accelerations)
+
+    @computed("forces")
+    def energy(self) -> Energy:
+        """Kinetic and potential energy, and the powers of drive, loads, friction and dampers (J, W)."""
+        return self.forces.energy
+
+    @computed("forces")
+    def dynamics(self) -> ExtraTable:
+        """The motion that forces make: coordinates, rates and the energy that it has."""
+        from coursework.effects.told import dynamics_table
+
+        return dynamics_table(self.forces)
+
+    @computed("forces", "motion", "exact")
+    def exact_forces(self) -> ForceAnalysis | None:
+        """The forces of the exact motion on the same rows; None where it is not known."""
+        exact = self.scene.exact
+        if self.motion.scheme == EXACT:
+            return self.forces
+        return replace(self, motion=exact, ledger=Ledger()).forces if len(exact.t) else None
+
+    @computed("forces", "exact_forces")
+    def force_checks(self) -> tuple[Finding, ...]:
+        """The checks of forces: three ways that must agree, power, what the joints bear."""
+        from coursework.effects.checks import check_forces
+
+        return check_forces(self.forces, self.exact_forces)
 
     @property
     def marched(self) -> bool:

@@ -11,14 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 
 from coursework.motion.integration.motion import Motion
 from coursework.scene.motion_results import MotionResults, Named
 from coursework.scene.scene import Scene
-from coursework.system.frozen import frozen
+from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnTable
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -28,55 +28,12 @@ if TYPE_CHECKING:
     from coursework.drawing.check_sheet.graph_check import GraphCheck
     from coursework.drawing.paper.record import Drawing
     from coursework.drawing.plans.plans import Plans
+    from coursework.effects.analysis import ForceAnalysis
+    from coursework.effects.energy import Energy
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.kinematics.extra import ExtraTable
 
 T = TypeVar("T")
-
-
-@frozen
-class Columns(Generic[T]):
-    """Shown as columns beside those of the results table; `on_page` says which of them a page prints."""
-
-    kind: ClassVar[str] = "columns"
-    of: Callable[[MotionResults, T], ExtraTable]
-    on_page: Callable[[ExtraTable], ExtraTable] = field(default=lambda table: table)
-
-
-@frozen
-class OwnTable(Generic[T]):
-    """Shown as a table of its own, whose rows are not those of the results table."""
-
-    kind: ClassVar[str] = "table"
-    of: Callable[[MotionResults, T], ExtraTable]
-
-
-@frozen
-class Listing:
-    """A CSV file beside the table: its name, its head, its rows of numbers and words."""
-
-    file: str
-    head: tuple[str, ...]
-    rows: Iterable[tuple[object, ...]]
-
-
-@frozen
-class OwnFigure(Generic[T]):
-    """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page.
-
-    `listing` is the file in which their numbers stand with every digit, None where they have none of their own.
-    """
-
-    kind: ClassVar[str] = "figure"
-    of: Callable[[MotionResults, T, Callable[[str], str]], tuple[Drawing, ...]]
-    listing: Callable[[T], Listing] | None = None
-
-
-@frozen
-class OwnSection:
-    """Shown in a section that the page has for it (`report/sections.py`)."""
-
-    kind: ClassVar[str] = "section"
 
 
 @dataclass(frozen=True, slots=True)  # mypy takes a `Computed` for an attribute of another kind elsewhere
@@ -91,7 +48,7 @@ class Quantity(Generic[T]):
     """
 
     compute: Computed[T]
-    shows: Columns[T] | OwnTable[T] | OwnFigure[T] | OwnSection
+    shows: Columns[T] | OwnTable[T] | OwnFigure[T] | OwnSection[T]
     restrictable: bool = False
     usual: bool = False
     order: int = 1
@@ -163,7 +120,7 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
     from coursework.results.accuracy.study import make_study
 
     scene = results.scene
-    if scene.stop is not None or scene.settings.columns or scene.search.passages:
+    if not scene.follows_laws or scene.stop is not None or scene.settings.columns or scene.search.passages:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
     units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
     problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
@@ -249,6 +206,28 @@ def _itself(_: MotionResults, rows: ExtraTable) -> ExtraTable:
     return rows
 
 
+def _force_columns(_: MotionResults, found: ForceAnalysis) -> ExtraTable:
+    return found.as_table()
+
+
+def _force_listing(found: ForceAnalysis) -> Listing:
+    from coursework.drawing.force_plans.force_plans import HEAD, make_force_plans
+
+    return Listing("polygons.csv", HEAD, make_force_plans(found, 0).rows())
+
+
+def _energy_columns(results: MotionResults, found: Energy) -> ExtraTable:
+    return found.as_table(results.motion.t)
+
+
+def _refuse_no_forces(variant: Variant) -> Sentence | None:
+    return say("fault.V733") if variant.forces is None else None
+
+
+def _refuse_no_motor(variant: Variant) -> Sentence | None:
+    return say("fault.V743") if variant.forces is None or variant.forces.motor is None else None
+
+
 _POINT_COLUMNS = Columns(_point_columns, _moving)
 TABLE = Quantity(table, OwnSection(), restrictable=True, usual=True)
 PLOTS = Quantity(plots, OwnSection(), restrictable=True, usual=True, only_pages=True)
@@ -266,10 +245,14 @@ TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_p
 PLANS = Quantity(
     plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), order=2, refuses=_refuse_no_points
 )
+FORCES = Quantity(MotionResults.forces, OwnSection(_force_columns, _force_listing), order=2, refuses=_refuse_no_forces)
+DYNAMICS = Quantity(MotionResults.dynamics, OwnSection(lambda _, found: found), order=2, refuses=_refuse_no_motor)
+ENERGY = Quantity(MotionResults.energy, OwnSection(_energy_columns), order=2, refuses=_refuse_no_forces)
 HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points, only_pages=True)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (
     TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, PLANS, TRAJECTORIES, HODOGRAPHS,
+    FORCES, ENERGY, DYNAMICS,
 )  # fmt: skip
 
 

@@ -17,22 +17,12 @@ from coursework.equations.algebra.symbolic_objects import sympy_version
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.motion.integration.motion import Motion, Stop
-from coursework.motion.schemes import SCHEMES, Scheme, title_of
+from coursework.motion.schemes import Scheme, scheme_named, title_of
 from coursework.motion.settings import Settings
 from coursework.scene.motion_results import MotionResults
-from coursework.scene.quantities import (
-    ACCURACY,
-    CHECKS,
-    GRAPH_CHECK,
-    Columns,
-    Listing,
-    OwnFigure,
-    OwnTable,
-    Quantity,
-    all_needs,
-    quantities_for,
-)
+from coursework.scene.quantities import ACCURACY, CHECKS, FORCES, GRAPH_CHECK, Quantity, all_needs, quantities_for
 from coursework.scene.scene import Scene
+from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnTable
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Plan, make_plan
 from coursework.system.version import VERSION
@@ -103,8 +93,8 @@ class SceneRun:
 
     @property
     def checks(self) -> tuple[Finding, ...]:
-        """Return what each check has found."""
-        return self.results.checks
+        """Return what each check has found, those of forces where they are asked for."""
+        return self.results.checks + (self.results.force_checks if self.asks(FORCES) else ())
 
     @property
     def summary(self) -> str:
@@ -189,7 +179,7 @@ class SceneRun:
     @property
     def tableau(self) -> Scheme | None:
         """Return the scheme itself, None where the table is the exact motion."""
-        return SCHEMES.get(self.settings.scheme)
+        return scheme_named(self.settings.scheme)
 
     @property
     def distance_to_exact(self) -> Distance | None:
@@ -230,9 +220,18 @@ class SceneRun:
         return {one.name: shows.of(self.results, self.of(one)) for one, shows in records if isinstance(shows, OwnTable)}
 
     @property
+    def section_tables(self) -> dict[str, ExtraTable]:
+        """Return the tables of what has a section of its own, by the names of their files."""
+        records = ((one, one.shows) for one in quantities_for(self.asked).values())
+        own = ((one, shows.table) for one, shows in records if isinstance(shows, OwnSection))
+        return {one.name: table(self.results, self.of(one)) for one, table in own if table is not None}
+
+    @property
     def listings(self) -> tuple[Listing, ...]:
         """Return the files in which drawings that were asked for keep their numbers."""
-        return tuple(shows.listing(self.of(one)) for _, one, shows in self._own_figures() if shows.listing is not None)
+        records = ((one, one.shows) for one in quantities_for(self.asked).values())
+        kept = [(one, shows) for one, shows in records if isinstance(shows, (OwnFigure, OwnSection))]
+        return tuple(shows.listing(self.of(one)) for one, shows in kept if shows.listing is not None)
 
     def _own_figures(self) -> Iterator[tuple[str, Quantity[Any], OwnFigure[Any]]]:
         for name, one in quantities_for(self.asked).items():

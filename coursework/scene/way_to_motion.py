@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
@@ -44,7 +45,7 @@ from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.no_value import law_without_value, without_value
-from coursework.variant.record.variant import Variant, whole_steps
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -61,6 +62,7 @@ class WayToMotion:
     variant: Variant
     settings: Settings
     ledger: Ledger = field(default_factory=Ledger)
+    follows_laws: ClassVar[bool] = True  # velocities follow from time and positions alone, as driven ones do
 
     @cached_property
     def structure(self) -> Structure:
@@ -134,8 +136,7 @@ class WayToMotion:
     @computed("search", "flow", "equations", "reduction")
     def stop(self) -> Stop | None:
         """The event in words: where the motion ends and why."""
-        event = self.search.event
-        if event is None:
+        if (event := self.search.event) is None:
             return None
         from coursework.motion.singular.change_point import branches_at
 
@@ -184,8 +185,8 @@ class WayToMotion:
     @property
     def begin(self) -> list[float]:
         """The start of the coordinates that are integrated."""
-        names = (coordinate.name for coordinate in self.variant.coordinates)
-        return [value for name, value in zip(names, self.start, strict=True) if name in self.rates.coordinates]
+        pairs = zip(self.variant.coordinates, self.start, strict=True)
+        return [value for coordinate, value in pairs if coordinate.name in self.rates.coordinates]
 
     @cached_property
     def fastest_wave(self) -> float:
@@ -211,8 +212,7 @@ class WayToMotion:
     @computed("stop", "equations", "reduction", "rates", "closure", "start", "search")
     def exact(self) -> Motion:
         """The motion without a scheme's error, on the same rows."""
-        time, stop = self.variant.time, self.stop
-        last = whole_steps(time.step, time.end)
+        time, stop, last = self.variant.time, self.stop, self.variant.time.steps
         if stop is not None:
             last = min(last, rows_before(stop.time, time.step) - 1)
         if last < 0:
@@ -222,20 +222,20 @@ class WayToMotion:
     @computed("equations", "reduction", "exact", "search")
     def exact_accelerations(self) -> Array:
         """The accelerations of the exact rows."""
-        from coursework.results.kinematics.accelerations import accelerations
-
-        return accelerations(self.equations, self.reduction, self.exact, self.search.passages)
+        return self.accelerations_of(self.exact)
 
     @computed("exact", "equations", "reduction", "rates", "search")
     def extremes(self) -> dict[str, tuple[float, float]]:
         """The least and the largest value of every column of the exact motion up to its last row, between rows too."""
         from coursework.motion.integration.extremes import extremes
+
+        return extremes(self.exact, self.every_rate, self.accelerations_of)
+
+    def accelerations_of(self, motion: Motion) -> Array:
+        """Return the accelerations (n, k) of any motion of the mechanism."""
         from coursework.results.kinematics.accelerations import accelerations
 
-        passages = self.search.passages
-        return extremes(
-            self.exact, self.every_rate, lambda motion: accelerations(self.equations, self.reduction, motion, passages)
-        )
+        return accelerations(self.equations, self.reduction, motion, self.search.passages)
 
     @property
     def scheme_rows(self) -> Motion | None:

@@ -164,7 +164,7 @@ class _Pencil:
         tracks = tuple(self.tracks())
         hinges = tuple(dict.fromkeys(self.hinges))
         cranks = tuple(
-            (bar.rate, hinge) for bar in self.bars if bar.rate in variant.known_rates for hinge in hinges if hinge in bar.corners
+            (bar.rate, hinge) for bar in self.bars if bar.rate in variant.given_rates for hinge in hinges if hinge in bar.corners
         )
         return Outline(
             tuple(self.points.items()), tuple(self.bars), tuple(self.slots), tuple(self.blocks), tuple(self.rails),

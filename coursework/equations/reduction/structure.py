@@ -60,7 +60,7 @@ def without_data(variant: Variant) -> Variant:
         given=tuple(Given(given.name, 1.0, given.si, "", "") for given in variant.given),
         coordinates=tuple(Coordinate(c.name, c.rate, None, c.unit) for c in variant.coordinates),
         drive=tuple(map(_without_times, variant.drive)), functions=tuple(map(_without_times, variant.functions)),
-        time=Time(1.0, 1.0, None, None), lines={},
+        time=Time(1.0, 1.0, None, None), lines={}, forces=None,
     )  # fmt: skip
 
 

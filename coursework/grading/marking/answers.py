@@ -19,6 +19,7 @@ from coursework.system.frozen import frozen
 
 # Twice the tolerance earns half: the construction was made, and read badly.
 HALF_CREDIT = 2.0
+CLEARLY = 5.0  # so much nearer than a right answer has to be, a wrong force is to what a slip gives
 _DIFFERENCE = 1e-5  # of a step: a central difference of a position is then right to ten digits
 
 
@@ -31,10 +32,11 @@ class AnswerMark:
     expected: float
     tolerance: float
     verdict: Literal["right", "half", "wrong", "blank", "unreadable"]
+    slip: str = ""  # of a force: the one thing that is wrong in it
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
-        return asdict(self)
+        return {name: value for name, value in asdict(self).items() if name != "slip" or value}
 
 
 @frozen
@@ -60,31 +62,45 @@ def _mark(key: Key, answer: Answer, line: AnswerLine | None) -> AnswerMark:
     row = (answer.row or key.variant.time.row_of_check) - 1
     if row >= len(key.exact):
         return AnswerMark(answer.name, None, float("nan"), float("nan"), "unreadable")
-    expected, largest = _expected(key, answer.of, row)
+    expected, table, largest = _expected(key, answer.of, row)
     tolerance = answer.tolerance * largest
     if line is None or line.state == "blank":
         return AnswerMark(answer.name, None, expected, tolerance, "blank")
     if line.value is None:
         return AnswerMark(answer.name, None, expected, tolerance, "unreadable")
     # A drawing gives sizes: a size without a sign is not wrong, a wrong sign is.
-    off = min(abs(line.value - expected), abs(line.value - abs(expected)))
+    off = min(abs(line.value - right) for one in (expected, table) for right in (one, abs(one)))
     verdict: Literal["right", "half", "wrong"] = "wrong"
     if off <= tolerance * (1 + 1e-12):
         verdict = "right"
     elif off <= HALF_CREDIT * tolerance * (1 + 1e-12):
         verdict = "half"
-    return AnswerMark(answer.name, line.value, expected, tolerance, verdict)
+    slip = _slip(key, answer, row, line.value, tolerance) if verdict == "wrong" else ""
+    return AnswerMark(answer.name, line.value, expected, tolerance, verdict, slip)
 
 
-def _expected(key: Key, of: str, row: int) -> tuple[float, float]:
-    """Return a quantity of the exact motion in a row (from 0), and the largest value of its kind there."""
+def _slip(key: Key, answer: Answer, row: int, value: float, tolerance: float) -> str:
+    """Return the slip that gives a wrong force, "" where none does or the answer is none; the nearest of several."""
+    if key.forces is None or answer.of not in key.forces.names:
+        return ""
+    off = {code: min(abs(value - one), abs(value - abs(one))) for code, one in key.forces.slips(answer.of, row).items()}
+    code = min(off, key=lambda code: off[code])
+    return code if off[code] <= tolerance / CLEARLY else ""
+
+
+def _expected(key: Key, of: str, row: int) -> tuple[float, float, float]:
+    """Return a quantity of the exact motion in a row (from 0), for a force that of the table too, the largest of its kind."""
+    if key.forces is not None and of in key.forces.names:
+        return key.forces.right(of, row)
     if of in key.names:
         place = key.names.index(of)
         unit = key.variant.unit_of(of)
         alike = [index for index, name in enumerate(key.names) if key.variant.unit_of(name) == unit]
-        return float(key.exact[row, place]), float(np.max(np.abs(key.exact[row, alike])))
+        value = float(key.exact[row, place])
+        return value, value, float(np.max(np.abs(key.exact[row, alike])))
     speeds = {name: _speed(key, name, row) for name, _ in key.variant.points}
-    return speeds[of.removeprefix("v_")], max(speeds.values())
+    value = speeds[of.removeprefix("v_")]
+    return value, value, max(speeds.values())
 
 
 def _speed(key: Key, point: str, row: int) -> float:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from coursework.scene.model.model import Model, model_of
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
+
+if TYPE_CHECKING:
+    from coursework.grading.marking.forces import ForceKey
 
 # Between these quantiles lie most rows; a column that spans more than so many times theirs has a pulse.
 _MOST, _SUDDEN = 0.9, 20.0
@@ -91,6 +94,15 @@ class Key:
     def exact(self) -> Array:
         """Return the rows (n, m + r) without the scheme's error; fewer where the motion stops."""
         return np.asarray(make_run(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
+
+    @cached_property
+    def forces(self) -> ForceKey | None:
+        """What is right of the forces, None where the variant names none."""
+        if self.variant.forces is None:
+            return None
+        from coursework.grading.marking.forces import ForceKey
+
+        return ForceKey(self.variant)
 
     @cached_property
     def branches(self) -> Sequence[Array]:

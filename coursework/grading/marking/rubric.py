@@ -127,11 +127,20 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise, late=late)
 
 
+def _forces(variant: Variant) -> tuple[str, ...]:
+    """Return the forces that can be asked for of a variant, nothing of one that names none."""
+    if variant.forces is None:
+        return ()
+    from coursework.grading.marking.forces import force_names
+
+    return force_names(variant)
+
+
 def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") -> None:
     """Raise `InputError` where the rubric asks for what a variant does not have."""
     faults = []
     points = [point for point, _ in variant.points]
-    known = [*variant.columns, *(f"v_{point}" for point in points)]
+    known = [*variant.columns, *(f"v_{point}" for point in points), *_forces(variant)]
     for answer in rubric.answers:
         if answer.of not in known:
             message = say("fault.G040", of=answer.of, hint=closest(answer.of, known), known=", ".join(known))

@@ -273,7 +273,8 @@ def _answers(grade: Grade, words: Phrases) -> list[dict[str, Any]] | None:
     return [
         {
             "name": clean(mark.name, LONGEST_TEXT), "found": "–" if mark.found is None else words.number(mark.found, ".4g"),
-            "sign": _VERDICT_SIGNS[mark.verdict], "verdict": say(f"feedback.answer.{mark.verdict}"),
+            "sign": _VERDICT_SIGNS[mark.verdict],
+            "verdict": say(f"forces.slip.{mark.slip}" if mark.slip else f"feedback.answer.{mark.verdict}"),
         }
         for mark in grade.answers.marks
     ]  # fmt: skip

@@ -75,8 +75,8 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
 
     `label` writes the name of a quantity or a point, `unit` a unit, both as text.
     """
-    if not len(run.motion.t) or not resolution(run.scene.equations).met:
-        return None
+    if not len(run.motion.t) or not run.scene.follows_laws or not resolution(run.scene.equations).met:
+        return None  # its script knows velocities that follow from time and positions
     drawn = drawn_of(run.scene, label)
     said = _said(run, drawn, phrases, label, unit)
     sliders = sliders_of(run, unit) if len(run.motion.t) <= MOST_ROWS else {}

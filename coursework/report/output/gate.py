@@ -76,8 +76,9 @@ def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
     yield Block(names, np.asarray(rows))
     if pages and run.asks(PLOTS):
         yield Block(run.exact.names, np.asarray(run.exact.rows), say("gate.exact"))
-    for name, table in run.own_tables.items():
-        yield Block(table.names, np.asarray(table.rows), name)
+    for name, table in (run.own_tables | run.section_tables).items():
+        rows = np.asarray(table.rows)
+        yield Block(table.names, np.where(np.isnan(rows), 0.0, rows) if table.blanks else rows, name)
     study = run.accuracy if pages or run.timed is not None else None
     if study is not None:
         rows = np.array([[row.max_error, row.end_error] for row in study.rows if not row.failed]).reshape(-1, 2)

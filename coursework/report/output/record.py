@@ -12,7 +12,7 @@ from dataclasses import asdict, fields
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from coursework.scene.quantities import Quantity, quantities_for
+from coursework.scene.quantities import DYNAMICS, FORCES, Quantity, quantities_for
 from coursework.scene.scene_run import SceneRun
 from coursework.words.custom_templates import stamp_of_templates
 
@@ -29,7 +29,7 @@ def stamp_of(run: SceneRun, language: str = "en") -> str:
     settings = (run.settings, run.asked, named, language, stamp_of_templates(), run.versions["coursework"])
     kept = {one.name: getattr(run.variant, one.name) for one in fields(run.variant) if one.repr} | {"path": None}
     said = ", ".join(f"{name}={value!r}" for name, value in kept.items())
-    content = f"(Variant({said}), {settings!r})"
+    content = f"(Variant({said}), {settings!r})" + (repr(run.variant.forces) if run.variant.forces else "")
     return hashlib.sha256(content.encode("utf-8", "backslashreplace")).hexdigest()[:STAMP_LENGTH]
 
 
@@ -58,7 +58,21 @@ def record(run: SceneRun) -> dict[str, Any]:
         "lesson": asdict(run.distance_to_exact) if run.distance_to_exact is not None else None,
         "checks": [_finding(check) for check in checks],
         **({"graph_check": _graph(run.graph_check)} if run.graph_check is not None else {}),
+        **({"forces": _forces(run)} if run.asks(FORCES) else {}),
+        **({"dynamics": _dynamics(run)} if run.asks(DYNAMICS) else {}),
     }
+
+
+def _dynamics(run: SceneRun) -> dict[str, Any]:
+    """Return the steady motion of a crank that forces turn, None where there is none."""
+    regime = getattr(run.scene, "regime", None)
+    return {"regime": None if regime is None else asdict(regime) | {"delta": regime.delta}}
+
+
+def _forces(run: SceneRun) -> dict[str, Any]:
+    from coursework.effects.told import force_record
+
+    return force_record(run.of(FORCES), run.variant.time.period)
 
 
 def _content(quantity: Quantity[Any]) -> dict[str, Any]:

@@ -26,10 +26,16 @@ def run_tables(run: SceneRun) -> Iterator[tuple[str, str]]:
     yield "table.csv", table_csv(run)
     if (lesson := run.scene.scheme_rows) is not None:
         yield f"table-{lesson.scheme}.csv", timed_csv(lesson.names, lesson.t, lesson.rows)
-    for name, table in run.own_tables.items():
-        yield f"{name}.csv", csv_text(table.names, table.rows.tolist())
+    for name, table in (run.own_tables | run.section_tables).items():
+        rows = table.rows.tolist()
+        blank = [[None if value != value else value for value in row] for row in rows] if table.blanks else rows
+        yield f"{name}.csv", csv_text(table.names, blank)
+    lines: dict[str, list[tuple[object, ...]]] = {}
+    heads = {listing.file: listing.head for listing in run.listings}
     for listing in run.listings:
-        yield listing.file, csv_text(listing.head, listing.rows)
+        lines.setdefault(listing.file, []).extend(listing.rows)
+    for file, rows_of_file in lines.items():
+        yield file, csv_text(heads[file], rows_of_file)
 
 
 def table_csv(run: SceneRun) -> str:

@@ -82,7 +82,7 @@ def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:
     rates = scene.passing(scene.rates)
     between = {name: smooth(exact.t, exact.column(name), exact.column(rate_of[name])) for name in exact.coordinate_names}
     times = [between[name][0] for name in rates.coordinates]
-    if times and all(len(t) == len(times[0]) for t in times):
+    if scene.follows_laws and times and all(len(t) == len(times[0]) for t in times):
         velocities, _ = rates.table(times[0], np.column_stack([between[name][1] for name in rates.coordinates]))
         found = zip(rates.velocities, velocities.T, strict=True)
         between |= {name: (times[0], column) for name, column in found if np.isfinite(column).all()}

@@ -6,15 +6,20 @@ Enters: a `PageContext` and `Law` records.  Leaves: displayed equations, sentenc
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
 
+from coursework.mechanism.joints import FRAME
 from coursework.report.formulas import typst_math
 from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
 from coursework.report.text.text_runs import runs
-from coursework.variant.formula.tree import named
+from coursework.variant.formula.tree import named, spelled
 from coursework.variant.record.variant import Law
 from coursework.words.templates import clean
+
+if TYPE_CHECKING:
+    from coursework.variant.record.forces import Motor
 
 _TIME = re.compile("t(?= =)")  # the letter of "from t = 0.3 s", a symbol among words
 
@@ -51,3 +56,17 @@ def _tabulated(context: PageContext, law: Law) -> str:
         last=context.quantity(law.table[-1][0], unit),
         method=words(known) if words.has(known) else clean(law.method),
     )
+
+
+def moved_by_forces(context: PageContext, motor: Motor) -> list[Part]:
+    """Return which rates are free and what the motor does to them."""
+    say = context.words
+    told = [say("dynamics.free", rates=context.symbol_list(motor.rates))]
+    told += [
+        say("dynamics.motor" if one.source == FRAME else "dynamics.between", link=clean(one.on), other=clean(one.source),
+            law=clean(spelled(one.torque)))
+        for one in motor.torques if one.torque is not None
+    ]  # fmt: skip
+    if not motor.torques:
+        told.append(say("dynamics.none"))
+    return [Paragraph(context.lettered(say.sentences(told)))]

@@ -12,6 +12,7 @@ from typing import Any
 
 from coursework.report.graphs.figures import drawn_parts
 from coursework.report.sections.accuracy import accuracy
+from coursework.report.sections.by_forces import dynamics, energy, forces
 from coursework.report.sections.checks import checks
 from coursework.report.sections.conclusion import conclusion
 from coursework.report.sections.construction import graph_check
@@ -29,7 +30,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part, Section
 from coursework.report.text.tables import TABLE_FILE, extra_parts
 from coursework.report.text.text_runs import LONGEST_NAME
-from coursework.scene.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
+from coursework.scene.quantities import ACCURACY, CHECKS, DYNAMICS, ENERGY, FORCES, GRAPH_CHECK, PLOTS, TABLE, Quantity
 
 Writer = Callable[[PageContext], list[Part]]
 Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
@@ -37,7 +38,8 @@ Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
 # Each writer with the quantity that must be asked for; None: always there.
 FIRST: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
 PAPER: Writers = (
-    (results, TABLE), (graphs, PLOTS), (control, CHECKS), (graph_check, GRAPH_CHECK),
+    (results, TABLE), (graphs, PLOTS), (control, CHECKS), (graph_check, GRAPH_CHECK), (dynamics, DYNAMICS), (forces, FORCES),
+    (energy, ENERGY),
 )  # fmt: skip
 LAST: Writers = ((conclusion, CHECKS),)
 APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None))

@@ -10,7 +10,7 @@ import re
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
 from coursework.report.sections.answer import answer
-from coursework.report.sections.laws import laws_shown
+from coursework.report.sections.laws import laws_shown, moved_by_forces
 from coursework.report.sections.remarks import as_written, remarks
 from coursework.report.text.numbers import NOTHING, aligned, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
@@ -79,7 +79,9 @@ def _task(context: PageContext) -> list[Part]:
     parts: list[Part] = []
     if variant.source:
         parts.append(Paragraph(_source(context), style="note"))
-    if variant.drive:
+    if variant.forces is not None and variant.forces.motor is not None:
+        parts += moved_by_forces(context, variant.forces.motor)
+    elif variant.drive:
         parts += _driven_laws(context)
     else:
         parts.append(Paragraph(context.say("drive.none")))

@@ -1,7 +1,7 @@
 """Accelerations from the differentiated velocity equations: A du/dt = db/dt - dA/dt u, never by differencing a table.
 
 Enters: equations and a motion.  Leaves: d of every velocity (n, k).  Computed on request only.
-Used by `motion_results.py`.
+Used by `way_to_motion.py`.
 """
 
 from __future__ import annotations

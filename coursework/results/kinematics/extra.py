@@ -26,7 +26,8 @@ from coursework.words.sentences import say
 class ExtraTable:
     """`rows` (n, len(names)) in `units`; the first column is t or the crank angle.
 
-    `sizes` tells how large the terms are that a column is the sum of: beside them its round-off is none to print.
+    `sizes` tells how large the terms are that a column is the sum of: beside them its round-off is none to print.  With `blanks`
+    what is no number (nan) is meant so: it is left empty.
     """
 
     title: str
@@ -35,6 +36,7 @@ class ExtraTable:
     rows: Array
     sizes: tuple[float, ...] = ()
     note: str = ""
+    blanks: bool = False
 
 
 def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:

@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.system.arrays import Array
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.units import KINDS, MAX_NUMBER, UnitFault, read, unlike
+from coursework.variant.formula.units import MAX_NUMBER, UnitFault, kind_of, read, unlike
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -115,7 +115,7 @@ def _number(variant: Variant, name: str, value: Any, si: str, place: int) -> flo
         quantity = read(value, si)
     except UnitFault as fault:
         raise _fault(variant, fault.message, where) from None
-    if quantity.si and si and KINDS[quantity.si][0] != KINDS[si][0]:
+    if quantity.si and si and kind_of(quantity.si)[0] != kind_of(si)[0]:
         raise _fault(variant, unlike(si, value), where)
     return quantity.value
 

@@ -1,4 +1,4 @@
-"""Exponents of length and time as unknowns: linear forms, their elimination with fractions, and what they are called.
+"""Exponents of length, time and mass as unknowns: linear forms, their elimination with fractions, and what they are called.
 
 Enters: linear forms that must vanish.  Leaves: whether they can, and what each unknown then is.
 Used by `formulas.py` and where a variant file is read.
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 from fractions import Fraction
 
-from coursework.variant.formula.units import KINDS, UNITS, measured
+from coursework.variant.formula.units import KINDS, UNITS, kind_of, measured
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -18,15 +18,14 @@ from coursework.words.sentences import say
 # whatever phi is, a second.
 Exponent = int | Fraction
 Dimension = Mapping[Hashable, Exponent]
-LENGTH, TIME = -1, -2
-_KNOWN = {LENGTH, TIME}
+LENGTH, TIME, MASS = -1, -2, -3
+_KNOWN = {LENGTH, TIME, MASS}
 NUMBER: Dimension = {}
 
 
 def dimension_of(si: str) -> Dimension:
     """Return the dimension of an SI unit."""
-    length, time = KINDS[si][0]
-    return {key: exponent for key, exponent in ((LENGTH, length), (TIME, time)) if exponent}
+    return {key: exponent for key, exponent in zip((LENGTH, TIME, MASS), kind_of(si)[0], strict=True) if exponent}
 
 
 def added(first: Dimension, second: Dimension, times: Exponent = 1) -> Dimension:
@@ -81,12 +80,17 @@ def is_known(dimension: Dimension) -> bool:
 
 def si_unit(dimension: Dimension) -> str:
     """Return the SI unit of a known dimension, "" where no unit of the tool measures it; angles are "rad"."""
-    exponents = (dimension.get(LENGTH, 0), dimension.get(TIME, 0))
-    return next((si for si, (its, _) in KINDS.items() if its == exponents), "")
+    length, time, mass = (dimension.get(key, 0) for key in (LENGTH, TIME, MASS))
+    plain = "" if mass else next((si for si, (its, _) in KINDS.items() if its == (length, time)), "")
+    if plain or not mass:
+        return plain
+    from coursework.variant.formula.mass_units import KINDS as OF_MASS
+
+    return next((si for si, (its, _) in OF_MASS.items() if its == (length, time, mass)), "")
 
 
 def what(dimension: Dimension, number: str = "quantity.angle_or_number") -> Sentence:
-    """Return what a known dimension is called; `number` is the key of the words for one of no length and no time."""
+    """Return what a known dimension is called; `number` is the key of the words for one of no length, time and mass."""
     if not dimension:
         return say(number)
     si = si_unit(dimension)
@@ -96,7 +100,7 @@ def what(dimension: Dimension, number: str = "quantity.angle_or_number") -> Sent
 def units_shown(dimension: Dimension) -> str:
     """Return the units that advice shows for a known dimension, or its SI symbols."""
     si = si_unit(dimension)
-    return KINDS[si][1] if si else symbols(dimension)
+    return kind_of(si)[1] if si else symbols(dimension)
 
 
 def unit_like(unit: str, dimension: Dimension) -> str:
@@ -124,8 +128,8 @@ def _in_cyrillic(unit: str) -> str:
 
 
 def symbols(dimension: Dimension) -> str:
-    """Return a known dimension in m and s, such as m^2/s."""
-    powers = [(symbol, dimension.get(key, 0)) for symbol, key in (("m", LENGTH), ("s", TIME))]
+    """Return a known dimension in kg, m and s, such as m^2/s."""
+    powers = [(symbol, dimension.get(key, 0)) for symbol, key in (("kg", MASS), ("m", LENGTH), ("s", TIME))]
     above = "·".join(_power(symbol, exponent) for symbol, exponent in powers if exponent > 0) or "1"
     below = "·".join(_power(symbol, -exponent) for symbol, exponent in powers if exponent < 0)
     return f"{above}/{below}" if below else above

@@ -68,7 +68,7 @@ KINDS: dict[str, tuple[tuple[int, int], str]] = {
     "1": ((0, 0), "1"),
 }
 MAX_NUMBER = 1e12  # far beyond anything a task sheet says in SI
-_VALUE = re.compile(
+VALUE = re.compile(
     r"\s*(?P<number>[-+−]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*"
     r"(?P<unit>[^\d\s].*?|1\s*/\s*[^\W\d_].*?)?\s*$"
 )
@@ -120,19 +120,67 @@ def read(text: str | int | float, wanted: str = "") -> Quantity:
     """
     if isinstance(text, bool):
         raise UnitFault(say("fault.V134", text=str(text).lower()))
+    if wanted and wanted not in KINDS:
+        return read_mass(text, wanted)
     if isinstance(text, (int, float)):
         value = _finite(text, text)
         return Quantity(value, "", "", f"{text}")
-    match = _VALUE.match(text)
+    match = VALUE.match(text)
     unit = plain_unit(match["unit"] or "") if match else ""
     if not match or (unit and unit not in UNITS):
         raise UnitFault(unknown(text, unit, wanted), partial(unknown, text, unit))
-    factor, si = UNITS[unit] if unit else (Fraction(1), "")
-    number = match["number"].replace("−", "-")
+    return quantity(match["number"], UNITS[unit] if unit else (Fraction(1), ""), unit, text)
+
+
+def read_mass(text: str | int | float, wanted: str = "") -> Quantity:
+    """Read "value unit" or a bare number as `read` does, with units that hold a mass too.  Raises `UnitFault` with advice.
+
+    >>> read_mass("2.5 kN").value, read_mass("0.833 kg·m²").si
+    (2500.0, 'kg*m^2')
+    """
+    from coursework.variant.formula.mass_units import KINDS as OF_MASS
+    from coursework.variant.formula.mass_units import REFUSED
+    from coursework.variant.formula.mass_units import UNITS as WITH_MASS
+
+    match = VALUE.match(text) if isinstance(text, str) else None
+    unit = plain_mass_unit(match["unit"]) if match and match["unit"] else ""
+    if match and unit in REFUSED:
+        factor, meant = REFUSED[unit]
+        advised = f"{float(Fraction(match['number'].replace('−', '-')) * factor):.9g} {meant}"
+        raise UnitFault(say("fault.V701", unit=unit, factor=f"{float(factor):.9g} {meant}", advised=advised))
+    if match and unit in WITH_MASS:
+        if WITH_MASS[unit][1] == "J" and wanted == "N*m":
+            raise UnitFault(say("fault.V702", found=str(text)[:40], advised=f"{match['number']} N*m"))
+        return quantity(match["number"], WITH_MASS[unit], unit, str(text))
+    if wanted in OF_MASS and match and unit and unit not in UNITS:
+        raise UnitFault(unlike(wanted, str(text)[:40]))
+    return read(text, "" if wanted in OF_MASS else wanted)
+
+
+def plain_mass_unit(unit: str) -> str:
+    """Return a unit as the tables write it, where it is one: "N·m" and "Nm" are N*m."""
+    from coursework.variant.formula.mass_units import WITHOUT_SIGN
+
+    plain = plain_unit(unit).replace("·", "*").replace("⋅", "*").replace("×", "*")
+    return WITHOUT_SIGN.get(plain, plain)
+
+
+def is_mass_quantity(text: str) -> bool:
+    """Return whether `text` looks like "value unit", the unit one that holds a mass too."""
+    from coursework.variant.formula.mass_units import REFUSED
+    from coursework.variant.formula.mass_units import UNITS as WITH_MASS
+
+    match = VALUE.match(text)
+    return is_quantity(text) or (match is not None and plain_mass_unit(match["unit"] or "") in {*WITH_MASS, *REFUSED})
+
+
+def quantity(written: str, size: tuple[Fraction, str], unit: str, text: str) -> Quantity:
+    """Return a number as written with its unit, which is so large in so much of SI.  Raises `UnitFault`."""
+    (factor, si), number = size, written.replace("−", "-")
     value = _finite(float(number), text)
     if value == 0 and re.search("[1-9]", re.split("[eE]", number)[0]):
         raise UnitFault(say("fault.V135", text=text[:40]))
-    return Quantity(_finite(float(Fraction(number) * factor), text), unit, si, match["number"])
+    return Quantity(_finite(float(Fraction(number) * factor), text), unit, si, written)
 
 
 @lru_cache(maxsize=1000)
@@ -147,7 +195,7 @@ def plain_unit(unit: str) -> str:
 
 def is_quantity(text: str) -> bool:
     """Return whether `text` looks like "value unit" and not like a formula."""
-    match = _VALUE.match(text)
+    match = VALUE.match(text)
     if match is None:
         return False
     unit = plain_unit(match["unit"] or "")
@@ -159,6 +207,25 @@ def size_of(unit: str) -> float:
     return float(UNITS[unit][0]) if unit in UNITS else 0.0
 
 
+def exact_size(unit: str) -> Fraction:
+    """Return a unit in SI, one of mass too; 1 where it is none."""
+    if unit in UNITS or not unit:
+        return UNITS[unit][0] if unit else Fraction(1)
+    from coursework.variant.formula import mass_units
+
+    return mass_units.UNITS[unit][0] if unit in mass_units.UNITS else Fraction(1)
+
+
+def kind_of(si: str) -> tuple[tuple[int, int, int], str]:
+    """Return the exponents of length, time and mass of an SI unit, and the units that advice shows."""
+    if si in KINDS:
+        (length, time), listed = KINDS[si]
+        return (length, time, 0), listed
+    from coursework.variant.formula import mass_units
+
+    return mass_units.KINDS[si]
+
+
 def measured(si: str) -> Sentence:
     """Return what has an SI unit: a length, an angle."""
     return say(f"quantity.{si}")
@@ -166,7 +233,7 @@ def measured(si: str) -> Sentence:
 
 def unlike(si: str, found: object) -> Sentence:
     """Return what is said about a value that measures something else than `si` does."""
-    return say("fault.V105", what=measured(si), units=KINDS[si][1], found=str(found))
+    return say("fault.V105", what=measured(si), units=kind_of(si)[1], found=str(found))
 
 
 def unknown(text: str, unit: str, wanted: str = "") -> Sentence:

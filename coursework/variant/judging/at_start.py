@@ -51,7 +51,7 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
 
 
 def _key(section: str, law: Law, source: Source) -> KeyPath:
-    return section, next(key for key in source.data[section] if spell(key) == law.name)
+    return section, next((key for key in source.data.get(section, ()) if spell(key) == law.name), law.name)
 
 
 def _value(formula: Formula, values: Mapping[str, float], path: KeyPath, source: Source, faults: list[Fault]) -> float | None:

@@ -15,6 +15,7 @@ from typing import Literal
 from coursework.variant.formula import reader, units
 from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, mapped, part_of_pi
 from coursework.variant.reading.names import Names
+from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
@@ -29,6 +30,7 @@ _SCOPES = {
     "geometry": {"given", "drive", "coordinate", "function", "point"},
     "motion": {"given", "drive", "coordinate", "function"},
     "velocity": {"given", "drive", "coordinate", "function", "rate", "unknown"},
+    "force": {"given", "drive", "coordinate", "function", "rate", "unknown", "point"},
 }
 _ADVISED = 100
 _FORMULA_AND_UNIT = re.compile(r"\s*(.*[*/+)(].*?)\s+((?:[^\W\d_]|°)[^\s*()]*)\s*")
@@ -42,6 +44,7 @@ class Parts:
         self.source = source
         self.names = names
         self.hidden = frozenset(hidden)
+        self._read, self.is_quantity = _readers(source)
         self.faults: list[Fault] = []
         self.values: dict[str, float] = {}
         self.times: dict[KeyPath, Formula] = {}
@@ -67,7 +70,7 @@ class Parts:
         of the file has told what is (`tell_unread`).
         """
         try:
-            read = units.read(value, wanted)
+            read = self._read(value, wanted)
             if read.unit.startswith("grad"):
                 self.grads.append((path, f"{read.text} {read.unit}"))
             return read
@@ -104,7 +107,7 @@ class Parts:
 
     def number(self, path: KeyPath, value: str | int | float, si: str) -> float:
         """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
-        if isinstance(value, str) and not units.is_quantity(value):
+        if isinstance(value, str) and not self.is_quantity(value):
             tree = self.times[path] = self.formula(path, value, "scalar", "time")
             try:
                 return evaluate(tree, self.values) if self.sound else math.nan
@@ -121,10 +124,10 @@ class Parts:
 
     def scalar(self, path: KeyPath, value: str | int | float, scope: str = "geometry", wanted: str = "") -> Formula:
         """Return a formula, also from a bare number or a quantity such as "30 deg", which must measure what is `wanted`."""
-        if isinstance(value, str) and not units.is_quantity(value):
+        if isinstance(value, str) and not self.is_quantity(value):
             return self.formula(path, value, "scalar", scope)
         read = self.quantity(path, value, wanted)
-        if wanted and read.si and units.KINDS[read.si][0] != units.KINDS[wanted][0]:
+        if wanted and read.si and units.kind_of(read.si)[0] != units.kind_of(wanted)[0]:
             self.say(path, units.unlike(wanted, value))
         quarters = read.quarters
         size = Formula("number", name=repr(abs(read.value)), si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
@@ -147,7 +150,7 @@ class Parts:
     def formula(self, path: KeyPath, text: str, kind: Kind, scope: str = "geometry") -> Formula:
         """Return one formula with every name resolved; a fault leaves zero in its place."""
         try:
-            tree = reader.parse(text, vectors=scope == "geometry")
+            tree = reader.parse(text, vectors=scope in {"geometry", "force"})
         except FormulaFault as fault:
             advice = _without_unit(text)
             self.say(path, advice or fault.message, 0 if advice else fault.column)
@@ -209,6 +212,13 @@ class Parts:
             self.say(path, say("fault.V054", name=tree.name or tree.op), tree.column)
             return "?"
         return result.get(tree.op, "vector" if "vector" in kinds else "scalar")
+
+
+def _readers(source: Source) -> tuple[Callable[[str | int | float, str], units.Quantity], Callable[[str], bool]]:
+    """Return what reads values and tells them from formulas: with units of mass only where the file names masses or forces."""
+    if FORCE_SECTIONS.isdisjoint(source.data):
+        return units.read, units.is_quantity
+    return units.read_mass, units.is_mass_quantity
 
 
 def _without_unit(text: str) -> Sentence | None:

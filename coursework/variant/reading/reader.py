@@ -7,17 +7,16 @@ Used by `catalogue.py`, `assigning/variants.py`, `grading/batch/class_list.py` a
 from __future__ import annotations
 
 import itertools
-import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula
-from coursework.variant.formula.units import is_quantity, measured
+from coursework.variant.formula.units import measured
 from coursework.variant.judging.at_start import faults_at_start
 from coursework.variant.judging.broken import Broken
 from coursework.variant.judging.dimension_check import check_dimensions
@@ -29,27 +28,27 @@ from coursework.variant.reading.names import Names
 from coursework.variant.reading.parts import Parts
 from coursework.variant.reading.shape import read_shape
 from coursework.variant.reading.tables import read_table
+from coursework.variant.reading.times import read_quote, read_time
 from coursework.variant.reading.unknowns import read_binding, read_unknown
 from coursework.variant.record.changes import with_changes
 from coursework.variant.record.texts import Texts
 from coursework.variant.record.variant import (
-    MAX_ROWS,
     Constraint,
     Coordinate,
     Given,
     Group,
     Law,
-    Quote,
-    Time,
     Variant,
-    whole_steps,
 )
-from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
+from coursework.variant.record.vocabulary import FORCE_SECTIONS, GROUP_KINDS
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source, read_bytes, read_source
 from coursework.words.errors import Fault, InputError
 from coursework.words.scripts import unfolded
 from coursework.words.sentences import closest, say
+
+if TYPE_CHECKING:
+    from coursework.variant.record.forces import Forces
 
 # What a floor above knows to be wrong with a file that has faults.
 Judge = Callable[[Variant], list[Fault]]
@@ -132,17 +131,30 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     coordinates = tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items())
     unknowns = tuple(read_unknown(key, entry, parts) for key, entry in file.unknowns.items())
     bindings = tuple(b for key, entry in file.unknowns.items() if (b := read_binding(key, entry, dict(unknowns), file, parts)))
-    time = _time(file.time, parts)
+    time = read_time(file.time, parts)
     columns = [name for c in coordinates for name in (c.name, c.rate)] + [name for name, _ in unknowns]
+    forces = _forces(file, parts)
+    if forces is not None and forces.motor is not None:
+        laws += forces.free
     return Variant(
         name, path, file.title or name, file.source, file.teaches, given, laws,
         coordinates, unknowns, functions, time, constraints, groups, points,
         tuple(read_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), read_frame(file.frame, parts),
         _driven(file.closure.driven, parts), holds,
         tuple(file.ask.quantities), tuple(map(unfolded, file.remarks)),
-        tuple(_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
+        tuple(read_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
         texts={language: _texts(said, parts) for language, said in file.text.items()}, bindings=bindings,
+        forces=forces,
     )  # fmt: skip
+
+
+def _forces(file: schema.VariantFile, parts: Parts) -> Forces | None:
+    """Return what a file says of forces, None where it names none."""
+    if FORCE_SECTIONS.isdisjoint(parts.source.data):
+        return None
+    from coursework.variant.reading.forces import read_forces
+
+    return read_forces(file, parts)
 
 
 def _texts(said: schema.Texts, parts: Parts) -> Texts:
@@ -200,7 +212,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
 def _formula(path: KeyPath, value: str | int | float, parts: Parts, scope: str) -> Formula:
     """Return the formula of a law; a value with a unit, such as "10 rpm", is one too."""
     text = str(value)
-    with_unit = is_quantity(text) and any(letter.isalpha() or letter == "°" for letter in text)
+    with_unit = parts.is_quantity(text) and any(letter.isalpha() or letter == "°" for letter in text)
     return parts.scalar(path, text, scope) if with_unit else parts.formula(path, text, "scalar", scope)
 
 
@@ -246,43 +258,6 @@ def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[st
     return Coordinate(
         name, rate, read.value, unit, read.text, read.unit or unit, unit_was_given=given, start_has_no_unit=not read.unit
     )
-
-
-def _time(entry: schema.Time, parts: Parts) -> Time:
-    step = parts.number(("time", "step"), entry.step, "s")
-    end = parts.number(("time", "end"), entry.end, "s")
-    period = None if entry.period is None else parts.number(("time", "period"), entry.period, "s")
-    if step <= 0:
-        parts.say(("time", "step"), say("fault.V063", step=step))
-    elif end < step * (1 - 1e-9):
-        parts.say(("time", "end"), say("fault.V071", end=end, step=step))
-    elif MAX_ROWS < end / step < math.inf:  # what is not finite has a fault of its own
-        parts.say(("time", "end"), say("fault.V076", number=end / step, max_rows=MAX_ROWS))
-    elif parts.broken.isdisjoint({("time", "step"), ("time", "end")}) and math.isfinite(end / step):
-        rows = whole_steps(step, end) + 1
-        if entry.check_row is not None and entry.check_row > rows:
-            parts.say(("time", "check_row"), say("fault.V077", check_row=entry.check_row, number=rows))
-    if period is not None and period <= 0:
-        parts.say(("time", "period"), say("fault.V064", period=period))
-    return Time(step, end, period, entry.check_row, scheme=_scheme(entry.scheme, ("time", "scheme"), parts))
-
-
-def _scheme(name: str | None, path: KeyPath, parts: Parts) -> str:
-    """Return the name of a scheme, "" for none."""
-    if name is not None and name not in scheme_names():
-        known = ", ".join(scheme_names())
-        parts.say(path, say("fault.V065", name=name, hint=closest(name, scheme_names()), known=known))
-    return name or ""
-
-
-def _quote(place: int, entry: schema.Quote, columns: list[str], time: Time, parts: Parts) -> Quote:
-    if time.step > 0 and math.isfinite(time.end / time.step) and entry.row > time.steps + 1:
-        parts.say(("quote", place, "row"), say("fault.V066", row=entry.row, number=time.steps + 1))
-    column = parts.names.canonical(entry.column)
-    if column not in columns:
-        told = say("fault.V067", column=column, hint=closest(column, columns))
-        parts.undeclared(("quote", place, "column"), {"coordinate", "rate", "unknown"}, told)
-    return Quote(entry.row, column, entry.value.replace("−", "-"), _scheme(entry.scheme, ("quote", place, "scheme"), parts))
 
 
 def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[str]:

@@ -21,6 +21,9 @@ kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-
     [links] slides              the link along which this one slides (a sleeve on a bar)  variants/v107.toml
     [frame] circles             a fixed cylinder that a wheel rolls on  variants/v108.toml
     [points], [links], [frame]  where points are, which links they belong to, what is fixed  variants/31.toml
+    [masses], [forces]          what moves the links: masses, weight, loads, springs  variants/example-1-forces.toml
+    [friction]                  friction of pins, guides and wheels  coursework/variant/record/forces.py
+    [motor] flywheel            what a flywheel on a link has to bring about  variants/example-2-forces.toml
     [closure], [ask]            which point is driven, what is held; quantities beside the table  variants/31.toml
 
 Units: m cm mm in ft, rad deg ° grad, s ms min, what these make a second or a minute (m/s, deg/s, rev/s, m/s^2 …), rpm, and the
@@ -197,6 +200,56 @@ class Closure(Section):
     holds: Annotated[list[Text], Limits(max_length=200)] = []
 
 
+class Mass(Section):
+    """The mass of a link, its inertia about the centre of mass, and where that is: { mass = "10 kg", inertia = "rod" }."""
+
+    mass: Value
+    inertia: Annotated[Value | None, Limits(description='"rod" m l^2/12, "disc" m R^2/2, "point" 0, or a value')] = None
+    centre: Annotated[Text | None, Limits(description='a point of the link: "B + 0.5 @ theta2"; where left out, its middle')] = (
+        None
+    )
+
+
+class Load(Section):
+    """A force on a point of a link, a couple on a link, or what acts between two points: a spring, a damper."""
+
+    on: Annotated[Name | int | None, Limits(description="the link it acts on")] = None
+    at: Annotated[Text | None, Limits(description="the point of the link at which a force acts")] = None
+    force: Annotated[Value | None, Limits(description='"(Fx, Fy)" in N, of data, coordinates, rates and t')] = None
+    torque: Annotated[Value | None, Limits(description="a couple in N*m, + counter-clockwise")] = None
+    spring: Annotated[list[Name], Limits(min_length=2, max_length=2)] = []
+    damper: Annotated[list[Name], Limits(min_length=2, max_length=2)] = []
+    stiffness: Value | None = None
+    free: Annotated[Value | None, Limits(description="the length at which the spring is slack")] = None
+    damping: Value | None = None
+
+
+class MotorEntry(Section):
+    """What a motor does to a link: a torque from the frame or from another link."""
+
+    torque: Value
+    source: Annotated[Name | int | None, Limits(alias="from", description="the link that it stands on; left out: the frame")] = (
+        None
+    )
+
+
+class Flywheel(Section):
+    """A flywheel on a link: its inertia, or the unevenness that it has to bring about."""
+
+    on: Name | int
+    inertia: Value | None = None
+    unevenness: Value | None = None
+
+
+class FrictionEntry(Section):
+    """Friction of a pin (radius, coefficient), a guide (coefficient, length) or a wheel (arm), by the name of its point."""
+
+    coefficient: Value | None = None
+    radius: Value | None = None
+    length: Value | None = None
+    arm: Annotated[Value | None, Limits(description="of rolling friction")] = None
+
+
 class Ask(Section):
     """What this scene calls for; nothing else is computed."""
 
@@ -235,6 +288,10 @@ class VariantFile(Section):
     links: dict[Name, Link] = {}
     frame: Frame = Frame()
     closure: Closure = Closure()
+    masses: Annotated[dict[Name, Value | Mass], Limits(max_length=200, description="by link, or by the point of a block")] = {}
+    forces: Annotated[dict[Name, Value | Load], Limits(max_length=200, description="gravity, and loads by name")] = {}
+    friction: Annotated[dict[Name, FrictionEntry], Limits(max_length=200)] = {}
+    motor: dict[Name, list[Name] | Flywheel | MotorEntry | dict[Name, Value]] = {}
     ask: Ask = Ask()
     text: Annotated[
         dict[Name, Texts], Limits(max_length=20, description="texts in another language, by its code: [text.ru]")

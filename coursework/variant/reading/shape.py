@@ -129,7 +129,7 @@ def _path_in(data: Any, loc: KeyPath, problem: str) -> tuple[KeyPath, str]:
     return path, kind
 
 
-_TABLES = {"Table", "Pieces", "Unknown"}  # models of what may be a text as well
+_TABLES = {"Table", "Pieces", "Unknown", "Mass", "Load", "MotorEntry", "Flywheel"}  # models of what may be a text as well
 
 
 def _meant(data: dict[str, Any], path: KeyPath) -> str:
@@ -170,6 +170,7 @@ _EXAMPLES = {
     "pieces": 'pieces = [["0 s", "0"], ["0.1 s", "V"]]', "table": 'table = "r.csv"', "of": 'of = "phi1"',
     "kind": f'kind = "{[*GROUP_KINDS][-1]}"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
     "unit": 'unit = "m/s"', "row": "row = 7", "column": 'column = "w5"', "value": 'value = "-3.18045"',
+    "mass": 'mass = "10 kg"', "torque": 'torque = "60 N*m"', "on": 'on = "1"',
     "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
 }  # fmt: skip
 # pydantic's kind of a fault -> the last part of the key of what was expected.
@@ -236,14 +237,16 @@ def _keys_of(path: KeyPath, data: dict[str, Any]) -> list[str]:
     else:
         model = schema.VariantFile
         for place, part in enumerate(path):
-            if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links", "text", "unknowns"})):
+            if not (isinstance(part, int) or (place == 1 and path[0] in _NAMED)):
                 model = _MODELS.get(part, model)
     return [*model.keys()]
 
 
+_NAMED = {"coordinates", "links", "text", "unknowns", "masses", "forces", "friction", "motor"}  # tables under any name
 _MODELS: dict[str | int, Any] = {
     "text": schema.Texts, "time": schema.Time, "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
     "unknowns": schema.Unknown, "frame": schema.Frame, "closure": schema.Closure, "ask": schema.Ask,
     "coordinates": schema.Coordinate, "guide": schema.Guide, "guides": schema.Guide, "rails": schema.Rail,
-    "circles": schema.Circle,
+    "circles": schema.Circle, "masses": schema.Mass, "forces": schema.Load, "friction": schema.FrictionEntry,
+    "motor": schema.MotorEntry, "flywheel": schema.Flywheel,
 }  # fmt: skip

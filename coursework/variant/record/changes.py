@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.units import KINDS, UNITS, UnitFault, read, unlike
+from coursework.variant.formula.units import UnitFault, exact_size, kind_of, read, unlike
 from coursework.variant.record.variant import Changes, Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault, InputError
@@ -95,7 +95,7 @@ def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> flo
             read_value = read(value, si)
         except UnitFault as fault:
             raise _fault(variant, name, fault.message) from None
-        if read_value.si and si and KINDS[read_value.si][0] != KINDS[si][0]:
+        if read_value.si and si and kind_of(read_value.si)[0] != kind_of(si)[0]:
             raise _fault(variant, name, unlike(si, value))
         return value if read_value.si or not unit else f"{value} {si}"
     try:
@@ -106,7 +106,7 @@ def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> flo
         raise _fault(variant, name, say("fault.D003", found=number))
     if not unit:
         return f"{number!r}".removesuffix(".0")
-    size = UNITS[unit][0] if unit in UNITS else Fraction(1)
+    size = exact_size(unit)
     text = f"{float(Fraction(repr(number)) / size):.12g}"
     if float(Fraction(text) * size) == number:
         return f"{text} {unit}"

@@ -66,6 +66,8 @@ def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyP
     for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
         for law in laws:
             yield from _law(section, law, names[law.name])
+    for path, formula, si in variant.forces.measured() if variant.forces is not None else ():
+        yield Place(path, (formula,), dimension_of(si), ".".join(map(str, path)))
     for path, formula in times.items():
         yield Place(path, (formula,), _TIME, str(path[1]))
 

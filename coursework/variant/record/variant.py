@@ -9,6 +9,7 @@ import pathlib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import field, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from coursework.system.frozen import caching, frozen
 from coursework.variant.formula.tree import Formula
@@ -32,6 +33,9 @@ from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import InputError, visible
 from coursework.words.html_table import html_table
 from coursework.words.sentences import closest, say
+
+if TYPE_CHECKING:
+    from coursework.variant.record.forces import Forces
 
 __all__ = [
     "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Binding", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law",
@@ -107,6 +111,7 @@ class Variant:
     changes: Mapping[KeyPath, float | str] = field(default_factory=dict, repr=False, compare=False)
     texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
     bindings: tuple[Binding, ...] = ()
+    forces: Forces | None = field(default=None, repr=False)
 
     @property
     def values(self) -> dict[str, float]:
@@ -129,6 +134,12 @@ class Variant:
         """Return the rates that stand in [drive]."""
         laws = {law.name for law in self.drive}
         return tuple(rate for rate in self.rates if rate in laws)
+
+    @cached_property
+    def given_rates(self) -> tuple[str, ...]:
+        """Return the rates that follow a given law: those in [drive], none that forces move."""
+        free = self.forces.motor.rates if self.forces is not None and self.forces.motor is not None else ()
+        return tuple(rate for rate in self.known_rates if rate not in free)
 
     @property
     def driven_coordinates(self) -> tuple[Coordinate, ...]:

@@ -13,6 +13,8 @@ from dataclasses import field
 from coursework.system.frozen import frozen
 
 SCHEME_NAMES = ("euler", "midpoint", "heun", "ralston", "rk4")
+FORCE_SECTIONS = frozenset({"masses", "forces", "friction", "motor"})  # a file without them knows nothing of forces
+OF_FORCES = ("semi-implicit",)  # schemes of motion under forces alone
 EXACT = "exact"  # stands for a scheme: the motion of the mechanism itself, which no tableau makes
 
 

@@ -31,7 +31,7 @@ def step_by_step(closure, rates, times, monkeypatch):
         return follow_closure(closure, rates, times)
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", [name for name in names() if name != "falling-arm"])  # which closes no loop
 def test_the_rows_are_those_found_step_by_step(name, monkeypatch):
     scene = solved(name).scene
     assert scene.closure.complete

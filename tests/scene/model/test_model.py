@@ -20,12 +20,15 @@ def scene(name):
     return RUNS[name]
 
 
+BY_FORCES = {"example-2-motor", "falling-arm"}  # whose velocities do not follow from time and positions
+
+
 def scaled(variant, factor):
     """Return a variant with every given datum multiplied."""
     return replace(variant, given=tuple(replace(given, value=given.value * factor) for given in variant.given))
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", [name for name in names() if name not in BY_FORCES])
 def test_velocities_and_determinants_are_those_of_the_run(name):
     model, motion = scene(name)
     scale = 1.0 + np.max(np.abs(motion.velocities))

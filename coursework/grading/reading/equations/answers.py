@@ -58,6 +58,19 @@ def _value(text: str) -> tuple[float | None, str]:
     below = int(match["below"] or 1)
     unit_text = (match["unit"] or "").strip()
     unit = unit_of(unit_text) if unit_text else ""
+    if unit_text and not unit and not number.flag and below:
+        return _force(number.value / below, unit_text)
     if number.flag or not below or (unit_text and not unit):
         return None, ""
     return number.value / below * _FACTORS.get(unit, 1.0), unit
+
+
+def _force(value: float, unit_text: str) -> tuple[float | None, str]:
+    """Return a value with a unit of force or moment in SI; nothing for a unit that is none."""
+    from coursework.variant.formula.units import UnitFault, read_mass
+
+    try:
+        found = read_mass(f"1 {unit_text}")
+    except UnitFault:
+        return None, ""
+    return value * found.value, found.si

@@ -1,0 +1,190 @@
+"""The force polygon of every driven link and group: which forces act, in the order in which they are drawn tip to tail.
+
+Enters: a `ForceAnalysis`.  Leaves: `GroupPlan`s, the last group first; numbers of all rows.
+Used by `group_sheet.py`, `lever.py` and `force_plans.py`.
+
+Of a dyad with links i and j: the part across link i of the outer reaction, what is known on i, what is known on j, the part
+across j, then the two parts along the links, which close: so the reaction between i and j is a chord.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from coursework.drawing.paper.symbols import name_word
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.effects import Action
+from coursework.effects.force_scheme import ForceScheme, Unknown
+from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
+
+KNOWN, DIRECTION, FOUND = "known", "direction", "found"  # given; its direction alone is; neither
+SUPERSCRIPT = {"t": "ᵗ", "n": "ⁿ"}
+_LETTERS = {"inertia": ("F", "in"), "weight": ("G", ""), "friction": ("F", "fr")}
+
+
+@frozen
+class ForceVector:
+    """A force (n,) complex N on a body of a group, at a place (n,) complex m; `name` of it, `word` as a drawing writes it."""
+
+    name: str
+    word: tuple[str, str, str]
+    body: str
+    force: Complex
+    at: Complex
+    role: str
+
+    def size(self, row: int) -> float:
+        """Return its size (N) in a row (from 0)."""
+        return float(abs(self.force[row]))
+
+
+@frozen
+class Moment:
+    """The sum `about` (n,) N m of what is known on a link about its inner pin `point`, its `length` (m), what it gives."""
+
+    body: str
+    point: str
+    name: str
+    about: Array
+    length: Array
+    across: Array
+
+
+@frozen
+class GroupPlan:
+    """The forces on the `bodies` of one group in the order of its polygon; `moments` give the parts across its links.
+
+    `inner`: the name and the force (n,) of its inner pair, None where it is no dyad.
+    """
+
+    bodies: tuple[str, ...]
+    vectors: tuple[ForceVector, ...]
+    moments: tuple[Moment, ...]
+    inner: tuple[str, Complex] | None
+
+
+def word_of(action: Action) -> tuple[str, str, str]:
+    """Return how a drawing writes a known force: F with in2, G with 2, a load by its name."""
+    if action.effect not in _LETTERS:
+        return name_word(action.name)
+    letter, low = _LETTERS[action.effect]
+    return letter, f"{low}{action.body}", ""
+
+
+def group_plans(found: ForceAnalysis) -> tuple[GroupPlan, ...]:
+    """Return the plans of all groups, the last first; none where the order of the groups is not known, or forces are not."""
+    scheme = found.rows.scheme
+    if not scheme.groups or not np.isfinite(found.reactions.rows).all():
+        return ()
+    placed: list[set[str]] = [set(), *(set(group) for group in scheme.groups)]
+    before = [set().union(*placed[: place + 1]) for place in range(len(placed))]
+    plans = [_plan(found, group, before[place]) for place, group in enumerate(scheme.groups)]
+    return tuple(reversed(plans))
+
+
+def reactions_on(found: ForceAnalysis, body: str) -> Iterator[tuple[str, str, Complex, Complex, bool]]:
+    """Yield what joints and drives do to a body: name, the other body, force (n,), place (n,), whether it is a drive."""
+    rows, names = found.rows, found.reactions.names
+    held: dict[str, tuple[Unknown, Complex]] = {}
+    for name, unknown in zip(names, rows.scheme.unknowns, strict=True):
+        if body not in {unknown.on, unknown.off} or unknown.direction.kind == "couple" or unknown.at is None:
+            continue
+        sign = 1.0 if unknown.on == body else -1.0
+        both = name[:-1] if unknown.direction.kind in {"x", "y"} else name
+        value = sign * found.column(name) * rows.along(unknown)
+        held[both] = unknown, held[both][1] + value if both in held else np.asarray(value)
+    for name, (unknown, force) in held.items():
+        other = unknown.off if unknown.on == body else unknown.on
+        called = name if unknown.on == body else _turned(name, unknown)
+        assert unknown.at is not None
+        yield called, other, force, rows.vector(unknown.at), bool(unknown.is_drive)
+
+
+def _turned(name: str, unknown: Unknown) -> str:
+    """Return the name of a force for the link that it comes from: R12 of link 2, R21 of link 1."""
+    return f"{name[0]}{unknown.on}{unknown.off}" if len(unknown.on) == len(unknown.off) == 1 else name
+
+
+def _plan(found: ForceAnalysis, group: Sequence[str], before: set[str]) -> GroupPlan:
+    later = {body.name for body in found.rows.scheme.bodies} - before - set(group)
+    known: dict[str, list[ForceVector]] = {body: [] for body in group}
+    outer: dict[str, list[ForceVector]] = {body: [] for body in group}
+    inner: dict[str, list[ForceVector]] = {body: [] for body in group}
+    for action in found.actions:
+        if action.body in known and action.force is not None and action.at is not None and np.any(action.force):
+            word = word_of(action)
+            known[action.body].append(ForceVector("".join(word), word, action.body, action.force, action.at, KNOWN))
+    for body in group:
+        for name, other, force, at, is_drive in reactions_on(found, body):
+            role = KNOWN if other in later else FOUND if name[0] in "RF" else DIRECTION
+            vector = ForceVector(name, (name[0], name[1:], ""), body, force, at, role)
+            listed = inner if other in group else known if other in later and not is_drive else outer
+            listed[body].append(vector)
+    if len(group) == 2 and inner[group[0]]:
+        return _dyad(found, (group[0], group[1]), known, outer, inner)
+    vectors = [vector for body in group for vector in (*outer[body][:1], *known[body])]
+    vectors += [vector for body in group for vector in outer[body][1:]]
+    return GroupPlan(tuple(group), tuple(vectors), (), None)
+
+
+def _dyad(
+    found: ForceAnalysis, group: tuple[str, str], known: dict[str, list[ForceVector]], outer: dict[str, list[ForceVector]],
+    inner: dict[str, list[ForceVector]],
+) -> GroupPlan:  # fmt: skip
+    first, second = group
+    across: dict[str, list[ForceVector]] = {first: [], second: []}
+    along: dict[str, list[ForceVector]] = {first: [], second: []}
+    moments = []
+    for body in group:
+        pin = next((vector for vector in inner[body] if vector.name[0] == "R"), None)
+        for vector in outer[body]:
+            if vector.name[0] != "R" or pin is None or len(outer[body]) > 1 or np.abs(pin.at - vector.at).min() == 0:
+                along[body].append(vector)
+                continue
+            parts, moment = _parted(found, vector, pin, known[body])
+            across[body].append(parts[0])
+            along[body].append(parts[1])
+            moments.append(moment)
+    vectors = (*across[first], *known[first], *known[second], *across[second], *along[second], *along[first])
+    between = next((vector for vector in inner[second] if vector.name[0] in "RN"), None)
+    return GroupPlan(group, vectors, tuple(moments), None if between is None else (between.name, between.force))
+
+
+def _parted(
+    found: ForceAnalysis, vector: ForceVector, pin: ForceVector, known: list[ForceVector]
+) -> tuple[tuple[ForceVector, ForceVector], Moment]:
+    """Return the parts of an outer reaction across its link and along it, and the moment that gives the first."""
+    way = pin.at - vector.at
+    length, unit = np.abs(way), way / np.abs(way)
+    normal = (np.conj(1j * unit) * vector.force).real
+    parts = []
+    for key, force in (("t", normal * 1j * unit), ("n", (np.conj(unit) * vector.force).real * unit)):
+        word = (vector.word[0], vector.word[1], SUPERSCRIPT[key])
+        parts.append(ForceVector(f"{vector.name}{key}", word, vector.body, np.asarray(force), vector.at, DIRECTION))
+    about = sum(((np.conj(one.at - pin.at) * one.force).imag for one in known), np.zeros(found.rows.count))
+    place = next(k for k, body in enumerate(found.rows.scheme.bodies) if body.name == vector.body)
+    couples = found.reactions.wrench[:, place, 2] - _moment_of_forces(found, place)
+    point = point_at(found.rows.scheme, found, pin.at)
+    moment = Moment(vector.body, point, parts[0].name, np.asarray(about + couples), length, normal)
+    return (parts[0], parts[1]), moment
+
+
+def _moment_of_forces(found: ForceAnalysis, place: int) -> Array:
+    """Return the moment (n,) about the centre of mass of the known forces on a body, without its couples."""
+    body, rows = found.rows.scheme.bodies[place], found.rows
+    total = np.zeros(rows.count)
+    for action in found.actions:
+        if action.body == body.name and action.force is not None and action.at is not None:
+            total += (np.conj(action.at - rows.vector(body.centre)) * action.force).imag
+    return total
+
+
+def point_at(scheme: ForceScheme, found: ForceAnalysis, at: Complex) -> str:
+    """Return the name of the joint at a place, "" where it has none."""
+    for unknown in scheme.unknowns:
+        if unknown.at is not None and unknown.at.op == "name" and np.array_equal(found.rows.vector(unknown.at), at):
+            return unknown.at.name
+    return ""

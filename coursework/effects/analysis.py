@@ -1,0 +1,153 @@
+"""The force analysis of a motion: reactions and drive in every row, found in three ways, and what belongs to them.
+
+Enters: a mechanism, its equations, a motion with its accelerations.  Leaves: `ForceAnalysis`.  Raises `InputError`.
+Used by `scene/quantities.py`, which computes it on request only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from coursework.effects.effects import Action, actions_of
+from coursework.effects.energy import Energy, energy_of
+from coursework.effects.force_scheme import drives_of
+from coursework.effects.groups import by_groups
+from coursework.effects.kinetostatics import Reactions, react
+from coursework.effects.rows import RATE, SECOND, Program, Rows, compile_program
+from coursework.effects.scheme import read_scheme
+from coursework.effects.virtual_power import drive_by_power
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.integration.motion import Motion
+from coursework.results.kinematics.extra import ExtraTable
+from coursework.system.arrays import Array
+from coursework.variant.formula.tree import Formula
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+# A point that moves otherwise than the link it is said to be of, by this share of the largest speed, is none of it.
+_OFF_AXES = 1e-7
+
+
+@dataclass(frozen=True, eq=False)
+class ForceAnalysis:
+    """`reactions` of all `rows` by Newton and Euler; the same by virtual power (drives alone) and group by group."""
+
+    rows: Rows
+    reactions: Reactions
+    equations: VelocityEquations
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        """Return every known force and couple, those of friction too."""
+        return (*actions_of(self.rows), *self.reactions.friction)
+
+    @property
+    def drive_names(self) -> tuple[str, ...]:
+        """Return the names of the driving couples and forces."""
+        return self.reactions.names[len(self.reactions.names) - len(drives_of(self.rows.scheme)) :]
+
+    def column(self, name: str) -> Array:
+        """Return one reaction or drive (n,) by name.  Raises `ValueError` for a name that is none."""
+        return self.reactions.rows[:, self.reactions.names.index(name)]
+
+    @cached_property
+    def by_power(self) -> Array | None:
+        """What drives (n, drives) by virtual power, None where the geometry does not tell."""
+        return drive_by_power(self.rows, self.equations, self.reactions.wrench)
+
+    @cached_property
+    def by_groups(self) -> Array | None:
+        """The unknowns (n, k) group by group, None where the order of the groups is not known."""
+        return by_groups(self.rows.scheme, self.reactions)
+
+    @cached_property
+    def energy(self) -> Energy:
+        """Energies and powers of every row."""
+        drives = zip(drives_of(self.rows.scheme), self.drive_names, strict=True)
+        return energy_of(self.rows, {one: self.column(name) for one, name in drives}, self.reactions.friction)
+
+    @cached_property
+    def beside(self) -> dict[str, Array]:
+        """What helps to follow the forces: accelerations of the centres of mass and of the links, the force along the path."""
+        found: dict[str, Array] = {}
+        for body in self.rows.scheme.bodies:
+            if body.mass is not None:
+                second = self.rows.vector(body.centre, SECOND)
+                found |= {f"S{body.name}.ax": second.real, f"S{body.name}.ay": second.imag}
+            if body.rate or np.any(self.rows.epsilon(body)):
+                found[f"e{body.name}"] = self.rows.epsilon(body)
+        point = [one for one in drives_of(self.rows.scheme) if one.direction.kind in {"x", "y"}]
+        if len(point) == 2 and point[0].at is not None:
+            moved = self.rows.vector(point[0].at, RATE)
+            force = self.column(self.drive_names[0]) + 1j * self.column(self.drive_names[1])
+            speed = np.abs(moved)
+            found["F_path"] = np.where(speed > 0, (np.conj(moved) * force).real / np.where(speed > 0, speed, 1.0), 0.0)
+        for name, (value, angle) in self.reactions.partly.items():
+            found |= {f"{name}.across": value, f"{name}.angle": angle}
+        return found
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the columns of `forces.csv` after t."""
+        return (*self.reactions.names, *self.beside)
+
+    @property
+    def table(self) -> Array:
+        """Return its rows (n, names), nan where a reaction is not unique."""
+        return np.column_stack([self.reactions.rows, *self.beside.values()])
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Return the unit of each column."""
+        found = ["N·m" if one.direction.kind in {"couple", "slope"} else "N" for one in self.rows.scheme.unknowns]
+        return (*found, *map(_unit_beside, self.beside))
+
+    def as_table(self) -> ExtraTable:
+        """Return the columns of `forces.csv`."""
+        rows = np.column_stack([self.rows.motion.t, self.table])
+        return ExtraTable(say("extra.forces"), ("t", *self.names), ("s", *self.units), rows, blanks=True)
+
+
+def _unit_beside(name: str) -> str:
+    if name == "F_path" or name.endswith(".across"):
+        return "N"
+    return "rad" if name.endswith(".angle") else "rad/s²" if name[0] == "e" else "m/s²"
+
+
+def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, second: Array) -> ForceAnalysis:
+    """Return the force analysis of a motion; `second` (n, k) are its accelerations."""
+    program: Program = equations.once(
+        ("forces", equations.variant.forces), lambda: compile_program(equations, read_scheme(mechanism))
+    )
+    rows = Program(program.scheme, equations, program.wanted, program.expressions).rows(motion, second)
+    _require_rigid(rows, equations)
+    return ForceAnalysis(rows, react(rows), equations)
+
+
+def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
+    """Refuse centres of mass that are not fixed in their links, and forces on a link at points that are none of it."""
+    scheme, variant = rows.scheme, equations.variant
+    centres = {body.name: body.centre for body in scheme.bodies}
+    listed: list[tuple[tuple[str, ...], str, Formula | None]] = [
+        (("masses", mass.body, "centre"), mass.body, centres[scheme.body_named(mass.body)]) for mass in scheme.forces.masses
+    ]
+    listed += [(("forces", load.name, "at"), load.on, load.at) for load in scheme.forces.loads if load.force is not None]
+    faults = []
+    for path, name, at in listed:
+        body = next(one for one in scheme.bodies if one.name == scheme.body_named(name))
+        own = scheme.own_point(name)
+        if own is None or at is None or own == at or not rows.count:
+            continue
+        turned = 1j * rows.omega(body) * (rows.vector(at) - rows.vector(own))
+        off = np.abs(rows.vector(at, RATE) - rows.vector(own, RATE) - turned).max()
+        if off > _OFF_AXES * max(np.abs(rows.vector(at, RATE)).max(), np.abs(turned).max()):
+            line = scheme.forces.lines.get(path) or scheme.forces.lines.get(path[:2], 1)
+            held = ", ".join(scheme.holds.get(body.name, ()))
+            told = say("fault.V731", name=body.name) if path[0] == "masses" else say("fault.V732", name=body.name, held=held)
+            faults.append(Fault(told, variant.file, line, 0, ".".join(path)))
+    if faults:
+        raise InputError(faults)

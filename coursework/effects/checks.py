@@ -1,0 +1,222 @@
+"""The checks of forces, one record each: whether they agree with themselves, with power, with what joints can bear.
+
+Enters: a `ForceAnalysis`, that of the exact rows where there are any.  Leaves: a `Finding` of each kind.
+Used by `scene/motion_results.py`.  Words stand under [check.CODE]; to add one: write its function and a record in `FORCE_CHECKS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.effects import Action
+from coursework.equations.five_point import NODES, five_point_derivative
+from coursework.mechanism.joints import FRAME
+from coursework.results.checks.result import Finding, Group, floored, skipped
+from coursework.system.arrays import Array, Complex
+from coursework.system.frozen import frozen
+from coursework.words.sentences import say
+
+AGREE = 1e-10  # two ways that compute the same, as a share of the largest
+POWER_SHARE = 1e-3
+LEAST_DIGITS = 6.0
+_ALL_DIGITS = 16.0
+_CLOSE = 0.05  # of the largest drive
+
+
+@frozen
+class ForceCheck:
+    """`code` is stable; `judge` finds a verdict from the rows and from the exact ones (None where there are none)."""
+
+    code: str
+    judge: Callable[[ForceAnalysis, ForceAnalysis | None], Finding]
+    group: Group = "computation"
+    is_least: bool = False
+
+
+def _agreement(found: Array | None, other: Array, names: tuple[str, ...], largest: float, code: str) -> Finding:
+    if found is None:
+        return skipped(say(f"check.{code}.skip"))
+    known = np.isfinite(found) & np.isfinite(other)
+    if not known.any() or not largest:
+        return skipped(say("check.forces.none"))
+    share = np.where(known, np.abs(np.nan_to_num(found) - np.nan_to_num(other)), 0.0) / largest
+    row, column = np.unravel_index(int(np.argmax(share)), share.shape)
+    value = float(share[row, column])
+    verdict = "PASS" if value <= AGREE else "FAIL"
+    sentence = say(f"check.{code}.{verdict.lower()}", value=value, name=names[int(column)], row=int(row) + 1)
+    return Finding(
+        "PASS" if verdict == "PASS" else "FAIL", sentence, value, AGREE, say("unit.relative"), names[int(column)], int(row) + 1
+    )
+
+
+def _virtual_power(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
+    drives = np.column_stack([own.column(name) for name in own.drive_names]) if own.drive_names else np.zeros((own.rows.count, 0))
+    return _agreement(own.by_power, drives, own.drive_names, own.reactions.largest, "VIRTUAL-POWER")
+
+
+def _groups(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
+    return _agreement(own.by_groups, own.reactions.rows, own.reactions.names, own.reactions.largest, "GROUPS")
+
+
+def outer_sum(own: ForceAnalysis) -> Array:
+    """Return what is left (n, 3) of all forces from outside and of inertia, and of their moments about the origin."""
+    rows = own.rows
+    bodies = {body.name: body for body in rows.scheme.bodies}
+    total = np.zeros((rows.count, 3))
+
+    def add(force: Complex | None, at: Complex | None, couple: Array | None) -> None:
+        if couple is not None:
+            total[:, 2] += couple
+        if force is not None and at is not None:
+            total[:, 0] += force.real
+            total[:, 1] += force.imag
+            total[:, 2] += (np.conj(at) * force).imag
+
+    actions: tuple[Action, ...] = own.actions
+    for action in actions:
+        add(action.force, action.at, action.couple)
+    for name, unknown in zip(own.reactions.names, rows.scheme.unknowns, strict=True):
+        outside = (unknown.off == FRAME and unknown.on in bodies) or (unknown.on == FRAME and unknown.off in rows.scheme.pins)
+        if not outside:
+            continue
+        value = np.nan_to_num(own.column(name)) * (1.0 if unknown.off == FRAME else -1.0)
+        if unknown.direction.kind == "couple":
+            add(None, None, value)
+        elif unknown.at is not None:
+            add(value * rows.along(unknown), rows.vector(unknown.at), None)
+    return total
+
+
+def _sum(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
+    if not np.isfinite(own.reactions.rows).all():
+        return skipped(say("check.forces.none"))
+    left = np.abs(outer_sum(own)) / np.array([1.0, 1.0, own.rows.length])
+    largest = own.reactions.largest
+    if not largest:
+        return skipped(say("check.forces.none"))
+    value, row = float(left.max()) / largest, int(np.argmax(left.max(axis=1))) + 1
+    good = value <= AGREE
+    sentence = say("check.REACTIONS-SUM.pass" if good else "check.REACTIONS-SUM.fail", value=value, row=row)
+    return Finding("PASS" if good else "FAIL", sentence, value, AGREE, say("unit.relative"), row=row)
+
+
+def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
+    of = exact or own
+    t = of.rows.motion.t
+    if len(t) < NODES or not np.isfinite(of.reactions.rows).all():
+        return skipped(say("check.POWER.skip"))
+    energy = of.energy
+    step = float(t[1] - t[0])
+    changed = five_point_derivative(energy.kinetic + energy.potential, step)
+    given = energy.drive + energy.loads + energy.friction + energy.dampers
+    moved = five_point_derivative(energy.kinetic, step)
+    scale = float(max(np.abs(values).max() for values in (given, energy.drive, changed, moved)))
+    if not scale:
+        return skipped(say("check.forces.none"))
+    off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are coarser by far
+    row, value = int(np.argmax(off)) + 3, float(off.max())
+    good = value <= POWER_SHARE
+    sentence = say("check.POWER.pass" if good else "check.POWER.coarse", value=value, row=row)
+    return Finding("PASS" if good else "COARSE", sentence, value, POWER_SHARE, say("unit.relative"), row=row)
+
+
+def contacts(own: ForceAnalysis) -> list[tuple[str, Array, Array]]:
+    """Return name, N and |T|/N (n,) of each contact that rolls."""
+    names = own.reactions.names
+    return [
+        (name, own.column(name), np.abs(own.column(f"T{name[1:]}")) / np.abs(own.column(name)))
+        for name in names if name[0] == "N" and f"T{name[1:]}" in names
+    ]  # fmt: skip
+
+
+def _contact(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
+    found = contacts(own)
+    if not found:
+        return skipped(say("check.CONTACT.skip"))
+    name, normal, share = found[0]
+    lifted = int((normal <= 0).sum())
+    told = say(
+        "check.CONTACT.lifts" if lifted else "check.CONTACT.pass",
+        name=name, least=float(normal.min()), most=float(normal.max()), count=lifted, number=len(normal),
+        friction=float(share.max()),
+    )  # fmt: skip
+    return Finding("PASS", told, float(share.max()), None, "", name, int(np.argmax(share)) + 1)
+
+
+def _condition(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
+    condition = own.reactions.condition
+    if not len(condition):
+        return skipped(say("check.forces.none"))
+    if not np.isfinite(condition).any():
+        names = tuple(n for n, column in zip(own.reactions.names, own.reactions.rows.T, strict=True) if np.isnan(column).any())
+        return skipped(
+            say("check.FORCE-CONDITION.redundant", names=names, number=len(own.reactions.names), count=_equations(own))
+        )
+    row = int(np.argmax(condition)) + 1
+    digits = floored(max(0.0, _ALL_DIGITS - float(np.log10(condition.max()))), 1) if np.isfinite(condition.max()) else 0.0
+    good = digits >= LEAST_DIGITS
+    sentence = say("check.FORCE-CONDITION.pass" if good else "check.FORCE-CONDITION.coarse", digits=digits, row=row)
+    return Finding("PASS" if good else "COARSE", sentence, digits, LEAST_DIGITS, say("unit.digits", number=digits), row=row)
+
+
+def _equations(own: ForceAnalysis) -> int:
+    return int(own.reactions.matrix.shape[1])
+
+
+def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
+    """What the scheme's rows make of the drive: where it is furthest from what the mechanism needs."""
+    if exact is None or exact is own or not own.drive_names or not exact.reactions.largest:
+        return skipped(say("check.FORCE-ACCURACY.skip"))
+    count = min(own.rows.count, exact.rows.count)
+    pairs = [(name, own.column(name)[:count], exact.column(name)[:count]) for name in own.drive_names]
+    name, found, true = max(pairs, key=lambda one: float(np.nan_to_num(np.abs(one[1] - one[2])).max()))
+    if np.nanmax(np.abs(true)) < AGREE * exact.reactions.largest:
+        return skipped(say("check.forces.none"))  # nothing drives it
+    row = int(np.nanargmax(np.abs(found - true)))
+    share = float(abs(found[row] - true[row]) / np.nanmax(np.abs(true)))
+    good = share <= _CLOSE
+    sentence = say(
+        "check.FORCE-ACCURACY.pass" if good else "check.FORCE-ACCURACY.coarse", name=name, row=row + 1, found=float(found[row]),
+        true=float(true[row]), unit=own.units[own.names.index(name)], share=share,
+    )  # fmt: skip
+    return Finding("PASS" if good else "COARSE", sentence, share, _CLOSE, say("unit.relative"), name, row + 1)
+
+
+def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
+    if not own.rows.scheme.forces.friction:
+        return skipped(say("check.FRICTION.skip"))
+    locked = np.flatnonzero(np.isnan(own.reactions.rows).all(axis=1))
+    if len(locked):
+        told = {"count": len(locked), "number": own.rows.count, "row": int(locked[0]) + 1}
+        return Finding("FAIL", say("check.FRICTION.locked", **told), row=int(locked[0]) + 1)
+    power = own.energy.friction
+    row = int(np.argmin(power))
+    return Finding("PASS", say("check.FRICTION.pass", power=float(-power[row]), row=row + 1), row=row + 1)
+
+
+FORCE_CHECKS: tuple[ForceCheck, ...] = (
+    ForceCheck("VIRTUAL-POWER", _virtual_power),
+    ForceCheck("GROUPS", _groups),
+    ForceCheck("REACTIONS-SUM", _sum),
+    ForceCheck("POWER", _power, "motion"),
+    ForceCheck("FORCE-ACCURACY", _accuracy, "motion"),
+    ForceCheck("CONTACT", _contact),
+    ForceCheck("FRICTION", _friction),
+    ForceCheck("FORCE-CONDITION", _condition, is_least=True),
+)
+
+
+def check_forces(own: ForceAnalysis, exact: ForceAnalysis | None) -> tuple[Finding, ...]:
+    """Return what every check of forces finds.  A fault inside a check is an ERROR of the tool, and the others go on."""
+    found = []
+    for check in FORCE_CHECKS:
+        try:
+            finding = check.judge(own, exact)
+        except Exception as error:
+            finding = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
+        found.append(replace(finding, code=check.code, group=check.group, is_least=check.is_least))
+    return tuple(found)

@@ -1,0 +1,51 @@
+"""[masses] and [forces] for a file that has none yet: every body with a mass to be changed, weight, one load.
+
+Enters: a variant and the text of its file.  Leaves: the text with the sections.  Used by `commands/new.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+
+from coursework.effects.force_scheme import ForceScheme
+from coursework.effects.scheme import scheme_without_masses
+from coursework.mechanism.mechanism import build
+from coursework.variant.record.variant import Variant
+from coursework.words.sentences import say
+
+_ASKED = re.compile(r"^(quantities\s*=\s*\[[^\]]*)(\])", re.M)
+
+
+def with_forces(variant: Variant, text: str, said: Callable[[str], str]) -> str:
+    """Return the text of a variant's file with masses and forces; `said` puts a remark into a language.
+
+    Raises `InputError` where the file does not show its links and joints.
+    """
+    scheme = scheme_without_masses(build(variant))
+    own = "\n".join(_sections(scheme, said))
+    at = text.find("[ask]")
+    text = f"{text.rstrip()}\n\n{own}\n" if at < 0 else f"{text[:at]}{own}\n\n{text[at:]}"
+    return _ASKED.sub(r'\1, "forces", "energy"\2', text, count=1)
+
+
+def _sections(scheme: ForceScheme, said: Callable[[str], str]) -> Iterator[str]:
+    yield f"[masses]                       # {said(say('new.masses'))}"
+    for body in scheme.bodies:
+        points = scheme.holds[body.name]
+        parts = ['mass = "1 kg"']
+        if body.rate:
+            wheel = _is_wheel(scheme, body.name)
+            parts.append('inertia = "disc"' if wheel else 'inertia = "rod"' if len(points) == 2 else 'inertia = "0.01 kg*m^2"')
+            parts += [f'centre = "{points[0]}"'] if len(points) > 2 and not wheel else []
+        yield f"{body.name} = {{ {', '.join(parts)} }}"
+    yield ""
+    yield f"[forces]                       # {said(say('new.forces'))}"
+    yield 'gravity = "9.81 m/s^2"'
+    last = scheme.bodies[-1]
+    held = scheme.holds[last.name]  # of a wheel the centre comes first, and its contact is no point of it
+    yield f'F1 = {{ on = "{last.name}", at = "{held[0] if _is_wheel(scheme, last.name) else held[-1]}", force = "(-100, 0)" }}'
+
+
+def _is_wheel(scheme: ForceScheme, name: str) -> bool:
+    return any(one.name[0] == "T" and name in {one.on, one.off} for one in scheme.unknowns)

@@ -1,0 +1,224 @@
+"""Motion under forces: rows of a scheme in the free coordinates and their rates, and the motion without a scheme's error.
+
+Enters: `EquationsOfMotion`, the start.  Leaves: `FreeMotion`: times, coordinates, free rates, and why it ended.
+Used by `scene/motor_scene.py`.
+
+Each slope closes the positions of all other coordinates first (Newton), so links keep their length whatever the scheme does.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.motion.integration.adaptive import next_length
+from coursework.motion.integration.order_eight import dormand_prince_8
+from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, Sum
+from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
+
+# Corrections of a slope, and how small the last one is (rad or m): what it leaves is of the size of its square.
+MOST_NEWTON, CLOSED = 12, 1e-8
+FARTHEST = 1.0  # rad or m: a correction beyond it leads to another assembly
+TOLERANCE = 1e-13
+Take = Callable[[float, list[float]], list[float]]  # time and state of a row -> the state of the next one
+MOST_STEPS = 3000  # from a row to the next one: more are taken where a dead point is near alone
+_SLOWER = 0.9  # of the last rate: so much slower was the one beside which a dead point is looked for
+_LEAST = 1e-11  # of the whole time: a shorter step is none
+_RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
+
+
+class Open(ArithmeticError):
+    """No closed position lies near: the mechanism is at a dead point, or a step was too wide; `at` (s), where that is known."""
+
+    def __init__(self, at: float = math.nan) -> None:
+        super().__init__("no closed position")
+        self.at = at
+
+
+@frozen
+class FreeMotion:
+    """Rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f); `slopes` evaluated.
+
+    `ended`: "" where it reached its end, "dead point" or "not finite", at the time `at` (s).
+    """
+
+    t: Array
+    coordinates: Array
+    rates: Array
+    slopes: int
+    ended: str = ""
+    at: float = 0.0
+
+
+@dataclass(slots=True)
+class Dynamics:
+    """The slopes of one mechanism; `q` is the last closed position, from which the next one is found."""
+
+    motion: EquationsOfMotion
+    q: list[float]
+    count: int = 0
+    _rates: list[float] = field(default_factory=list)
+
+    def closed(self, t: float, free: Sequence[float]) -> list[float]:
+        """Return the closed position with these free coordinates.  Raises `Open` where none lies near."""
+        q, motion = list(self.q), self.motion
+        for place, value in zip(motion.free, free, strict=True):
+            q[place] = value
+        if not motion.others:
+            return q
+        for _ in range(MOST_NEWTON):
+            step = motion.newton(t, *q, *motion.kept)
+            size = 0.0
+            for place, value in zip(motion.others, step, strict=True):
+                q[place] += value
+                size = max(size, abs(value))
+            if size < CLOSED:
+                return q
+            if not size < FARTHEST:
+                break
+        raise Open
+
+    def slope(self, t: float, state: Sequence[float]) -> list[float]:
+        """Return the rates and accelerations of a state (free coordinates, then their rates)."""
+        count = len(self.motion.free)
+        free, rates = state[:count], state[count:]
+        if self.motion.others and not all(self.q[place] == value for place, value in zip(self.motion.free, free, strict=True)):
+            self.q = self.closed(t, free) if not self._rates else self._followed(t, free)
+        elif not self.motion.others:
+            self.q = self.closed(t, free)
+        found = self.motion.slope(t, *self.q, *rates)
+        self.count += 1
+        self._rates = [rates[0], *found[count:]]
+        return [*rates, *found[:count]]
+
+    def _followed(self, t: float, free: Sequence[float]) -> list[float]:
+        """Return the closed position, looked for where the others get with their rates of the last slope."""
+        moved = free[0] - self.q[self.motion.free[0]]
+        share = moved / self._rates[0] if self._rates[0] else 0.0
+        kept = list(self.q)
+        for place, rate in zip(self.motion.others, self._rates[1:], strict=True):
+            self.q[place] += share * rate
+        try:
+            return self.closed(t, free)
+        except Open:
+            self.q = kept
+            return self.closed(t, free)
+
+    def rows(self, scheme: Scheme, state: Sequence[float], step: float, steps: int) -> FreeMotion:
+        """Return the rows of a scheme, up to where no position closes or a number leaves the paper."""
+        take = _semi_implicit if scheme is SEMI_IMPLICIT else _stepper(scheme)
+        return self._march(state, step, steps, lambda t, now: take(self.slope, t, now, step))
+
+    def exact(self, state: Sequence[float], step: float, steps: int) -> FreeMotion:
+        """Return the rows of the motion itself: Dormand and Prince 8(5,3) to 1e-13, every row hit by a step."""
+        length = [step]
+
+        def take(t: float, now: list[float]) -> list[float]:
+            return self._to(t, now, t + step, length, step * max(steps, 1))
+
+        return self._march(state, step, steps, take)
+
+    def _to(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
+        def moving(*state: float) -> list[float]:
+            return [*self.slope(state[-1], state[:-1]), 1.0]
+
+        at, state = t, np.array([*now, t])
+        begin, tries = (list(self.q), list(self._rates)), 0
+        passed: list[tuple[float, float]] = []
+        while goal - at > _LEAST * whole:
+            taken, tries = min(length[0], goal - at), tries + 1
+            if tries > MOST_STEPS:
+                self.q, self._rates = begin
+                raise Open(_dead_point(at, passed))
+            kept = list(self.q), list(self._rates)
+            try:
+                slope = np.array(moving(*state.tolist()))
+                passed.append((at, max(map(abs, self._rates[1:]), default=0.0)))
+                after, error = dormand_prince_8(moving, state, slope, taken)
+                sizes = TOLERANCE * (1.0 + np.abs(state[:-1]))
+                ratio = float(np.max(np.abs(np.array(error[:-1])) / sizes))
+            except (Open, ZeroDivisionError, OverflowError):
+                ratio = math.inf
+            if ratio <= 1.0:
+                at, state = at + taken, after
+                if taken == length[0] or ratio > 0:
+                    length[0] = max(length[0], taken) if taken < length[0] else next_length(taken, ratio, 8)
+                continue
+            self.q, self._rates = kept
+            length[0] = next_length(taken, ratio, 8) if math.isfinite(ratio) else taken / 4
+            if length[0] < _LEAST * whole:
+                self.q, self._rates = begin
+                raise Open(_dead_point(at, passed))
+        return [float(value) for value in state[:-1]]
+
+    def _march(self, state: Sequence[float], step: float, steps: int, take: Take) -> FreeMotion:
+        count, now = len(self.motion.free), list(state)
+        self.count = 0
+        positions, rates, ended, at = [], [], "", 0.0
+        for row in range(steps + 1):
+            t = row * step
+            try:
+                if any(self.q[place] != value for place, value in zip(self.motion.free, now[:count], strict=True)) or not row:
+                    self.q = self._followed(t, now[:count]) if self._rates else self.closed(t, now[:count])
+                positions.append(list(self.q))
+                rates.append(now[count:])
+                if row < steps:
+                    now = take(t, now)
+                if not all(abs(value) < _RUNAWAY for value in now):
+                    ended, at = "not finite", t + step
+                    break
+            except (Open, ZeroDivisionError) as error:
+                ended, at = "dead point", t if math.isnan(found := getattr(error, "at", math.nan)) else found
+                break
+            except OverflowError:
+                ended, at = "not finite", t
+                break
+        size = len(positions)
+        q, v = np.array(positions).reshape(size, -1), np.array(rates).reshape(size, count)
+        return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at)
+
+
+def _dead_point(at: float, passed: Sequence[tuple[float, float]]) -> float:
+    """Return the time of a dead point after times with the largest rate of the others there: rates grow as one over the root of
+    what is left, so one over their squares runs straight to 0.
+    """
+    if not passed or not passed[-1][1]:
+        return at
+    time, fast = passed[-1]
+    earlier = next(((t, rate) for t, rate in reversed(passed) if 0 < rate < _SLOWER * fast), None)
+    if earlier is None:
+        return at
+    left, before = 1 / fast**2, 1 / earlier[1] ** 2
+    return max(at, time + left * (time - earlier[0]) / (before - left))
+
+
+def _stepper(scheme: Scheme) -> Callable[..., list[float]]:
+    """Return one step of a tableau over a list of numbers."""
+
+    def take(f: Callable[[float, Sequence[float]], list[float]], t: float, now: list[float], h: float) -> list[float]:
+        found: list[list[float]] = []
+        for node, row in zip(scheme.nodes, scheme.inner, strict=True):
+            at = now if not row.terms else _added(row, now, h, found)
+            found.append(f(t + float(node) * h if node else t, at))
+        return _added(scheme.outer, now, h, found)
+
+    return take
+
+
+def _added(row: Sum, now: list[float], h: float, found: list[list[float]]) -> list[float]:
+    """Return a state moved by one row of a tableau."""
+    factor = float(row.factor) * h
+    return [value + factor * sum(whole * found[place][k] for place, whole in row.terms) for k, value in enumerate(now)]
+
+
+def _semi_implicit(f: Callable[[float, Sequence[float]], list[float]], t: float, now: list[float], h: float) -> list[float]:
+    """Rates first, then the coordinates with the new rates: v + h a(q, v, t), q + h v."""
+    count = len(now) // 2
+    slope = f(t, now)
+    rates = [value + h * a for value, a in zip(now[count:], slope[count:], strict=True)]
+    return [*(q + h * v for q, v in zip(now[:count], rates, strict=True)), *rates]

@@ -1,0 +1,165 @@
+"""The checks of a motion under forces: its energy, how far it is from the motion itself, what its step is for it.
+
+Enters: the forces of the rows and of the exact ones, the equations of motion.  Leaves: a `Finding` of each kind.
+Used by `scene/motor_scene.py`.  Words stand under [check.CODE].
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.motion.schemes import Scheme
+from coursework.results.checks.result import Finding, percent, skipped
+from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
+from coursework.words.sentences import say
+
+LIMIT = 0.05
+_TINY = 1e-6  # of a rate or coordinate: by so much it is moved to see what that does
+_LOOKED_AT = 40  # rows
+_RK4_SWINGS = 2.8  # h w up to which Runge-Kutta 4 keeps a swing; the schemes of order one and two let every swing grow
+
+
+@frozen
+class Evidence:
+    """What the checks look at: both analyses, the equations of motion, the scheme (None: the motion itself), the step (s)."""
+
+    own: ForceAnalysis
+    exact: ForceAnalysis
+    dynamics: EquationsOfMotion
+    scheme: Scheme | None
+    step: float
+
+
+def check_dynamics(
+    own: ForceAnalysis, exact: ForceAnalysis, dynamics: EquationsOfMotion, scheme: Scheme | None, step: float
+) -> tuple[Finding, ...]:
+    """Return what every check finds.  A fault inside a check is an ERROR of the tool, and the others go on."""
+    evidence, found = Evidence(own, exact, dynamics, scheme, step), []
+    for code, judge in CHECKS:
+        try:
+            finding = judge(evidence)
+        except Exception as error:
+            finding = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
+        found.append(replace(finding, code=code, group="motion"))
+    return tuple(found)
+
+
+def remainder(found: ForceAnalysis) -> tuple[Array, float]:
+    """Return the energy (n,) J that a motion has and nothing gave it, and the energy that was exchanged (J)."""
+    energy, t = found.energy, found.rows.motion.t
+    power = energy.drive + energy.loads + energy.friction + energy.dampers
+    work = np.concatenate([[0.0], np.cumsum(_areas(power, t))])
+    total = energy.kinetic + energy.potential
+    exchanged = max(float(np.ptp(energy.kinetic)), float(np.abs(np.diff(work)).sum()), float(np.ptp(energy.potential)))
+    return total - total[0] - work, exchanged
+
+
+def _areas(values: Array, t: Array) -> Array:
+    """Return the integral (n - 1,) over each interval, of the cubic through four neighbours where there are so many."""
+    h = np.diff(t)
+    if len(values) < 4:
+        return np.asarray(h * (values[1:] + values[:-1]) / 2)
+    inner = (13 * (values[1:-2] + values[2:-1]) - values[:-3] - values[3:]) / 24
+    first = (9 * values[0] + 19 * values[1] - 5 * values[2] + values[3]) / 24
+    last = (9 * values[-1] + 19 * values[-2] - 5 * values[-3] + values[-4]) / 24
+    return np.asarray(h * np.concatenate([[first], inner, [last]]))
+
+
+def _energy(e: Evidence) -> Finding:
+    if e.own.rows.count < 2:
+        return skipped(say("check.no_row"))
+    left, exchanged = remainder(e.own)
+    if not exchanged:
+        return skipped(say("check.forces.none"))
+    row = int(np.argmax(np.abs(left)))
+    share = float(abs(left[row]) / exchanged)
+    told = {"energy": float(left[row]), "share": percent(share), "row": row + 1, "exchanged": exchanged}
+    if share <= LIMIT or e.scheme is None:
+        return Finding("PASS", say("check.ENERGY.pass", **told), share, LIMIT, say("unit.relative"), row=row + 1)
+    parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
+    sentence = say("check.ENERGY.coarse", **told, step=e.step / parts, parts=parts)
+    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), row=row + 1, step=e.step / parts)
+
+
+def _accuracy(e: Evidence) -> Finding:
+    if e.scheme is None:
+        return skipped(say("check.FORCE-ACCURACY.skip"))
+    count = min(e.own.rows.count, e.exact.rows.count)
+    if count < 2:
+        return skipped(say("check.no_row"))
+    own, true = e.own.rows.motion, e.exact.rows.motion
+    worst = ("", 0, 0.0, 0.0)
+    for name in own.velocity_names:
+        off = np.abs(own.column(name)[:count] - true.column(name)[:count])
+        scale = float(np.abs(true.column(name)[:count]).max()) or 1.0
+        row = int(np.argmax(off))
+        if off[row] / scale >= worst[2]:
+            worst = (name, row, float(off[row] / scale), float(off[row]))
+    name, row, share, off_by = worst
+    unit = e.own.equations.variant.unit_of(name)
+    told = {"name": name, "row": row + 1, "off": off_by, "unit": unit, "share": percent(share)}
+    if share <= LIMIT:
+        return Finding("PASS", say("check.MOTION.pass", **told), share, LIMIT, say("unit.relative"), name, row + 1)
+    parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
+    sentence = say("check.MOTION.coarse", **told, step=e.step / parts, parts=parts)
+    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), name, row + 1, step=e.step / parts)
+
+
+def stiffness(e: Evidence) -> tuple[float, float]:
+    """Return the largest rates (1/s) at which deviations die out and swing: of -da/dv and of the root of -da/dq."""
+    motion, dynamics = e.exact.rows.motion, e.dynamics
+    motor = e.exact.equations.variant.forces
+    assert motor is not None and motor.motor is not None
+    damped, swinging = 0.0, 0.0
+    count = len(dynamics.free)
+    for row in range(0, len(motion.t), max(1, len(motion.t) // _LOOKED_AT)):
+        t, q = float(motion.t[row]), motion.coordinates[row].tolist()
+        v = [float(motion.column(rate)[row]) for rate in motor.motor.rates]
+        slopes = np.zeros((count, count))
+        for k in range(count):
+            moved = _TINY * (1 + abs(v[k]))
+            ends = [dynamics.slope(t, *q, *[x + s * moved * (k == i) for i, x in enumerate(v)])[:count] for s in (1, -1)]
+            slopes[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
+        damped = max(damped, float(-np.linalg.eigvals(slopes).real.min()))
+        springs = np.zeros((count, count))
+        for k, place in enumerate(dynamics.free):
+            moved = _TINY * (1 + abs(q[place]))
+            ends = []
+            for s in (1, -1):
+                there = list(q)
+                there[place] += s * moved
+                for _ in range(4 if dynamics.others else 0):
+                    step = dynamics.newton(t, *there, *dynamics.kept)
+                    for other, value in zip(dynamics.others, step, strict=True):
+                        there[other] += value
+                ends.append(dynamics.slope(t, *there, *v)[:count])
+            springs[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
+        swinging = max(swinging, float(-np.linalg.eigvals(springs).real.min()))
+    return damped, math.sqrt(max(swinging, 0.0))
+
+
+def _step(e: Evidence) -> Finding:
+    """Whether the step is so long for a steep motor or a stiff spring that a deviation grows."""
+    if e.scheme is None:
+        return skipped(say("check.STABLE.skip"))
+    damped, swinging = stiffness(e)
+    product, limit = e.step * damped, e.scheme.damped
+    told = {"rate": damped, "product": product, "limit": limit, "step": 0.9 * limit / damped if damped else e.step}
+    if product >= limit:
+        return Finding("COARSE", say("check.STABLE.steep", **told), product, limit, "", step=told["step"])
+    if e.scheme.order > 2 and e.step * swinging >= _RK4_SWINGS:
+        told |= {"rate": swinging, "product": e.step * swinging, "limit": _RK4_SWINGS, "step": 0.9 * _RK4_SWINGS / swinging}
+        return Finding("COARSE", say("check.STABLE.stiff", **told), e.step * swinging, _RK4_SWINGS, "", step=told["step"])
+    return Finding("PASS", say("check.STABLE.pass", **told, swing=e.step * swinging), product, limit)
+
+
+CHECKS: tuple[tuple[str, Callable[[Evidence], Finding]], ...] = (
+    ("ENERGY", _energy), ("MOTION", _accuracy), ("STABLE", _step),
+)  # fmt: skip

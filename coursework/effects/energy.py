@@ -1,0 +1,94 @@
+"""Energy of the moving links and the power of everything that acts on them, row by row.
+
+Enters: `Rows` and what was found to drive them.  Leaves: `Energy`, J (T, potential) and W.  Computed on request only.
+Used by `analysis.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from coursework.effects.effects import LOADS, Action
+from coursework.effects.force_scheme import Unknown
+from coursework.effects.rows import PLACE, RATE, Rows
+from coursework.mechanism.joints import FRAME
+from coursework.results.kinematics.extra import ExtraTable
+from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
+from coursework.variant.formula.tree import named
+from coursework.words.sentences import say
+
+HEAD = ("t", "T", "potential", "P_drive", "P_loads", "P_friction", "P_dampers")
+UNITS = ("s", "J", "J", "W", "W", "W", "W")
+
+
+@frozen
+class Energy:
+    """Kinetic and `potential` energy (n,) of weight and springs, and powers (n,) by what has them."""
+
+    kinetic: Array
+    potential: Array
+    drive: Array
+    loads: Array
+    friction: Array
+    dampers: Array
+
+    def as_table(self, t: Array) -> ExtraTable:
+        """Return the columns of `energy.csv`."""
+        rows = np.column_stack([t, self.kinetic, self.potential, self.drive, self.loads, self.friction, self.dampers])
+        return ExtraTable(say("extra.energy"), HEAD, UNITS, rows, blanks=True)
+
+
+def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:
+    """Return the velocity (n,) that a driving couple or force has its power with, of what it drives against what it stands on."""
+    bodies = {body.name: body for body in rows.scheme.bodies}
+    if drive.direction.kind == "couple":
+        turned = rows.omega(bodies[drive.off]) if drive.off in bodies else 0.0
+        return rows.omega(bodies[drive.on]) - turned
+    assert drive.at is not None
+    if drive.direction.coordinate:
+        return rows.motion.column(drive.is_drive)
+    moved, unit = rows.vector(drive.at, RATE), rows.along(drive)
+    if drive.off != FRAME:
+        below = bodies[drive.off]
+        arm = rows.vector(drive.at) - rows.vector(below.centre)
+        moved = moved - rows.vector(below.centre, RATE) - 1j * rows.omega(below) * arm
+    return (np.conj(unit) * moved).real
+
+
+def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, ...] = ()) -> Energy:
+    """Return energies and powers; `drives` are the driving couples and forces (n,), `friction` what it does."""
+    scheme, still = rows.scheme, np.zeros(rows.count)
+    kinetic, potential, loads, dampers = still.copy(), still.copy(), still.copy(), still.copy()
+    x, y = (rows.scalar(part) for part in scheme.forces.gravity or (None, None))
+    for body in scheme.bodies:
+        if body.mass is not None:
+            kinetic += rows.mass(body) * np.abs(rows.vector(body.centre, RATE)) ** 2 / 2
+            potential -= rows.mass(body) * (np.conj(x + 1j * y) * rows.vector(body.centre)).real
+        kinetic += rows.inertia(body) * rows.omega(body) ** 2 / 2
+    loads += _power(rows, LOADS.acts(rows))
+    rubbed = _power(rows, friction)
+    for spring in scheme.forces.springs:
+        first, second = map(named, spring.ends)
+        way = rows.vector(second, PLACE) - rows.vector(first, PLACE)
+        rate = (np.conj(way) * (rows.vector(second, RATE) - rows.vector(first, RATE))).real / np.abs(way)
+        potential += rows.scalar(spring.stiffness) * (np.abs(way) - rows.scalar(spring.free)) ** 2 / 2
+        dampers -= rows.scalar(spring.damping) * rate**2
+    driven = sum((value * velocity_of_drive(rows, one) for one, value in drives.items()), still)
+    return Energy(kinetic, potential, driven, loads, rubbed, dampers)
+
+
+def _power(rows: Rows, actions: Iterable[Action]) -> Array:
+    """Return the power (n,) of forces and couples on bodies that move."""
+    bodies = {body.name: body for body in rows.scheme.bodies}
+    total = np.zeros(rows.count)
+    for action in actions:
+        body = bodies[action.body]
+        if action.couple is not None:
+            total += action.couple * rows.omega(body)
+        elif action.force is not None and action.at is not None:
+            moved = rows.vector(body.centre, RATE) + 1j * rows.omega(body) * (action.at - rows.vector(body.centre))
+            total += (np.conj(action.force) * moved).real
+    return total

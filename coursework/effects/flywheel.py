@@ -1,0 +1,103 @@
+"""One driven crank at constant speed: reduced inertia, mean torque, and the flywheel that an unevenness asks for.
+
+Enters: a `ForceAnalysis` of exact rows over a period.  Leaves: `CrankEnergy`, `Flywheel`.  Computed on request only.
+Used by `told.py`.
+
+J(phi) = sum (m S'^2 + J phi'^2).  The largest excess of energy is the range of the integral of mean - M_d over a turn: it already
+holds the energy of the links (Merzalov); the same with the loads alone would be another number.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.force_scheme import drives_of
+from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
+
+_GRID, _NEWTON = 2048, 6
+_STEADY = 1e-9  # a crank whose speed changes by less than this share turns evenly
+
+
+@frozen
+class Flywheel:
+    """`mean` torque (N m), `excess` of energy (J), the crank angles (rad) of the `crossings` of the mean.
+
+    `inertia` of the uniform group that keeps the unevenness, `own` that of the crank, `needed` what a flywheel adds (kg m²).
+    """
+
+    mean: float
+    excess: float
+    crossings: tuple[float, ...]
+    inertia: float | None
+    own: float
+    needed: float | None
+
+
+def crank_of(own: ForceAnalysis) -> tuple[Array, Array, Array] | None:
+    """Return angle, torque and speed (n,) of the one driven crank, None where there is not exactly one."""
+    drives = drives_of(own.rows.scheme)
+    variant = own.equations.variant
+    if len(drives) != 1 or drives[0].direction.kind != "couple":
+        return None
+    coordinate = next(c.name for c in variant.coordinates if c.rate == drives[0].is_drive)
+    motion = own.rows.motion
+    return motion.column(coordinate), own.column(own.drive_names[0]), motion.column(drives[0].is_drive)
+
+
+def find_flywheel(own: ForceAnalysis, period: float | None) -> Flywheel | None:
+    """Return the flywheel of rows that hold one whole period at equal steps; None where they do not, or the crank is uneven."""
+    crank = crank_of(own)
+    t = own.rows.motion.t
+    if crank is None or period is None or len(t) < 3:
+        return None
+    angle, torque, speed = crank
+    count = round(period / float(t[1] - t[0]))
+    even = np.ptp(speed) <= _STEADY * np.abs(speed).max()
+    if not even or count < 3 or len(t) <= count or abs(count * (t[1] - t[0]) - period) > 1e-9 * period or not speed[0]:
+        return None
+    torque, angle, omega = torque[: count + 1], angle[: count + 1], float(speed[0])
+    mean = float(torque[:-1].mean())
+    excess, crossings = _excess(torque[:-1] - mean, float(angle[0]), float(angle[-1] - angle[0]))
+    forces = own.rows.scheme.forces
+    uneven = own.rows.scalar(forces.flywheel.unevenness)[0] if forces.flywheel and forces.flywheel.unevenness else None
+    inertia = excess / (float(uneven) * omega**2) if uneven else None
+    body = next(one for one in own.rows.scheme.bodies if one.name == drives_of(own.rows.scheme)[0].on)
+    arm = np.abs(own.rows.vector(body.centre)[0] - _pivot(own))
+    crank_inertia = float(own.rows.inertia(body)[0] + own.rows.mass(body)[0] * arm**2)
+    return Flywheel(mean, excess, crossings, inertia, crank_inertia, None if inertia is None else inertia - crank_inertia)
+
+
+def _pivot(own: ForceAnalysis) -> complex:
+    drive = drives_of(own.rows.scheme)[0]
+    pins = [one for one in own.rows.scheme.unknowns if {one.on, one.off} == {drive.on, drive.off} and one.at is not None]
+    return complex(own.rows.vector(pins[0].at)[0]) if pins and pins[0].at is not None else 0j
+
+
+def _excess(wave: Array, begin: float, turn: float) -> tuple[float, tuple[float, ...]]:
+    """Return the range of the integral of a periodic wave given at equal angles, and where the wave crosses zero.
+
+    The wave is its trigonometric interpolation, which is as exact as the trapezoid rule over a period.
+    """
+    count = len(wave)
+    series = np.fft.rfft(wave) / count
+    if count % 2 == 0:
+        series[-1] = 0.0  # the highest harmonic of an even count has no phase
+    orders = np.arange(len(series))
+    factors = np.where(orders > 0, 2.0, 1.0)
+
+    def at(x: Array, power: int) -> Array:
+        terms = factors * series * (1j * np.where(orders > 0, orders, 1.0)) ** power
+        return np.asarray((np.exp(1j * np.outer(x, orders)) @ np.where(orders > 0, terms, 0.0)).real)
+
+    grid = np.linspace(0.0, 2 * np.pi, _GRID + 1)
+    values = at(grid, 0)
+    places = np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)
+    if not len(places):
+        return 0.0, ()
+    x = grid[places] - values[places] * (grid[places + 1] - grid[places]) / (values[places + 1] - values[places])
+    for _ in range(_NEWTON):
+        x = x - at(x, 0) / at(x, 1)
+    energy = -at(x, -1) * abs(turn) / (2 * np.pi)
+    return float(np.ptp(energy)), tuple((begin + x * turn / (2 * np.pi)).tolist())

@@ -1,0 +1,89 @@
+"""Friction of pins, guides and wheels: a fixed point around the reactions of the ideal mechanism.
+
+Enters: `Rows`, the reactions.  Leaves: `Action`s of friction.  Imported for a file with [friction] only.
+Used by `kinetostatics.py`.
+
+Pin: couple coefficient radius |R| against the relative turning; guide: coefficient |N| against the sliding, with a couple in it
+max(|N|, 2 |K|/length); wheel: couple arm |N| against its turning.  What stands still (sign 0) has none in that row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from coursework.effects.effects import Action
+from coursework.effects.force_scheme import Unknown
+from coursework.effects.rows import RATE, Rows
+from coursework.mechanism.joints import FRAME
+from coursework.system.arrays import Array
+from coursework.variant.record.forces import Friction
+
+MOST_ROUNDS = 50
+SETTLED = 1e-13  # of the largest reaction
+_STILL = 1e-12  # of the largest speed: slower is still
+
+
+def friction_of(rows: Rows, values: Array) -> tuple[Action, ...]:
+    """Return what friction does where the unknown forces are `values` (n, unknowns)."""
+    return tuple(action for rubs in rows.scheme.forces.friction for action in _at(rows, values, rubs))
+
+
+def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
+    unknowns = rows.scheme.unknowns
+    rolls = {one.name[1:] for one in unknowns if one.name[0] == "T"}
+    for place, one in enumerate(unknowns):
+        if one.is_drive or one.at is None or one.at.name != rubs.at:
+            continue
+        if one.direction.kind == "x" and rubs.radius is not None:
+            size = np.hypot(values[:, place], values[:, place + 1])
+            couple = rows.scalar(rubs.coefficient) * rows.scalar(rubs.radius) * size
+            yield from _turning(rows, one, couple)
+        elif one.name[0] == "N" and one.name[1:] in rolls and rubs.arm is not None:
+            yield from _turning(rows, one, rows.scalar(rubs.arm) * np.abs(values[:, place]))
+        elif one.name[0] == "N" and one.name[1:] not in rolls:
+            yield from _sliding(rows, one, values, place, rubs)
+
+
+def _turning(rows: Rows, one: Unknown, couple: Array) -> Iterator[Action]:
+    """Yield a couple against the turning of two bodies about each other."""
+    bodies = {body.name: body for body in rows.scheme.bodies}
+    # A pin of more than two links turns with the first of them, or stands with the frame.
+    held = [other.on for other in rows.scheme.unknowns if other.off == one.off and one.off in rows.scheme.pins]
+    other = held[0] if held else one.off
+    if one.on == other or one.on not in bodies:
+        return
+    below = rows.omega(bodies[other]) if other in bodies else np.zeros(rows.count)
+    relative = rows.omega(bodies[one.on]) - below
+    against = -couple * _sign(relative, float(np.abs(rows.omega(bodies[one.on])).max(initial=0.0)))
+    yield Action("friction", one.on, couple=against)
+    if other != FRAME:
+        yield Action("friction", other, couple=-against)
+
+
+def _sliding(rows: Rows, one: Unknown, values: Array, place: int, rubs: Friction) -> Iterator[Action]:
+    """Yield a force against the sliding of a block along its guide."""
+    assert one.at is not None
+    bodies = {body.name: body for body in rows.scheme.bodies}
+    at, along = rows.vector(one.at), rows.along(one) / 1j
+    speeds = []
+    for name in (one.on, one.off):
+        if name == FRAME:
+            speeds.append(np.zeros(rows.count, dtype=complex))
+            continue
+        centre = bodies[name].centre
+        speeds.append(rows.vector(centre, RATE) + 1j * rows.omega(bodies[name]) * (at - rows.vector(centre)))
+    relative = (np.conj(along) * (speeds[0] - speeds[1])).real
+    size = np.abs(values[:, place])
+    following = rows.scheme.unknowns[place + 1] if place + 1 < len(rows.scheme.unknowns) else None
+    if rubs.length is not None and following is not None and following.name == f"K{one.name[1:]}":
+        size = np.maximum(size, 2 * np.abs(values[:, place + 1]) / rows.scalar(rubs.length))
+    force = -rows.scalar(rubs.coefficient) * size * _sign(relative, float(np.abs(relative).max(initial=0.0))) * along
+    yield Action("friction", one.on, np.asarray(force), at)
+    if one.off != FRAME:
+        yield Action("friction", one.off, np.asarray(-force), at)
+
+
+def _sign(values: Array, largest: float) -> Array:
+    return np.where(np.abs(values) > _STILL * largest, np.sign(values), 0.0)

@@ -1,0 +1,177 @@
+"""Newton and Euler, link by link: the reactions in every joint and what must drive the mechanism, in all rows at once.
+
+Enters: `Rows`.  Leaves: `Reactions`.  Computed on request only.
+Used by `analysis.py`, `groups.py` and `misread.py`.
+
+Three equations a body, two a pin that more than two links hold: m a_S = sum F, J eps = sum (p - S) x F + sum M.  What is not
+unique, in a support with more reactions than equations or at a dead point, is no number (nan), never one of many by chance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import field, replace
+
+import numpy as np
+
+from coursework.effects.effects import Action, actions_of, wrenches
+from coursework.effects.force_scheme import ForceScheme, Unknown, names_of
+from coursework.effects.rows import Rows
+from coursework.system.arrays import Array, Complex, Flags
+from coursework.system.frozen import frozen
+
+# A direction of a null vector below this share is none: the unknown is unique.
+_NULL = 1e-9
+# Equations whose matrix is worse conditioned than this have no unique solution that doubles could find.
+_SINGULAR = 1e13
+_RANK, _CLOSED = 1e-11, 1e-6  # of singular values, and of what equations may leave that can be fulfilled
+
+
+def places_of(scheme: ForceScheme) -> dict[str, int]:
+    """Return the first equation of each body, then of each pin."""
+    count = 3 * len(scheme.bodies)
+    bodies = {body.name: 3 * place for place, body in enumerate(scheme.bodies)}
+    return bodies | {pin: count + 2 * place for place, pin in enumerate(scheme.pins)}
+
+
+@frozen
+class Reactions:
+    """`names` of the unknowns and their values `rows` (n, names), N and N m, nan where they are not unique.
+
+    `wrench` (n, bodies, 3) what acts beside them, `matrix` (n, equations, names) whose columns they multiply, moments divided
+    by `length` (m); `condition` (n,) of it.
+    """
+
+    names: tuple[str, ...]
+    rows: Array
+    wrench: Array
+    matrix: Array
+    condition: Array
+    length: float
+    partly: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
+    friction: tuple[Action, ...] = ()
+
+    @property
+    def largest(self) -> float:
+        """Return the largest force (N, N m)."""
+        found = np.abs(self.rows[np.isfinite(self.rows)])
+        return float(found.max(initial=0.0))
+
+
+def matrix_of(rows: Rows) -> Array:
+    """Return the columns (n, equations, unknowns) of the unknowns, the equations of moments about the centres of mass."""
+    scheme, places = rows.scheme, places_of(rows.scheme)
+    found = np.zeros((rows.count, 3 * len(scheme.bodies) + 2 * len(scheme.pins), len(scheme.unknowns)))
+    centres = {body.name: rows.vector(body.centre) for body in scheme.bodies}
+    for column, unknown in enumerate(scheme.unknowns):
+        for name, sign in ((unknown.on, 1.0), (unknown.off, -1.0)):
+            _place(found[..., column], rows, places, unknown, name, sign, centres)
+    return found
+
+
+def _place(
+    column: Array, rows: Rows, places: dict[str, int], unknown: Unknown, name: str, sign: float, centres: dict[str, Complex]
+) -> None:
+    if name not in places:
+        return  # the frame
+    first = places[name]
+    if unknown.direction.kind == "couple":
+        column[:, first + 2] = sign
+        return
+    unit = rows.along(unknown)
+    column[:, first] = sign * unit.real
+    column[:, first + 1] = sign * unit.imag
+    if name in centres and unknown.at is not None:
+        arm = rows.vector(unknown.at) - centres[name]
+        column[:, first + 2] = sign * (np.conj(arm) * unit).imag
+
+
+def react(rows: Rows) -> Reactions:
+    """Return every reaction and the drive of each row; with friction what settles, nan in rows in which nothing does."""
+    found, friction = _ideal(rows, ()), rows.scheme.forces.friction
+    if not friction:
+        return found
+    from coursework.effects.friction import MOST_ROUNDS, SETTLED, friction_of
+
+    for _ in range(MOST_ROUNDS):
+        last, found = found, _ideal(rows, friction_of(rows, found.rows))
+        open_rows = np.abs(found.rows - last.rows).max(axis=1) > SETTLED * max(found.largest, 1e-300)
+        if not open_rows.any():
+            return found
+    found.rows[open_rows] = np.nan  # self-locking: the drive cannot overcome what it presses together
+    return found
+
+
+def _ideal(rows: Rows, friction: tuple[Action, ...]) -> Reactions:
+    """Return the reactions where friction is known."""
+    return replace(react_to(rows, (*actions_of(rows), *friction)), friction=friction)
+
+
+def react_to(rows: Rows, actions: tuple[Action, ...]) -> Reactions:
+    """Return the reactions to known forces and couples."""
+    scheme, length, matrix = rows.scheme, rows.length, matrix_of(rows)
+    wrench = wrenches(rows, actions)
+    right = np.zeros(matrix.shape[:2])
+    right[:, : 3 * len(scheme.bodies)] = -wrench.reshape(rows.count, -1)
+    moments = np.arange(2, 3 * len(scheme.bodies), 3)
+    couples = np.array([one.direction.kind == "couple" for one in scheme.unknowns], dtype=bool)
+    matrix[:, moments] /= length
+    right[:, moments] /= length
+    matrix[:, :, couples] *= length
+    values, condition = solve(matrix, right)
+    names, partly = names_of(scheme.unknowns), {}
+    for place, (one, name) in enumerate(zip(scheme.unknowns, names, strict=True)):
+        if one.direction.kind == "x" and np.isnan(values[:, place : place + 2]).any():
+            partly[name.removesuffix("x")] = _across(
+                matrix, right, np.asarray(np.isnan(values[:, place : place + 2]).all(axis=1)), place
+            )
+    values[:, couples] *= length
+    return Reactions(names, values, wrench, matrix, condition, length, partly)
+
+
+def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
+    """Return the unknowns (n, k), nan where they are not unique, and the condition (n,) of the matrices (n, m, k)."""
+    count, m, k = matrix.shape
+    if m == k:
+        both = np.concatenate([right[..., None], np.broadcast_to(np.eye(m), matrix.shape)], axis=-1)
+        try:
+            found = np.linalg.solve(matrix, both)
+        except np.linalg.LinAlgError:
+            found = np.full(both.shape, np.nan)
+        condition = np.abs(matrix).sum(axis=1).max(axis=1) * np.abs(found[..., 1:]).sum(axis=1).max(axis=1)
+        values = found[..., 0]
+    else:
+        values, condition = np.full((count, k), np.nan), np.full(count, np.inf)
+    for row in np.flatnonzero(~(condition < _SINGULAR)).tolist():
+        values[row] = unique(matrix[row], right[row])
+        condition[row] = np.inf
+    return values, condition
+
+
+def unique(matrix: Array, right: Array) -> Array:
+    """Return the unknowns (k,) of equations that do not determine them all: nan where the null vectors do not vanish."""
+    found, null = least(matrix, right)
+    found = np.where(np.abs(null).max(axis=0, initial=0.0) > _NULL, np.nan, found)
+    return np.asarray(found)
+
+
+def least(matrix: Array, right: Array) -> tuple[Array, Array]:
+    """Return the smallest unknowns (k,) that fulfil equations, nan where none do, and the null vectors (r, k)."""
+    u, sizes, v = np.linalg.svd(matrix)
+    rank = int((sizes > sizes.max(initial=0.0) * _RANK).sum())
+    found = v[:rank].T @ ((u.T[:rank] @ right) / sizes[:rank])
+    if np.abs(matrix @ found - right).max(initial=0.0) > _CLOSED * np.abs(right).max(initial=0.0):
+        found = np.full(len(found), np.nan)  # no force could hold it there
+    return np.asarray(found), np.asarray(v[rank:])
+
+
+def _across(matrix: Array, right: Array, rows: Flags, place: int) -> tuple[Array, Array]:
+    """Return of a force in columns `place` and the next the component (n,) that is unique, and its angle (n,); nan for none."""
+    value, angle = np.full(len(matrix), np.nan), np.full(len(matrix), np.nan)
+    for row in np.flatnonzero(rows).tolist():
+        found, null = least(matrix[row], right[row])
+        _, sizes, v = np.linalg.svd(null[:, place : place + 2])
+        if len(sizes) < 2 or sizes[1] < _NULL:
+            across = v[1] if v[1, 1] > 0 or (v[1, 1] == 0 and v[1, 0] > 0) else -v[1]
+            value[row], angle[row] = across @ found[place : place + 2], np.arctan2(across[1], across[0])
+    return value, angle

@@ -1,0 +1,212 @@
+"""What forces are computed from, in all rows of a motion at once: places, velocities and accelerations of the bodies.
+
+Enters: equations, a `ForceScheme`, a motion with its accelerations.  Leaves: `Rows`; vectors are complex, x + iy, SI.
+Used by `effects.py`, `kinetostatics.py`, `virtual_power.py`, `energy.py` and `analysis.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from coursework.effects.force_scheme import Body, ForceScheme, Unknown
+from coursework.equations.algebra.calculus import derivative as derivative_by
+from coursework.equations.algebra.expression import Expression, add
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import placed, symbol
+from coursework.motion.geometry.time_derivatives import compile_rows, derivative, second_rate
+from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array, Complex
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.forces import DISC, ROD
+
+# Level of a value: where it is, how fast it changes, how fast that changes.
+PLACE, RATE, SECOND = 0, 1, 2
+Wanted = tuple[Formula, bool, int | str]  # a formula, whether it is a vector, a level, or the coordinate it is derived by
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """The numbers of every row (n,): of formulas by level, and the analogs of the centres by coordinate (n,) complex."""
+
+    motion: Motion
+    scheme: ForceScheme
+    values: Mapping[Wanted, Any]
+    turning: Mapping[str, tuple[Array, Array]]
+    slopes: Mapping[tuple[str, str], Complex]
+
+    @property
+    def count(self) -> int:
+        """Return how many rows there are."""
+        return len(self.motion.t)
+
+    def vector(self, formula: Formula, level: int | str = PLACE) -> Complex:
+        """Return a point, its velocity or its acceleration (n,) complex, m, m/s, m/s²."""
+        found: Complex = self.values[formula, True, level]
+        return found
+
+    def scalar(self, formula: Formula | None) -> Array:
+        """Return a number (n,), 0 where the file gives none."""
+        found: Array = np.zeros(self.count) if formula is None else self.values[formula, False, PLACE]
+        return found
+
+    def along(self, unknown: Unknown) -> Complex:
+        """Return the force (n,) complex that one of an unknown is: a unit vector, or that of a couple on an arm (1/m)."""
+        direction = unknown.direction
+        if direction.kind == "slope" and unknown.at is not None:
+            return np.asarray(1 / np.conj(self.vector(unknown.at, direction.coordinate)))
+        if direction.kind in {"x", "y"}:
+            return np.full(self.count, 1.0 if direction.kind == "x" else 1j, dtype=complex)
+        if direction.through is not None:
+            way = self.vector(direction.through[1]) - self.vector(direction.through[0])
+            unit: Complex = way / np.abs(way)
+        else:
+            unit = np.exp(1j * self.scalar(direction.angle))
+        return unit * {"along": 1, "across": 1j, "tangent": -1j}[direction.kind]
+
+    def omega(self, body: Body) -> Array:
+        """Return the angular velocity (n,) rad/s."""
+        return self.turns[body.name][0]
+
+    def epsilon(self, body: Body) -> Array:
+        """Return the angular acceleration (n,) rad/s²."""
+        return self.turns[body.name][1]
+
+    @cached_property
+    def turns(self) -> dict[str, tuple[Array, Array]]:
+        """The angular velocity and acceleration of each body."""
+        return {body.name: self._turn(body) for body in self.scheme.bodies}
+
+    def _turn(self, body: Body) -> tuple[Array, Array]:
+        if body.rate:
+            return self.turning[body.rate]
+        still = np.zeros(self.count)
+        if body.span is None or body.span[0] == body.span[1] or (body.span[1], True, SECOND) not in self.values:
+            return still, still
+        way, rate, second = (self.vector(body.span[1], level) - self.vector(body.span[0], level) for level in (0, 1, 2))
+        omega = (np.conj(way) * rate).imag / np.abs(way) ** 2
+        return omega, (np.conj(way) * second).imag / np.abs(way) ** 2
+
+    def mass(self, body: Body) -> Array:
+        """Return the mass (n,) kg."""
+        return self.scalar(body.mass)
+
+    def inertia(self, body: Body) -> Array:
+        """Return the moment of inertia about the centre of mass (n,) kg m², that of a flywheel on the body included."""
+        wheel = self.scheme.forces.flywheel
+        turning = wheel is not None and wheel.inertia is not None and self.scheme.body_named(wheel.on) == body.name
+        added = self.scalar(wheel.inertia) if wheel is not None and turning else 0.0
+        if isinstance(body.inertia, str):
+            assert body.span is not None
+            length = np.abs(self.vector(body.span[1]) - self.vector(body.span[0]))
+            found: Array = self.mass(body) * length**2 * {ROD: 1 / 12, DISC: 1 / 2}[body.inertia] + added
+            return found
+        return np.asarray(self.scalar(body.inertia) + added)
+
+    @cached_property
+    def length(self) -> float:
+        """A length of the mechanism (m): how far its joints are apart at most."""
+        places = [self.vector(one.at) for one in self.scheme.unknowns if one.at is not None]
+        return float(max((np.abs(one - places[0]).max(initial=0.0) for one in places), default=0.0)) or 1.0
+
+
+def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
+    """Yield every value that the forces of a scheme are computed from."""
+    for unknown in scheme.unknowns:
+        if unknown.at is not None:
+            yield unknown.at, True, PLACE
+        if unknown.direction.angle is not None:
+            yield unknown.direction.angle, False, PLACE
+        for point in unknown.direction.through or ():
+            yield point, True, PLACE
+        if unknown.is_drive and unknown.at is not None:
+            yield unknown.at, True, RATE
+            if unknown.direction.coordinate:
+                yield unknown.at, True, unknown.direction.coordinate
+    for body in scheme.bodies:
+        for level in (PLACE, RATE, SECOND):
+            yield body.centre, True, level
+        if body.span is not None:
+            levels = (PLACE,) if body.rate else (PLACE, RATE, SECOND)
+            yield from ((point, True, level) for point in body.span for level in levels)
+        for formula in (body.mass, body.inertia):
+            if isinstance(formula, Formula):
+                yield formula, False, PLACE
+    forces = scheme.forces
+    yield from ((part, False, PLACE) for part in forces.gravity or ())
+    for load in (*forces.loads, *(forces.motor.torques if forces.motor else ())):
+        if load.at is not None and load.force is not None:
+            yield from ((load.at, True, PLACE), (load.at, True, RATE), (load.force, True, PLACE))
+        if load.torque is not None:
+            yield load.torque, False, PLACE
+    for spring in forces.springs:
+        yield from ((Formula("name", name=end), True, level) for end in spring.ends for level in (PLACE, RATE))
+        yield from ((one, False, PLACE) for one in (spring.stiffness, spring.free, spring.damping) if one is not None)
+    for rubs in forces.friction:
+        yield from ((one, False, PLACE) for one in (rubs.coefficient, rubs.radius, rubs.length, rubs.arm) if one is not None)
+    for name in (*(mass.body for mass in forces.masses), *(load.on for load in forces.loads)):
+        if (own := scheme.own_point(name)) is not None:
+            yield from ((own, True, PLACE), (own, True, RATE))
+    if forces.flywheel is not None:
+        yield from ((one, False, PLACE) for one in (forces.flywheel.inertia, forces.flywheel.unevenness) if one is not None)
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """What `Rows` are made of, compiled once for a mechanism."""
+
+    scheme: ForceScheme
+    equations: VelocityEquations
+    wanted: tuple[Wanted, ...]
+    expressions: tuple[Expression, ...]
+
+    def rows(self, motion: Motion, second: Array) -> Rows:
+        """Return the numbers of a motion's rows with their accelerations (n, k)."""
+        compiled = compile_rows(self.equations, self.expressions, 2)
+        columns = iter(compiled(motion.t, motion.coordinates, motion.velocities, second).T)
+        values = {
+            one: next(columns) + 1j * next(columns) if one[1] else next(columns) for one in self.wanted
+        }  # fmt: skip
+        turning = {rate: (next(columns), next(columns)) for rate in _rates(self.scheme)}
+        slopes = {
+            (body.name, c.name): next(columns) + 1j * next(columns)
+            for body in self.scheme.bodies
+            for c in self.equations.variant.coordinates
+        }
+        return Rows(motion, self.scheme, values, turning, slopes)
+
+
+def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Program:
+    """Return the program of a scheme.  Raises `InputError` where a formula of the forces has no value."""
+    wanted = tuple(dict.fromkeys(wanted_of(scheme)))
+    symbols, found = equations.symbols, list[Expression]()
+
+    def raised(expr: Expression, level: int | str) -> Expression:
+        if isinstance(level, str):
+            return symbols.partial(expr, symbol(level))
+        rate = symbols.rate(expr) if level else expr
+        return again(rate) if level == SECOND else rate
+
+    def again(rate: Expression) -> Expression:
+        # Free rates stand for drives that say nothing of how they change: forces do.
+        free = scheme.forces.motor.rates if scheme.forces.motor else ()
+        return add(second_rate(equations, rate), *[derivative_by(rate, symbol(name)) * derivative(name) for name in free])
+
+    for formula, is_vector, level in wanted:
+        with placed(equations.variant, "forces", 1):
+            parts = symbols.vector(formula) if is_vector else (symbols.scalar(formula),)
+            found += [raised(part, level) for part in parts]
+    for rate in _rates(scheme):
+        found += [symbol(rate), again(symbol(rate))]
+    for body in scheme.bodies:
+        centre = symbols.vector(body.centre)
+        found += [symbols.partial(part, symbol(c.name)) for c in equations.variant.coordinates for part in centre]
+    return Program(scheme, equations, wanted, tuple(found))
+
+
+def _rates(scheme: ForceScheme) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(body.rate for body in scheme.bodies if body.rate))

@@ -1,0 +1,231 @@
+"""What a mechanism and its masses are for Newton's laws, or every fault of the masses in one go.
+
+Enters: a `Mechanism` whose variant names masses or forces.  Leaves: `ForceScheme`, still in formulas.  Raises `InputError`.
+Used by `analysis.py` and `draft.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
+from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, Joint
+from coursework.mechanism.joints import FRAME, with_sliders
+from coursework.mechanism.mechanism import Mechanism
+from coursework.mechanism.structure import Bodies, fitting_linkage, in_order
+from coursework.variant.formula.tree import Formula, named, number
+from coursework.variant.record.entries import reached
+from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
+from coursework.variant.record.variant import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
+
+
+def read_scheme(mechanism: Mechanism) -> ForceScheme:
+    """Return bodies and unknown forces.  Raises `InputError` with every fault of the masses."""
+    variant, forces = mechanism.variant, mechanism.variant.forces
+    if forces is None:
+        raise InputError([Fault(say("fault.V721"), variant.file, 1)])
+    return _scheme(mechanism, forces)
+
+
+def scheme_without_masses(mechanism: Mechanism) -> ForceScheme:
+    """Return bodies and unknown forces of a mechanism whose file names no masses yet."""
+    return _scheme(mechanism, Forces())
+
+
+def _scheme(mechanism: Mechanism, forces: Forces) -> ForceScheme:
+    variant, found = mechanism.variant, fitting_linkage(mechanism)
+    if found is None:
+        raise InputError([Fault(say("fault.V722"), variant.file, 1)])
+    weighed = {one.body for one in forces.masses} | {load.on for load in forces.loads}
+    blocks = with_sliders(found, lambda joint: bool(variant.groups) or (joint.where is not None and joint.where.name in weighed))
+    return _Reader(mechanism, Bodies(mechanism, blocks), forces).scheme()
+
+
+@dataclass(slots=True)
+class _Reader:
+    mechanism: Mechanism
+    bodies: Bodies
+    forces: Forces
+    faults: list[Fault] = field(default_factory=list)
+
+    @property
+    def variant(self) -> Variant:
+        return self.mechanism.variant
+
+    def scheme(self) -> ForceScheme:
+        called = self.bodies.called
+        masses = {body: mass for mass in self.forces.masses if (body := self.body_of(mass.body, ("masses", mass.body)))}
+        for load in (*self.forces.loads, *(self.forces.motor.torques if self.forces.motor else ())):
+            self.body_of(load.on, ("forces" if load in self.forces.loads else "motor", load.name))
+        bodies = tuple(self.body(called[body], body, masses.get(called[body])) for body in self.in_order())
+        pins, unknowns = self.joints()
+        groups = tuple(tuple(in_order(called[body] for body in some)) for some, _ in self.bodies.sets())
+        holds = {called[body]: points for body, points in self.bodies.points().items()}
+        if self.faults:
+            raise InputError(self.faults)
+        return ForceScheme(bodies, pins, (*unknowns, *self.drives()), groups, self.forces, holds)
+
+    def in_order(self) -> list[str]:
+        names = {self.bodies.called[body]: body for body in self.bodies.linkage.bodies}
+        return [names[name] for name in in_order(names)]
+
+    def fault(self, path: tuple[str, ...], message: Sentence) -> None:
+        line = next((self.forces.lines[path[:k]] for k in range(len(path), 0, -1) if path[:k] in self.forces.lines), 1)
+        self.faults.append(Fault(message, self.variant.file, line, 0, ".".join(path)))
+
+    def body_of(self, name: str, path: tuple[str, ...]) -> str:
+        """Return what the body is called that a key of the file means: a link, or a block by its point; "" after a fault."""
+        names = {self.bodies.called[body] for body in self.bodies.linkage.bodies}
+        if name in names:
+            return name
+        sliding = {joint.bodies[0] for joint in self.bodies.linkage.joints if joint.kind.slides}
+        for body, points in self.bodies.points().items():
+            if name in points and body in sliding:
+                return self.bodies.called[body]
+        self.fault(path, say("fault.V723", name=name, hint=closest(name, sorted(names)), known=", ".join(in_order(names))))
+        return ""
+
+    def body(self, name: str, body: str, mass: Mass | None) -> Body:
+        link = next((link for link in self.variant.links if link.name == body and not self.bodies.linkage.coordinates), None)
+        points = [named(point) for point in self.bodies.points()[body]]
+        rate = self.rate_of(body)
+        span = None
+        if link is not None and link.wheel and link.contact:
+            span = named(link.wheel), named(link.contact)
+        elif len(points) > 1:
+            span = points[0], points[1]
+        centre, path = mass.centre if mass else None, ("masses", mass.body if mass else name)
+        if centre is None:
+            if link is not None and link.wheel:
+                centre = named(link.wheel)
+            elif mass is not None and len(points) > 2:
+                self.fault(path, say("fault.V724", name=name, points=", ".join(point.name for point in points)))
+            elif len(points) == 2:
+                centre = Formula("/", (Formula("+", (points[0], points[1])), number(2)))
+        centre = centre or (points[0] if points else Formula("pair", (number(0), number(0))))
+        turns = bool(rate) or (link is not None and link.rate is None and span is not None and not link.slides)
+        inertia = mass.inertia if mass else None
+        if mass is not None and inertia is None and turns:
+            self.fault(path, say("fault.V725", name=name))
+        if inertia in {ROD, DISC} and (span is None or (inertia == ROD and len(points) != 2)):
+            self.fault(path, say("fault.V726", name=name, shape=inertia))
+        return Body(name, rate, centre, mass.mass if mass else None, None if inertia == POINT else inertia, span)
+
+    def rate_of(self, body: str) -> str:
+        """Return the rate a body turns with: its own, or that of the guide in which it cannot turn; "" for none."""
+        rates, units = self.bodies.rates(), {c.rate: c.unit for c in self.variant.coordinates}
+        rate = rates.get(body, "")
+        if rate and units.get(rate, "rad") == "rad":
+            return rate
+        for joint in self.bodies.linkage.joints:
+            if joint.kind is PRISMATIC and joint.bodies[0] == body and joint.bodies[1] != FRAME:
+                return self.rate_of(joint.bodies[1])
+        return ""
+
+    def joints(self) -> tuple[tuple[str, ...], list[Unknown]]:
+        """Return the pins of more than two links, and the unknowns of all joints in the order of the joints."""
+        pins: list[str] = []
+        found: list[Unknown] = []
+        for joint in self.bodies.linkage.joints:
+            if not joint.pins:
+                found += self.sliding(joint) if joint.kind.slides else self.rolling(joint)
+                continue
+            point = self.bodies.point(joint)
+            held = self.bodies.hinges()[point] if point else set(joint.bodies)
+            names = in_order(self.bodies.called[body] for body in held)
+            if point in pins:
+                continue
+            if joint.where is None:
+                self.fault(("points",), say("fault.V727", names=" – ".join(names)))
+                continue
+            pairs = [(f"R{_pair(*names[:2])}", names[1], names[0])]
+            if len(names) > 2:
+                pins.append(point)
+                pairs = [(f"R{_pair(point, name)}", name, point) for name in names]
+            found += [Unknown(f"{name}{axis}", on, off, joint.where, Direction(axis)) for name, on, off in pairs for axis in "xy"]
+        return tuple(pins), found
+
+    def sliding(self, joint: Joint) -> Iterator[Unknown]:
+        block, guide = (self.bodies.called[body] for body in joint.bodies)
+        across = Direction("across", joint.along, None if joint.along is not None else self.line_of(joint.bodies[1]))
+        yield Unknown(f"N{_pair(guide, block)}", block, guide, joint.where, across)
+        if joint.kind is not PIN_IN_GUIDE:
+            yield Unknown(f"K{_pair(guide, block)}", block, guide, None, Direction("couple"))
+
+    def line_of(self, bar: str) -> tuple[Formula, Formula]:
+        points = [named(point) for point in self.bodies.points()[bar]]
+        if len(points) < 2:
+            self.fault(("links", bar), say("fault.V728", name=bar))
+            return (named(self.variant.points[0][0]),) * 2
+        return points[0], points[1]
+
+    def rolling(self, joint: Joint) -> Iterator[Unknown]:
+        first, second = (self.bodies.called[body] for body in joint.bodies)
+        off, on = in_order((first, second))
+        contact = joint.where
+        rail = next((angle for through, angle in self.variant.frame.rails if through == contact), None)
+        along, across = Direction("along", rail), Direction("across", rail)
+        if rail is None and contact is not None:
+            wheels = {link.name: link.wheel for link in self.variant.links if link.wheel}
+            to_centre = contact, named(wheels.get(on) or wheels[first])
+            along, across = Direction("tangent", None, to_centre), Direction("along", None, to_centre)
+        yield Unknown(f"T{_pair(off, on)}", on, off, contact, along)
+        if joint.kind is not MESHING:
+            yield Unknown(f"N{_pair(off, on)}", on, off, contact, across)
+
+    def drives(self) -> Iterator[Unknown]:
+        """Yield what moves the mechanism: a couple for each driven rate, a force for a slide or the parts of a driven point."""
+        variant, rates, called = self.variant, self.bodies.rates(), self.bodies.called
+        several = len(variant.known_rates) > 1
+        sliding = {link.name for link in variant.links if link.slides}
+        for rate in variant.known_rates:
+            body = next((body for body, own in rates.items() if own == rate and body not in sliding), None)
+            if body is None:
+                yield self.arm(rate, f"M{rate if several else ''}")
+                continue
+            name = called[body]
+            slide = next((j for j in self.bodies.linkage.joints if j.kind.slides and j.bodies[0] == body), None)
+            if next(c.unit for c in variant.coordinates if c.rate == rate) == "m" and slide is not None:
+                through = None if slide.along is not None else self.line_of(slide.bodies[1])
+                along = Direction("along", slide.along, through)
+                yield Unknown(f"F{name if several else ''}", name, called[slide.bodies[1]], slide.where, along, rate)
+            else:
+                couple = Direction("couple")
+                yield Unknown(f"M{name if several else ''}", name, called[self.stands_on(body)], None, couple, rate)
+        if variant.driven:
+            holders = [body for body, points in self.bodies.points().items() if variant.driven in points and body != FRAME]
+            for axis in "xy":
+                velocity = f"V{variant.driven}{axis}"
+                if holders and any(law.name == velocity for law in variant.drive):
+                    name = f"F{variant.driven}{axis}"
+                    yield Unknown(name, called[holders[0]], FRAME, named(variant.driven), Direction(axis), velocity)
+
+    def arm(self, rate: str, name: str) -> Unknown:
+        """Return the couple of a driven rate that no link has: it turns an arm, whose end a link holds."""
+        variant = self.variant
+        coordinate, points = next(c.name for c in variant.coordinates if c.rate == rate), dict(self.mechanism.points)
+        wheels = [(link.name, link.wheel) for link in variant.links if link.wheel]
+        held = wheels + [(body, point) for body, names in self.bodies.points().items() if body != FRAME for point in names]
+        for body, point in held:
+            if coordinate in reached([point], points):
+                return Unknown(
+                    name, self.bodies.called[body], FRAME, named(point), Direction("slope", coordinate=coordinate), rate
+                )
+        raise InputError([Fault(say("fault.V729", name=rate), variant.file, variant.nearest_line("drive", rate))])
+
+    def stands_on(self, body: str) -> str:
+        """Return the body from which a turning body is driven: the frame if it is hinged there, else its neighbour."""
+        others = [
+            other for joint in self.bodies.linkage.joints if joint.pins and body in joint.bodies
+            for other in joint.bodies if other != body
+        ]  # fmt: skip
+        return FRAME if FRAME in others or not others else others[0]
+
+
+def _pair(first: str, second: str) -> str:
+    """Return what stands behind a letter for two links: 12, or 1_12 where a name is longer than a letter."""
+    return first + second if len(first) == len(second) == 1 else f"{first}_{second}"

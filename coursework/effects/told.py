@@ -1,0 +1,74 @@
+"""What is told of the forces of a run: which effects are on and why the others are not, and what run.json keeps of them.
+
+Enters: a `Variant`, a `ForceAnalysis`.  Leaves: sentences, plain data.
+Used by `commands/run.py`, `motion_results.py` and `report/output/record.py`.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.effects import EFFECTS
+from coursework.effects.flywheel import find_flywheel
+from coursework.results.kinematics.extra import ExtraTable
+from coursework.variant.record.variant import Variant
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+
+def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence]:
+    """Return which effects a file turns on, which not and why, and what a row costs; nothing of a file without forces."""
+    forces = variant.forces
+    if forces is None:
+        return []
+    lines = [say("plan.effects")]
+    for effect in EFFECTS:
+        on = effect.named(forces)
+        lines.append(
+            say("plan.line", name=f"{effect.name:<20}", why=say("plan.on" if on else "plan.off", section=effect.section))
+        )
+    if found is not None:
+        _, equations, unknowns = found.reactions.matrix.shape
+        lines.append(say("plan.forces_cost", equations=equations, unknowns=unknowns, count=len(found.rows.scheme.bodies)))
+    return lines
+
+
+def dynamics_table(found: ForceAnalysis) -> ExtraTable:
+    """Return the columns of `dynamics.csv`: coordinates, rates, and kinetic and potential energy together."""
+    motion, variant = found.rows.motion, found.equations.variant
+    names = (*motion.coordinate_names, *variant.rates)
+    energy = found.energy.kinetic + found.energy.potential
+    rows = np.column_stack([motion.t, *(motion.column(name) for name in names), energy])
+    units = ("s", *(variant.unit_of(name) for name in names), "J")
+    return ExtraTable(say("extra.dynamics"), ("t", *names, "energy"), units, rows)
+
+
+def force_record(found: ForceAnalysis, period: float | None) -> dict[str, Any]:
+    """Return what run.json says of the forces: the largest reaction and its row, the mean torque, the flywheel, agreements."""
+    reactions = found.reactions
+    known = np.nan_to_num(np.abs(reactions.rows[:, : len(reactions.names) - len(found.drive_names)]))
+    row, column = np.unravel_index(int(np.argmax(known)), known.shape) if known.size else (0, 0)
+    wheel = find_flywheel(found, period)
+    return {
+        "scale": reactions.largest,
+        "largest": {"name": reactions.names[int(column)], "row": int(row) + 1, "value": float(known.max(initial=0.0))},
+        "not_unique": [n for n, of in zip(reactions.names, reactions.rows.T, strict=True) if np.isnan(of).any()],
+        "mean_moment": None if wheel is None else wheel.mean,
+        "excess": None if wheel is None else wheel.excess,
+        "crossings": [] if wheel is None else list(wheel.crossings),
+        "J_f": None if wheel is None else wheel.needed,
+        "agreement": {
+            "virtual_power": _share(found.by_power, reactions.rows[:, len(reactions.names) - len(found.drive_names) :], found),
+            "groups": _share(found.by_groups, reactions.rows, found),
+        },
+    }
+
+
+def _share(other: Any, own: Any, found: ForceAnalysis) -> float | None:
+    """Return how far two ways are apart, as a share of the largest force; None where one of them is not known."""
+    if other is None or not own.size or not found.reactions.largest or not np.isfinite(own).all():
+        return None
+    return float(np.abs(other - own).max() / found.reactions.largest)

@@ -1,0 +1,100 @@
+"""What drives the mechanism, without one reaction: the power of all forces over the motions that each drive alone would make.
+
+Enters: `Rows`, equations.  Leaves: the driving couples and forces (n, drives).  Computed on request only.
+Used by `analysis.py`.
+
+A u + B v = 0 gives the velocities u that a unit of each drive v makes; sum F V + M w + F_d = 0 over each (Zhukovsky's lever is
+the same sum, drawn).  A and B are those of the geometry: written equations may have dropped a drive that is 0.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from coursework.effects.force_scheme import drives_of
+from coursework.effects.rows import Rows
+from coursework.equations.algebra.calculus import derivative
+from coursework.equations.algebra.expression import Expression
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.symbolic import symbol
+from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.system.arrays import Array
+
+
+def geometric(equations: VelocityEquations) -> list[VelocityEquation]:
+    """Return the velocity equations that follow from points, links and closures, none that was written."""
+    derived = [one for one in equations.equations if one.written is None]
+    return [*derived, *equations.from_closure, *equations.bound]
+
+
+def unit_motions(rows: Rows, equations: VelocityEquations) -> Array | None:
+    """Return the velocities (n, names, drives) of unknowns and driven rates that a unit of each drive makes.
+
+    The names are `equations.unknowns`, then the driven rates; None where the geometry does not give all velocities.
+    """
+    drives, names = [one.is_drive for one in drives_of(rows.scheme)], equations.unknowns
+    own, motion = geometric(equations), rows.motion
+    if len(own) < len(names) or not drives:
+        return None
+    wanted: list[Expression] = []
+    for one in own:
+        wanted += [one.coefficients.get(name, symbol("t") * 0) for name in names]
+        wanted += [derivative(one.right_side, symbol(drive)) for drive in drives]
+    found = compile_rows(equations, wanted, 0)(motion.t, motion.coordinates)
+    found = found.reshape(rows.count, len(own), len(names) + len(drives))
+    matrix, right = found[..., : len(names)], found[..., len(names) :]
+    known = [[float(drive == rate) for drive in drives] for rate in equations.variant.known_rates]
+    driven = np.broadcast_to(np.array(known).reshape(-1, len(drives)), (rows.count, len(known), len(drives)))
+    if len(own) == len(names):
+        try:
+            return np.concatenate([np.linalg.solve(matrix, right), driven], axis=1)
+        except np.linalg.LinAlgError:
+            return None
+    if np.linalg.matrix_rank(matrix).min(initial=len(names)) < len(names):
+        return None
+    return np.concatenate([np.linalg.pinv(matrix) @ right, driven], axis=1)
+
+
+def twists(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array:
+    """Return for each body the velocity of its centre and its rate (n, bodies, 3, k) that velocities (n, names, k) make."""
+    names = [*equations.unknowns, *equations.variant.known_rates]
+    place = {name: velocities[:, index] for index, name in enumerate(names)}
+    found = np.zeros((rows.count, len(rows.scheme.bodies), 3, velocities.shape[-1]))
+    for index, body in enumerate(rows.scheme.bodies):
+        way: Any = sum(
+            rows.slopes[body.name, c.name][:, None] * place[c.rate] for c in equations.variant.coordinates if c.rate in place
+        )  # fmt: skip
+        found[:, index, 0], found[:, index, 1] = np.real(way), np.imag(way)
+        if body.rate in place:
+            found[:, index, 2] = place[body.rate]
+    return found
+
+
+def drive_by_power(rows: Rows, equations: VelocityEquations, wrench: Array) -> Array | None:
+    """Return what each drive must do (n, drives) against wrenches (n, bodies, 3); None where the geometry does not tell."""
+    velocities = unit_motions(rows, equations)
+    if velocities is None or any(not body.rate and body.span for body in rows.scheme.bodies if _turns_unnamed(rows, body.name)):
+        return None
+    needed = -np.einsum("nbi,nbik->nk", wrench, twists(rows, equations, velocities))
+    return np.asarray(np.linalg.solve(_shares(rows, equations, velocities), needed[..., None])[..., 0])
+
+
+def _turns_unnamed(rows: Rows, name: str) -> bool:
+    return bool(np.any(rows.turns[name][0])) and not next(body.rate for body in rows.scheme.bodies if body.name == name)
+
+
+def _shares(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array:
+    """Return the power (n, k, drives) of a unit of each driving force over each unit motion: what stands between two links
+    that both move has the power of their difference.
+    """
+    drives = drives_of(rows.scheme)
+    found = np.zeros((rows.count, len(drives), len(drives)))
+    found[:] = np.eye(len(drives))
+    moves = twists(rows, equations, velocities)
+    places = {body.name: index for index, body in enumerate(rows.scheme.bodies)}
+    for column, drive in enumerate(drives):
+        if drive.direction.kind == "couple" and drive.off in places:
+            found[:, :, column] -= moves[:, places[drive.off], 2]
+    return found

@@ -1,0 +1,75 @@
+"""Forces as answers: what is right on the exact rows and on the assigned table, and what each slip would give.
+
+Enters: a variant with masses.  Leaves: `ForceKey`.  Imported for a rubric that asks for forces only.
+Used by `key.py` and `rubric.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from coursework.api import solve
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.force_scheme import names_of
+from coursework.effects.misread import slipped
+from coursework.effects.scheme import read_scheme
+from coursework.mechanism.mechanism import build
+from coursework.motion.schemes import DEFAULT_SCHEME
+from coursework.system.arrays import Array
+from coursework.variant.record.variant import Variant
+
+
+def force_names(variant: Variant) -> tuple[str, ...]:
+    """Return the forces that can be asked for: components, couples, and sizes by the name without x and y."""
+    if variant.forces is None:
+        return ()
+    names = names_of(read_scheme(build(variant)).unknowns)
+    sizes = dict.fromkeys(name[:-1] for name in names if name[-1] in "xy" and name[0] in "RF")
+    return (*names, *sizes)
+
+
+@dataclass(frozen=True, eq=False)
+class ForceKey:
+    """The forces of a variant: `exact`, by the assigned scheme (`table`), and by each slip on the exact rows."""
+
+    variant: Variant
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The forces that can be asked for."""
+        return force_names(self.variant)
+
+    @cached_property
+    def _both(self) -> tuple[ForceAnalysis, ForceAnalysis]:
+        results = solve(self.variant, DEFAULT_SCHEME.name, quantities=["forces"]).results
+        return results.exact_forces or results.forces, results.forces
+
+    def right(self, name: str, row: int) -> tuple[float, float, float]:
+        """Return a force in a row (from 0) of the exact motion and of the table, and the largest of its kind there."""
+        exact, table = self._both
+        values = [_of(found.reactions.names, found.reactions.rows, name, row) for found in (exact, table)]
+        couple = name[0] in "MK"
+        alike = [
+            abs(float(value)) for one, value in zip(exact.reactions.names, exact.reactions.rows[row], strict=True)
+            if (one[0] in "MK") == couple and np.isfinite(value)
+        ]  # fmt: skip
+        return values[0], values[1], max(alike, default=abs(values[0]))
+
+    def slips(self, name: str, row: int) -> Mapping[str, float]:
+        """Return what each slip gives."""
+        exact, _ = self._both
+        return {code: _of(exact.reactions.names, rows, name, row) for code, rows in self._slipped.items()}
+
+    @cached_property
+    def _slipped(self) -> dict[str, Array]:
+        return slipped(self._both[0])
+
+
+def _of(names: tuple[str, ...], rows: Array, name: str, row: int) -> float:
+    if name in names:
+        return float(rows[row, names.index(name)])
+    return float(np.hypot(*(rows[row, names.index(f"{name}{axis}")] for axis in "xy")))

@@ -1,0 +1,114 @@
+"""Graphs of forces: what drives against time with its mean, and the reaction in each pin as a polar curve.
+
+Enters: a `PageContext`, a `ForceAnalysis`.  Leaves: figures of panels.  Used by `report/sections/forces.py`.
+"""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy as np
+
+from coursework.effects.analysis import ForceAnalysis
+from coursework.report.graphs.graph_paper import (
+    BOTTOM,
+    EXACT_PEN,
+    FAINT,
+    INK,
+    LEFT,
+    RIGHT,
+    SCHEME_INK,
+    SCHEME_PEN,
+    TOP,
+    axes,
+    field_for,
+    letters,
+    round_ticks,
+    sheet,
+    tick_texts,
+    way,
+    words,
+)
+from coursework.report.graphs.graph_paper import Field as Paper
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Panel, Panels, Part
+from coursework.system.arrays import Array
+
+SIZE, SQUARE = (82.0, 34.0), (82.0, 66.0)  # mm
+MOST = 6  # polar curves of one figure
+MEAN_PEN = f'stroke="{INK}" stroke-width="0.2" stroke-dasharray="2 1"'
+
+
+def force_graphs(context: PageContext, found: ForceAnalysis) -> list[Part]:
+    """Return the drives against time, then the polar curves of the reactions."""
+    if found.rows.count < 3:
+        return []
+    exact = context.run.results.exact_forces
+    parts: list[Part] = []
+    panels = [_over_time(context, found, exact, name) for name in found.drive_names]
+    if panels:
+        caption = context.words("forces.graph", symbols=context.symbol_list(found.drive_names))
+        parts.append(Panels("forces-drive", *SIZE, [], panels, context.lettered(caption)))
+    pairs = [name[:-1] for name in found.reactions.names if name[0] == "R" and name.endswith("x")]
+    curves = [curve for pair in pairs if (curve := _polar(context, found, pair)) is not None]
+    for first in range(0, len(curves), MOST):
+        shown = curves[first : first + MOST]
+        parts.append(Panels(f"forces-polar-{first // MOST + 1}", *SQUARE, [], shown, context.say("forces.polar")))
+    return parts
+
+
+def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis | None, name: str) -> Panel:
+    t, values = found.rows.motion.t, found.column(name)
+    true_t, true = (exact.rows.motion.t, exact.column(name)) if exact is not None else (np.zeros(0), np.zeros(0))
+    unit = context.unit(found.units[found.names.index(name)])
+    field = field_for(SIZE, [t, true_t], [values, true], context.numbers)
+    symbol = context.symbol(name)
+    label = letters(symbol) + escape(context.words.behind(unit))
+    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
+    inside = axes(field, context.numbers, label, time)
+    if len(true):
+        inside += f'<path {EXACT_PEN} d="{field.path(true_t, true)}"/>'
+    if exact is not found:
+        inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
+    mean = float(np.nanmean(true if len(true) else values))
+    inside += f'<path {MEAN_PEN} d="M{field.left:g} {field.y(mean):.2f}H{field.width - RIGHT:g}"/>'
+    low, high = (context.quantity(float(end), unit, 4) for end in (np.nanmin(values), np.nanmax(values)))
+    return Panel(name, sheet(field, inside), context.words("graphs.alt_rows", symbol=symbol.text, low=low, high=high))
+
+
+def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | None:
+    """Return the curve of a reaction, its x and y to one scale, from the origin."""
+    x, y = found.column(f"{pair}x"), found.column(f"{pair}y")
+    known = np.isfinite(x) & np.isfinite(y)
+    if known.sum() < 3 or not (np.ptp(x[known]) or np.ptp(y[known])):
+        return None
+    x, y = x[known], y[known]
+    field = _square(x, y)
+    unit = context.unit("N")
+    symbol = context.symbol(pair)
+    at_x, at_y = field.x(x), field.y(y)
+    inside = f'<path stroke="{FAINT}" stroke-width="0.2" d="M{field.x(0):.2f} {TOP:g}V{field.height - BOTTOM:g}"/>'
+    inside += f'<path stroke="{FAINT}" stroke-width="0.2" d="M{field.left:g} {field.y(0):.2f}H{field.width - RIGHT:g}"/>'
+    ticks, decimals = round_ticks(field.first, field.last, 5)
+    for value, text in zip(ticks, tick_texts(ticks, decimals, context.numbers), strict=True):
+        inside += words(field.x(value), field.height - BOTTOM + 3.6, text, "middle")
+    ticks, decimals = round_ticks(field.low, field.high, 5)
+    for value, text in zip(ticks, tick_texts(ticks, decimals, context.numbers), strict=True):
+        inside += words(field.left - 0.8, field.y(value) + 1.0, text, "end")
+    inside += f'<path {EXACT_PEN} d="{way([at_x, at_y])}"/>'
+    inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="0.9" fill="{SCHEME_INK}"/>'
+    inside += words(field.left + 1.2, TOP - 2.2, letters(symbol) + escape(context.words.behind(unit)))
+    largest = context.quantity(float(np.hypot(x, y).max()), "N", 4)
+    return Panel(pair, sheet(field, inside), context.words("forces.polar_alt", symbol=symbol.text, size=largest))
+
+
+def _square(x: Array, y: Array) -> Paper:
+    """Return a field that holds the origin and a curve, x and y to one scale."""
+    wide, high = SQUARE[0] - LEFT - RIGHT, SQUARE[1] - TOP - BOTTOM
+    low, top = min(0.0, float(y.min())), max(0.0, float(y.max()))
+    first, last = min(0.0, float(x.min())), max(0.0, float(x.max()))
+    unit = 1.1 * max((last - first) / wide, (top - low) / high) or 1.0
+    middle, centre = (first + last) / 2, (low + top) / 2
+    return Paper(
+        *SQUARE, middle - unit * wide / 2, middle + unit * wide / 2, centre - unit * high / 2, centre + unit * high / 2, LEFT
+    )

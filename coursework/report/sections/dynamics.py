@@ -1,0 +1,76 @@
+"""Motion under forces: the equation of motion, what a step costs here, energy beside that of the motion itself.
+
+Enters: a `PageContext` of a run with a motor.  Leaves: parts.  Used by `by_forces.py`.
+"""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy as np
+
+from coursework.effects.dynamics_lesson import Row, lesson
+from coursework.effects.regime import Regime
+from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_PEN, axes, field_for, sheet
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Cell, Column, Display, Equations, Panel, Panels, Paragraph, Part, Table
+from coursework.report.text.tables import extra_parts
+from coursework.report.text.text_runs import numeral
+from coursework.scene.motor_scene import MotorScene
+from coursework.scene.quantities import DYNAMICS
+
+SIZE = (112.0, 44.0)  # mm, with its caption at its side
+_ONE = ('J(phi) dot(omega) = M_"m" + M_"load" - 1/2 J\'(phi) omega^2', "J(φ)·dω/dt = M_m + M_load − ½·J′(φ)·ω²")
+_TWO = ("M(q) dot.double(q) = Q(q, dot(q), t) - h(q, dot(q))", "M(q)·q″ = Q(q, q′, t) − h(q, q′)")
+
+
+def dynamics(context: PageContext) -> list[Part]:
+    """The equation of motion, the schemes beside each other, energy, the rows."""
+    table, scene = context.run.of(DYNAMICS), context.run.scene
+    if not len(table.rows) or not isinstance(scene, MotorScene):
+        return []
+    math, text = _ONE if len(scene.free_equations.free) == 1 else _TWO
+    parts: list[Part] = [Paragraph(context.say("dynamics.equation")), Equations([Display(math, text)])]
+    if lines := lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, scene.exact):
+        parts.append(_compared(context, lines))
+    if scene.regime is not None:
+        parts.append(_regime(context, scene.regime, table.names[1 + len(context.run.motion.coordinate_names)]))
+    return [*parts, _energy(context, scene), *extra_parts(context, table, "dynamics.csv")]
+
+
+def _regime(context: PageContext, found: Regime, rate: str) -> Paragraph:
+    """Return the steady motion in a sentence."""
+    speed, least, largest = (context.quantity(value, "rad/s", 5) for value in (found.speed, found.least, found.largest))
+    told = context.words(
+        "dynamics.regime", rate=context.lettering(rate), speed=speed, least=least, largest=largest, delta=found.delta,
+        period=context.quantity(found.period, "s", 5),
+    )  # fmt: skip
+    return Paragraph(context.lettered(told))
+
+
+def _compared(context: PageContext, lines: list[Row]) -> Table:
+    """Return `table#dynamics-lesson`: schemes and slopes, errors of rates, energy gained."""
+    numbers, cells = context.numbers, list[list[Cell]]()
+    for one in lines:
+        shown = [numbers.whole(one.slopes), numbers.scalar(one.error, 3), numbers.scalar(one.gained, 3)]
+        cells.append([context.told(one.title), *map(numeral, shown)])
+    units = ("", context.unit("rad/s"), context.unit("J"))
+    heads = [Column(context.say("dynamics.method"), words=True)]
+    heads += [
+        Column(context.say(f"dynamics.{key}"), unit) for key, unit in zip(("slopes", "error", "gained"), units, strict=True)
+    ]
+    return Table(heads, cells, context.say("dynamics.lesson"), id="dynamics-lesson")
+
+
+def _energy(context: PageContext, scene: MotorScene) -> Panels:
+    """Return the energy of the rows beside that of the motion itself, against time."""
+    rows, exact = scene.motion, scene.exact
+    own, true = scene.energy_of(rows), scene.energy_of(exact)
+    own = np.where(np.abs(own) < 3 * max(float(np.abs(true).max(initial=0.0)), 1e-12), own, np.nan)
+    field = field_for(SIZE, [rows.t, exact.t], [own, true], context.numbers)
+    label, time = (f"{letter}{escape(context.words.behind(context.unit(unit)))}" for letter, unit in (("E", "J"), ("t", "s")))
+    inside = axes(field, context.numbers, label, time)
+    inside += f'<path {EXACT_PEN} d="{field.path(exact.t, true)}"/><path {SCHEME_PEN} d="{field.path(rows.t, own)}"/>'
+    ends = [context.quantity(float(np.nanmax(values)), "J", 4) for values in (own, true)]
+    panel = Panel("energy", sheet(field, inside), context.words("dynamics.energy_alt", own=ends[0], true=ends[1]))
+    return Panels("dynamics-energy", *SIZE, [], [panel], context.say("dynamics.energy"))

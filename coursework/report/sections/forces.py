@@ -1,0 +1,188 @@
+"""The forces: masses and inertia of the check row, group after group on paper, the lever, both read and compared, every row.
+
+Enters: a `PageContext` of a run that was asked for forces.  Leaves: parts.  Used by `by_forces.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from coursework.drawing.force_plans.force_plans import ForcePlans, make_force_plans
+from coursework.drawing.force_plans.vectors import DIRECTION, KNOWN, ForceVector, GroupPlan
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.flywheel import find_flywheel
+from coursework.report.graphs.figures import drawn
+from coursework.report.graphs.force_graphs import force_graphs
+from coursework.report.text.numbers import NOTHING
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Cell, Column, Display, Equations, Paragraph, Part, Table
+from coursework.report.text.tables import extra_parts
+from coursework.report.text.text_runs import numeral
+from coursework.scene.quantities import ENERGY, FORCES
+
+MILLIMETRES = 1  # decimals of a length that is read to half a mm
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+def forces(context: PageContext) -> list[Part]:
+    """What is known, each group with its plan, the lever, what a ruler reads, and the reactions of every row."""
+    found = context.run.of(FORCES)
+    if not found.rows.count:
+        return []
+    row = min(context.run.variant.time.row_of_check, found.rows.count) - 1
+    convention = context.lettered(context.words.sentences(_convention(context, found)))
+    parts: list[Part] = [Paragraph(convention), _known(context, found, row)]
+    if np.isfinite(found.reactions.rows).all():
+        plans = make_force_plans(found, row)
+        for number, plan in enumerate(plans.plans):
+            parts += _group(context, plans, plan, number)
+        parts += _levers(context, plans)
+        parts += _compared(context, plans)
+    return [*parts, *_rows(context, found), *force_graphs(context, found), *_told(context, found)]
+
+
+def energy(context: PageContext) -> list[Part]:
+    """Energies and powers of every row."""
+    table = context.run.of(ENERGY).as_table(context.run.motion.t)
+    return extra_parts(context, table, "energy.csv") if len(table.rows) else []
+
+
+def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
+    yield context.words("forces.convention")
+    if any(name[0] in "NKT" for name in found.reactions.names):
+        yield context.words("forces.guides")
+    if pins := found.rows.scheme.pins:
+        yield context.words("forces.pins", points=tuple(pins))
+    if np.isnan(found.reactions.rows).any():
+        yield context.words("forces.blank")
+
+
+def _known(context: PageContext, found: ForceAnalysis, row: int) -> Table:
+    """Return masses, centres and forces of inertia of a row."""
+    rows, numbers = found.rows, context.numbers
+    lines: list[list[Cell]] = []
+    for body in rows.scheme.bodies:
+        acts = [one for one in found.actions if one.body == body.name and one.effect == "inertia"]
+        force = sum((complex(one.force[row]) for one in acts if one.force is not None), 0j)
+        couple = sum(float(one.couple[row]) for one in acts if one.couple is not None)
+        at = complex(rows.vector(body.centre)[row])
+        values = [float(rows.mass(body)[row]), float(rows.inertia(body)[row]), at.real, at.imag, force.real, force.imag, couple]
+        lines.append([body.name, *(numeral(numbers.scalar(value)) for value in values)])
+    symbols = [("m", "kg"), ("J", "kg·m²"), ("x_S", "m"), ("y_S", "m"), ("F_inx", "N"), ("F_iny", "N"), ("M_in", "N·m")]
+    heads = [Column(context.say("forces.link"), words=True)]
+    heads += [Column(context.symbol_runs([name]), context.unit(unit)) for name, unit in symbols]
+    return Table(heads, lines, context.say("forces.known", row=row + 1), id="forces-known")
+
+
+def _group(context: PageContext, plans: ForcePlans, plan: GroupPlan, number: int) -> list[Part]:
+    row, numbers = plans.row, context.numbers
+    names = context.words.listing(list(plan.bodies))
+    told = [context.words("forces.group" if len(plan.bodies) > 1 else "forces.single", names=names)]
+    for moment in plan.moments:
+        told.append(
+            context.words(
+                "forces.moment", point=moment.point, link=moment.body, name=_text_of(moment.name),
+                about=context.with_unit(numbers.scalar(float(moment.about[row])), "N·m"),
+                length=context.with_unit(numbers.scalar(float(moment.length[row])), "m"),
+                force=context.with_unit(numbers.scalar(float(abs(moment.across[row]))), "N"),
+            )
+        )  # fmt: skip
+    sides = [" + ".join(terms) for terms in (map(_math_of, plan.vectors), (_text_of(one.name) for one in plan.vectors))]
+    equation = Display(f"{sides[0]} = 0", f"{sides[1]} = 0")
+    drawing = plans.group_drawing(number, context.words.written)
+    return [Paragraph(context.lettered(context.words.sentences(told))), Equations([equation]), drawn(context, drawing)]
+
+
+def _text_of(name: str) -> str:
+    """Return the name of a force as text: R₁₂ᵗ."""
+    part = {"t": "ᵗ", "n": "ⁿ"}.get(name[-1], "") if name[0] == "R" else ""
+    return (name.removesuffix(name[-1]) + part if part else name).translate(_LOWERED)
+
+
+def _math_of(vector: ForceVector) -> str:
+    """Return a force as Typst math: underlined twice where it is known, once where its direction is."""
+    letter, low, after = vector.word
+    raised = {"ᵗ": "^t", "ⁿ": "^n"}.get(after, "")
+    symbol = f'{letter}_"{low}"{raised}' if low else f'"{letter}"{raised}'
+    return {KNOWN: f"underline(underline({symbol}))", DIRECTION: f"underline({symbol})"}.get(vector.role, symbol)
+
+
+def _levers(context: PageContext, plans: ForcePlans) -> list[Part]:
+    parts: list[Part] = []
+    numbers = context.numbers
+    drawings = plans.lever_drawings(context.words.written)
+    for lever, drawing in zip(plans.levers, drawings, strict=True):
+        unit = plans.analysis.units[plans.analysis.names.index(lever.drive)]
+        lines: list[list[Cell]] = [
+            [_text_of(one.name), numeral(numbers.scalar(abs(one.force))), numeral(numbers.fixed(one.h, MILLIMETRES)),
+             numeral(numbers.scalar(abs(one.force) * one.h * lever.unit))]
+            for one in lever.arms
+        ]  # fmt: skip
+        heads = [
+            Column(context.say("forces.force"), words=True), Column(context.symbol_runs(["F"]), context.unit("N")),
+            Column(context.symbol_runs(["h"]), context.unit("mm")), Column(context.say("forces.product"), context.unit(unit)),
+        ]  # fmt: skip
+        told = context.words(
+            "forces.lever.sum", drive=_text_of(lever.drive), couples=context.with_unit(numbers.scalar(lever.couples), unit),
+            read=context.with_unit(numbers.scalar(lever.read), unit),
+        )  # fmt: skip
+        caption = context.say("forces.lever.table", drive=_text_of(lever.drive))
+        parts += [drawn(context, drawing), Table(heads, lines, caption), Paragraph(context.lettered(told))]
+    return parts
+
+
+def _compared(context: PageContext, plans: ForcePlans) -> list[Part]:
+    """Return `table#forces-compare`: what was computed, what the plans and the lever say, the difference in percent."""
+    numbers = context.numbers
+    lines: list[list[Cell]] = []
+    for one in plans.readings():
+        apart = f"{numbers.fixed(100 * (one.read - one.computed) / one.computed, 2)}" if one.mm else NOTHING
+        values = [numbers.scalar(one.computed), numbers.fixed(one.mm, MILLIMETRES), numbers.scalar(one.read), apart]
+        lines.append([_text_of(one.name), context.unit("N"), *map(numeral, values)])
+    for lever in plans.levers:
+        unit = context.unit(plans.analysis.units[plans.analysis.names.index(lever.drive)])
+        apart = numbers.fixed(100 * (lever.read - lever.computed) / lever.computed, 2) if lever.computed else NOTHING
+        values = [numbers.scalar(lever.computed), NOTHING, numbers.scalar(lever.read), apart]
+        lines.append([_text_of(lever.drive), unit, *map(numeral, values)])
+    if not lines:
+        return []
+    keys = ("force", "unit", "computed", "mm", "read", "apart")
+    heads = [Column(context.say(f"forces.{key}"), words=key in {"force", "unit"}) for key in keys]
+    return [Table(heads, lines, context.say("forces.compare", row=plans.row + 1), id="forces-compare")]
+
+
+def _rows(context: PageContext, found: ForceAnalysis) -> list[Part]:
+    names = found.reactions.names
+    rows = np.column_stack([found.rows.motion.t, found.reactions.rows])
+    table = replace(found.as_table(), names=("t", *names), units=("s", *found.units[: len(names)]), rows=rows)
+    return extra_parts(context, table, "forces.csv")
+
+
+def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
+    """Return in which rows the drive brakes, its mean, and the flywheel."""
+    power = found.energy.drive
+    brakes = [place + 1 for place in np.flatnonzero(power < -1e-9 * np.abs(power).max(initial=0.0)).tolist()]
+    told = [context.words("forces.brakes", rows=_spans(brakes))] if brakes else [context.words("forces.drives")]
+    wheel = find_flywheel(found, context.run.variant.time.period)
+    if wheel is not None:
+        largest = float(np.abs(found.column(found.drive_names[0])).max())
+        even = context.numbers.without_noise(wheel.mean, largest)
+        mean, excess = context.quantity(even, "N·m", 4), context.quantity(wheel.excess, "J", 4)
+        told.append(context.words("forces.mean", mean=mean, excess=excess))
+        if wheel.needed is not None:
+            told.append(context.words("forces.flywheel", inertia=context.quantity(wheel.needed, "kg·m²", 4)))
+    return [Paragraph(context.lettered(context.words.sentences(told)))]
+
+
+def _spans(rows: list[int]) -> str:
+    """Return rows as "1–4, 7": a span where they follow each other."""
+    spans: list[list[int]] = []
+    for row in rows:
+        if spans and row == spans[-1][1] + 1:
+            spans[-1][1] = row
+        else:
+            spans.append([row, row])
+    return ", ".join(str(a) if a == b else f"{a}–{b}" for a, b in spans)

@@ -1,0 +1,192 @@
+"""A scene that forces move: the rows of a scheme in the free coordinates, the motion itself beside them.
+
+Enters: a `Variant` with [motor] and `Settings`.  Leaves: `MotorScene`; everything that reads a `Scene` reads it too.
+Used by `exact_scene.py`, for a file with a motor only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar
+
+import numpy as np
+
+from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.dynamics import Dynamics, FreeMotion
+from coursework.effects.dynamics_checks import check_dynamics
+from coursework.effects.equations_of_motion import EquationsOfMotion, equations_of_motion
+from coursework.effects.regime import Regime, find_regime
+from coursework.effects.scheme import read_scheme
+from coursework.motion.integration.motion import Motion, Stop
+from coursework.motion.schemes import Scheme, scheme_named
+from coursework.motion.singular.search import Search
+from coursework.results.checks.result import Finding
+from coursework.scene.motion_results import MotionResults
+from coursework.scene.scene import Scene
+from coursework.system.arrays import Array
+from coursework.system.on_demand import Ledger, computed
+from coursework.variant.record.vocabulary import EXACT
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MotorResults(MotionResults):
+    """What follows from rows that forces have made: judged by energy and by the exact motion, not by velocity laws."""
+
+    @computed("motion", "exact", "energy", "free_equations")
+    def checks(self) -> tuple[Finding, ...]:
+        """The checks of a motion under forces: its energy, how far it is from the motion itself, what its step is for it."""
+        scene = self.scene
+        assert isinstance(scene, MotorScene)
+        return check_dynamics(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, scene.variant.time.step)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MotorScene(Scene):
+    """A scene whose motion follows from forces; its velocities are states of their own."""
+
+    follows_laws: ClassVar[bool] = False
+
+    @property
+    def scheme(self) -> Scheme | None:
+        """Return the scheme of the rows, None for the motion itself."""
+        return scheme_named(self.settings.scheme)
+
+    @computed("mechanism", "equations", "reduction", "start")
+    def free_equations(self) -> EquationsOfMotion:
+        """The equations of motion in the free coordinates."""
+        found = equations_of_motion(self.equations, self.reduction, read_scheme(self.mechanism), self.start)
+        try:
+            found.slope(0.0, *self.start, *(0.0 for _ in found.free))
+        except ZeroDivisionError:
+            motor = self.variant.forces.motor if self.variant.forces is not None else None
+            told = say("fault.V744", names=motor.rates if motor is not None else ())
+            raise InputError([Fault(told, self.variant.file, self.variant.nearest_line("motor", "rates"))]) from None
+        return found
+
+    @cached_property
+    def regime(self) -> Regime | None:
+        """The steady motion of a crank that forces turn, None where there is none that the exact rows tend to."""
+        motion, forces = self.exact, self.variant.forces
+        assert forces is not None and forces.motor is not None
+        torques = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
+        timed = any(formula is not None and "t" in formula.names() for formula in torques)
+        speed = float(motion.column(forces.motor.rates[0])[-1]) if len(motion.t) else 0.0
+        if len(self.free_equations.free) != 1 or timed or not speed or motion.stop is not None:
+            return None
+        return find_regime(self.free_equations, list(self.start), speed)
+
+    @computed("equations")
+    def search(self) -> Search:
+        """Nothing is known of singular positions before the motion is."""
+        return Search(None, None, self.variant.time.end)
+
+    @cached_property
+    def _begin(self) -> list[float]:
+        motor = self.variant.forces.motor if self.variant.forces is not None else None
+        assert motor is not None
+        start = dict(motor.start)
+        return [*(self.start[place] for place in self.free_equations.free), *(start.get(rate, 0.0) for rate in motor.rates)]
+
+    @property
+    def begin_of_forces(self) -> tuple[list[float], list[float]]:
+        """Return all coordinates at t = 0, and the free coordinates with their rates."""
+        return list(self.start), self._begin
+
+    @cached_property
+    def _true(self) -> FreeMotion:
+        time = self.variant.time
+        return Dynamics(self.free_equations, list(self.start)).exact(self._begin, time.step, time.steps)
+
+    @computed("free_equations")
+    def stop(self) -> Stop | None:
+        """Why the motion itself ends early: links that would have to stretch."""
+        return self._stop_of(self._true)
+
+    def _stop_of(self, found: FreeMotion) -> Stop | None:
+        if not found.ended:
+            return None
+        step, names = self.variant.time.step, [c.name for c in self.variant.coordinates]
+        last = dict(zip(names, found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
+        key = "dead" if found.ended == "dead point" else "far"
+        cause, meaning = say(f"dynamics.{key}", time=found.at), say(f"dynamics.{key}_means", row=len(found.t))
+        return Stop(found.ended, found.at, found.at / step, (), last, cause, meaning)
+
+    def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:
+        variant, count = self.variant, len(found.t)
+        names = tuple(c.name for c in variant.coordinates)
+        velocity_names = (*variant.rates, *(name for name, _ in variant.unknowns))
+        values = self._table(found.t, found.coordinates, found.rates)
+        size = len(velocity_names)
+        determinants = values[:, 2 * size + 2 :]
+        largest = np.abs(determinants).max(axis=0, initial=1e-300)
+        return Motion(
+            found.t, found.coordinates, values[:, :size].copy(), determinants.copy(), determinants / largest, names,
+            velocity_names, scheme, variant.time.step, found.slopes, stop, label, residuals=np.zeros((count, 0)),
+        )  # fmt: skip
+
+    def _table(self, t: Array, q: Array, v: Array) -> Array:
+        found = self.free_equations.table(t, *q.T, *v.T)
+        return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float).T.reshape(len(t), len(found))
+
+    def _free_of(self, motion: Motion) -> Array:
+        motor = self.variant.forces.motor if self.variant.forces is not None else None
+        assert motor is not None
+        return np.column_stack([motion.column(rate) for rate in motor.rates])
+
+    @computed("free_equations", "stop", "start")
+    def motion(self) -> Motion:
+        """The rows of the scheme, or of the motion itself."""
+        scheme, time = self.scheme, self.variant.time
+        if scheme is None:
+            return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
+        found = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
+        return self._motion_of(found, scheme.name, stop=self._stop_of(found))
+
+    @computed("free_equations", "stop", "start")
+    def exact(self) -> Motion:
+        """The motion without a scheme's error, on the same rows."""
+        return self._motion_of(self._true, EXACT, say("dynamics.exact"))
+
+    def accelerations_of(self, motion: Motion) -> Array:
+        """Return the accelerations (n, k) that the forces give the links in each row."""
+        size = len(motion.velocity_names)
+        return self._table(motion.t, motion.coordinates, self._free_of(motion))[:, size : 2 * size].copy()
+
+    def energy_of(self, motion: Motion) -> Array:
+        """Return kinetic and potential energy together (n,) J."""
+        size = len(motion.velocity_names)
+        values = self._table(motion.t, motion.coordinates, self._free_of(motion))
+        return np.asarray(values[:, 2 * size] + values[:, 2 * size + 1])
+
+    @computed("exact")
+    def exact_accelerations(self) -> Array:
+        """The accelerations of the exact rows."""
+        return self.accelerations_of(self.exact)
+
+    @computed("exact")
+    def extremes(self) -> dict[str, tuple[float, float]]:
+        """The least and the largest value of every column of the rows of the exact motion."""
+        exact = self.exact
+        return {name: (float(exact.column(name).min()), float(exact.column(name).max())) for name in exact.names}
+
+    @property
+    def one_period(self) -> Motion:
+        """The exact rows: a motion under forces repeats nothing."""
+        return self.exact
+
+    @cached_property
+    def exact_analysis(self) -> ForceAnalysis:
+        """The forces of the exact rows."""
+        return MotorResults(self, self.exact, Ledger()).forces
+
+    def over(self, motion: Motion) -> MotionResults:
+        """Return what follows from a motion of this scene's mechanism."""
+        return MotorResults(self, motion, Ledger())
+
+    @cached_property
+    def results(self) -> MotionResults:
+        """What follows from the rows of the coursework."""
+        return MotorResults(self, self.motion, self.ledger)

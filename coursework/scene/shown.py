@@ -1,0 +1,66 @@
+"""Where a reader finds what can be asked for: columns, a table or drawings of its own, a section of the page.
+
+Enters: the results of a motion.  Leaves: the kinds of showing.  Used by `quantities.py` and `scene_run.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import field
+from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
+
+from coursework.scene.motion_results import MotionResults
+from coursework.system.frozen import frozen
+
+if TYPE_CHECKING:
+    from coursework.drawing.paper.record import Drawing
+    from coursework.results.kinematics.extra import ExtraTable
+
+T = TypeVar("T")
+
+
+@frozen
+class Columns(Generic[T]):
+    """Shown as columns beside those of the results table; `on_page` says which of them a page prints."""
+
+    kind: ClassVar[str] = "columns"
+    of: Callable[[MotionResults, T], ExtraTable]
+    on_page: Callable[[ExtraTable], ExtraTable] = field(default=lambda table: table)
+
+
+@frozen
+class OwnTable(Generic[T]):
+    """Shown as a table of its own, whose rows are not those of the results table."""
+
+    kind: ClassVar[str] = "table"
+    of: Callable[[MotionResults, T], ExtraTable]
+
+
+@frozen
+class Listing:
+    """A CSV file beside the table: its name, its head, its rows of numbers and words."""
+
+    file: str
+    head: tuple[str, ...]
+    rows: Iterable[tuple[object, ...]]
+
+
+@frozen
+class OwnFigure(Generic[T]):
+    """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page.
+
+    `listing` is the file in which their numbers stand with every digit, None where they have none of their own.
+    """
+
+    kind: ClassVar[str] = "figure"
+    of: Callable[[MotionResults, T, Callable[[str], str]], tuple[Drawing, ...]]
+    listing: Callable[[T], Listing] | None = None
+
+
+@frozen
+class OwnSection(Generic[T]):
+    """Shown in a section that the page has for it (`report/sections.py`); `table` is what its CSV file holds, None for none."""
+
+    kind: ClassVar[str] = "section"
+    table: Callable[[MotionResults, T], ExtraTable] | None = None
+    listing: Callable[[T], Listing] | None = None

@@ -1,0 +1,188 @@
+"""[masses], [forces], [friction] and [motor] of a file -> `Forces`; imported for a file that has one of them, no other.
+
+Enters: checked sections.  Leaves: `Forces`; faults stay with the `Parts`.  Used by `reader.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
+from coursework.variant.reading import schema
+from coursework.variant.reading.parts import Parts
+from coursework.variant.record.forces import GRAVITY, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
+from coursework.variant.record.vocabulary import FORCE_SECTIONS
+from coursework.variant.toml.positions import KeyPath
+from coursework.words.sentences import closest, say
+
+_FRAME = "0"
+_ZERO = Formula("number", name="0")
+_OF_MOTOR = ("rates", "start", "flywheel")
+
+
+def read_forces(file: schema.VariantFile, parts: Parts) -> Forces:
+    """Return what a file says of masses and forces."""
+    gravity = file.forces.get(GRAVITY)
+    loads = {key: entry for key, entry in file.forces.items() if key != GRAVITY}
+    if isinstance(gravity, schema.Load):
+        parts.say(("forces", GRAVITY), say("fault.V703"))
+        gravity = None
+    read: list[Load | Spring] = [one for key, entry in loads.items() for one in _load(key, entry, parts)]
+    flywheel = file.motor.get("flywheel")
+    return Forces(
+        tuple(_mass(key, entry, parts) for key, entry in file.masses.items()),
+        _gravity(gravity, parts) if gravity is not None else None,
+        tuple(one for one in read if isinstance(one, Load)), tuple(one for one in read if isinstance(one, Spring)),
+        tuple(_friction(key, entry, file.motor, parts) for key, entry in file.friction.items()), _motor(file, parts),
+        _flywheel(flywheel, parts) if flywheel is not None else None,
+        {path: line for path, line in parts.source.positions.lines.items() if path[0] in FORCE_SECTIONS},
+    )  # fmt: skip
+
+
+def _mass(key: str, entry: schema.Mass | str | float, parts: Parts) -> Mass:
+    path: KeyPath = ("masses", key)
+    if not isinstance(entry, schema.Mass):
+        return Mass(_body(key, parts), _value(path, entry, "kg", parts, True), None, None)
+    shape = str(entry.inertia).strip() if entry.inertia is not None else ""
+    inertia: Formula | str | None = shape if shape in SHAPES else None
+    if entry.inertia is not None and inertia is None:
+        inertia = _value((*path, "inertia"), entry.inertia, "kg*m^2", parts, True)
+    centre = parts.formula((*path, "centre"), entry.centre, "vector") if entry.centre is not None else None
+    return Mass(_body(key, parts), _value((*path, "mass"), entry.mass, "kg", parts, True), inertia, centre)
+
+
+def _body(key: str, parts: Parts) -> str:
+    name = parts.names.canonical(key)
+    return name if parts.names.kinds.get(name) == "point" else key
+
+
+def _value(path: KeyPath, value: str | int | float, si: str, parts: Parts, least: bool = False) -> Formula:
+    """Return a formula of data that measures `si`; with `least` one that must not be negative."""
+    tree = parts.scalar(path, value, "force", si)
+    try:
+        negative = least and parts.sound and evaluate(tree, parts.values) < 0
+    except (KeyError, FormulaFault):
+        negative = False  # it changes with the motion, or has no value: told elsewhere
+    if negative:
+        parts.say(path, say("fault.V704", found=str(value)))
+    return tree
+
+
+def _gravity(value: str | int | float, parts: Parts) -> tuple[Formula, Formula]:
+    path: KeyPath = ("forces", GRAVITY)
+    if isinstance(value, str) and not parts.is_quantity(value):
+        tree = parts.formula(path, value, "any", "force")
+        if tree.op == "pair":
+            return tree.args[0], tree.args[1]
+        return _ZERO, Formula("neg", (tree,))
+    return _ZERO, Formula("neg", (parts.scalar(path, value, "force", "m/s^2"),))
+
+
+def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[Load | Spring]:
+    path: KeyPath = ("forces", key)
+    if not isinstance(entry, schema.Load):
+        parts.say(path, say("fault.V705", name=key, hint=closest(key, [GRAVITY])))
+        return
+    ends = entry.spring or entry.damper
+    if ends:
+        for place, point in enumerate(ends):
+            parts.known_point((*path, "spring" if entry.spring else "damper", place), point)
+        named = {"stiffness": "N/m", "free": "m", "damping": "N*s/m"}
+        missing = [name for name in (("stiffness", "free") if entry.spring else ("damping",)) if getattr(entry, name) is None]
+        if missing:
+            parts.say(path, say("fault.V706", name=key, missing=missing[0]))
+        found = {
+            name: _value((*path, name), value, si, parts) if (value := getattr(entry, name)) is not None else None
+            for name, si in named.items()
+        }
+        yield Spring(key, (parts.names.canonical(ends[0]), parts.names.canonical(ends[1])), **found)
+        return
+    if entry.on is None or (entry.force is None) == (entry.torque is None):
+        parts.say(path, say("fault.V707", name=key))
+        return
+    if entry.force is not None and entry.at is None:
+        parts.say(path, say("fault.V708", name=key))
+        return
+    at = parts.formula((*path, "at"), entry.at, "vector", "geometry") if entry.at is not None else None
+    torque = _value((*path, "torque"), entry.torque, "N*m", parts) if entry.torque is not None else None
+    force = parts.formula((*path, "force"), str(entry.force), "vector", "force") if entry.force is not None else None
+    yield Load(key, _body(str(entry.on), parts), at, force, torque)
+
+
+def _friction(key: str, entry: schema.FrictionEntry, file_motor: Mapping[str, object], parts: Parts) -> Friction:
+    path: KeyPath = ("friction", key)
+    if "rates" in file_motor:
+        parts.say(path, say("fault.V718"))
+    parts.known_point(path, key)
+    named = {"coefficient": "1", "radius": "m", "length": "m", "arm": "m"}
+    found = {
+        name: _value((*path, name), value, si, parts, True) if (value := getattr(entry, name)) is not None else None
+        for name, si in named.items()
+    }
+    if entry.coefficient is None and entry.arm is None:
+        parts.say(path, say("fault.V709", name=key))
+    return Friction(parts.names.canonical(key), **found)
+
+
+def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:
+    rates = file.motor.get("rates")
+    if rates is None:
+        for key in file.motor:
+            if key != "flywheel":
+                parts.say(("motor", key), say("fault.V710"))
+        return None
+    known = {parts.names.canonical(rate): parts.names.canonical(key) for key, (rate, _) in _rates(file).items()}
+    found = _free(rates, known, parts)
+    if file.drive:
+        parts.say(("motor",), say("fault.V711"))
+    start: dict[str, float] = {}
+    begins = file.motor.get("start", {})
+    units = {parts.names.canonical(rate): unit for rate, unit in _rates(file).values()}
+    for name, value in begins.items() if isinstance(begins, dict) else ():
+        rate = parts.names.canonical(name)
+        if rate not in found:
+            parts.say(("motor", "start", name), say("fault.V712", name=name, known=", ".join(found)))
+        else:
+            tree = _value(("motor", "start", name), value, "m/s" if units[rate] == "m" else "1/s", parts)
+            with suppress(KeyError, FormulaFault):
+                start[rate] = evaluate(tree, parts.values) if parts.sound else 0.0
+    torques = []
+    for key, entry in file.motor.items():
+        if key in _OF_MOTOR:
+            continue
+        if not isinstance(entry, schema.MotorEntry):
+            parts.say(("motor", key), say("fault.V713", name=key))
+            continue
+        torque = _value(("motor", key, "torque"), entry.torque, "N*m", parts)
+        source = _FRAME if entry.source is None else _body(str(entry.source), parts)
+        torques.append(Load(key, _body(key, parts), None, None, torque, source))
+    return Motor(found, tuple(start.items()), tuple(torques))
+
+
+def _rates(file: schema.VariantFile) -> dict[str, tuple[str, str]]:
+    return {key: (entry.rate, entry.unit or "rad") for key, entry in file.coordinates.items()}
+
+
+def _free(rates: object, known: dict[str, str], parts: Parts) -> tuple[str, ...]:
+    listed: Sequence[object] = rates if isinstance(rates, list) else ()
+    found = []
+    for place, rate in enumerate(listed):
+        name = parts.names.canonical(str(rate))
+        if name in known:
+            found.append(name)
+        else:
+            parts.say(("motor", "rates", place), say("fault.V714", name=str(rate), hint=closest(str(rate), list(known))))
+    if not 1 <= len(listed) <= 2:
+        parts.say(("motor", "rates"), say("fault.V715", number=len(listed)))
+    return tuple(found)
+
+
+def _flywheel(entry: object, parts: Parts) -> Flywheel | None:
+    path: KeyPath = ("motor", "flywheel")
+    if not isinstance(entry, schema.Flywheel):
+        parts.say(path, say("fault.V716"))
+        return None
+    inertia = _value((*path, "inertia"), entry.inertia, "kg*m^2", parts, True) if entry.inertia is not None else None
+    uneven = _value((*path, "unevenness"), entry.unevenness, "1", parts, True) if entry.unevenness is not None else None
+    return Flywheel(_body(str(entry.on), parts), inertia, uneven)

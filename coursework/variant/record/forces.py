@@ -1,0 +1,135 @@
+"""What a file says of masses and forces, read and checked: frozen records, formulas in SI.
+
+Leaves `reading/forces.py` inside a `Variant`, only for a file that names any.  Used by `variant.py` and `effects/`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import field
+
+from coursework.system.frozen import frozen
+from coursework.variant.formula.tree import Formula, number
+from coursework.variant.record.entries import Law
+from coursework.variant.toml.positions import KeyPath
+
+ROD, DISC, POINT = "rod", "disc", "point"
+SHAPES = (ROD, DISC, POINT)
+GRAVITY = "gravity"
+
+
+@frozen
+class Mass:
+    """The mass of a body, by link or by the point of a block; `inertia` about its `centre` is a formula or one of `SHAPES`.
+
+    None: the file says nothing, which only a body that does not turn may leave out; a `centre` of None is the middle.
+    """
+
+    body: str
+    mass: Formula
+    inertia: Formula | str | None
+    centre: Formula | None
+
+
+@frozen
+class Load:
+    """A `force` at a point of the body `on`, or a `torque` on it, from the body `source` (the frame where "0")."""
+
+    name: str
+    on: str
+    at: Formula | None
+    force: Formula | None
+    torque: Formula | None
+    source: str = "0"
+
+
+@frozen
+class Spring:
+    """A spring and damper between two points: (stiffness (l - free) + damping dl/dt) pulls them together."""
+
+    name: str
+    ends: tuple[str, str]
+    stiffness: Formula | None
+    free: Formula | None
+    damping: Formula | None
+
+
+@frozen
+class Friction:
+    """Friction at a point: coefficient with a pin's radius or a guide's length, or the arm of a wheel."""
+
+    at: str
+    coefficient: Formula | None
+    radius: Formula | None
+    length: Formula | None
+    arm: Formula | None
+
+
+@frozen
+class Motor:
+    """Forces move the mechanism: free `rates` with their start values (SI) and the torques that act."""
+
+    rates: tuple[str, ...]
+    start: tuple[tuple[str, float], ...]
+    torques: tuple[Load, ...]
+
+
+@frozen
+class Flywheel:
+    """A flywheel on a link: its `inertia`, or the `unevenness` (w_max - w_min)/w_mean that it has to bring about."""
+
+    on: str
+    inertia: Formula | None
+    unevenness: Formula | None
+
+
+@frozen
+class Forces:
+    """All of it; `gravity` None where the file has none."""
+
+    masses: tuple[Mass, ...] = ()
+    gravity: tuple[Formula, Formula] | None = None
+    loads: tuple[Load, ...] = ()
+    springs: tuple[Spring, ...] = ()
+    friction: tuple[Friction, ...] = ()
+    motor: Motor | None = None
+    flywheel: Flywheel | None = None
+    lines: Mapping[KeyPath, int] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def free(self) -> tuple[Law, ...]:
+        """Return the rates that forces move as drives, so that the geometry gives all others by them; 0 until they move."""
+        return tuple(Law(rate, number(0)) for rate in (self.motor.rates if self.motor else ()))
+
+    def measured(self) -> Iterator[tuple[KeyPath, Formula, str]]:
+        """Yield every formula with its place and the SI unit of what it must measure."""
+        for one in self.masses:
+            yield ("masses", one.body, "mass"), one.mass, "kg"
+            if isinstance(one.inertia, Formula):
+                yield ("masses", one.body, "inertia"), one.inertia, "kg*m^2"
+            if one.centre is not None:
+                yield ("masses", one.body, "centre"), one.centre, "m"
+        for part in self.gravity or ():
+            yield ("forces", GRAVITY), part, "m/s^2"
+        for section, loads in (("forces", self.loads), ("motor", self.motor.torques if self.motor else ())):
+            for load in loads:
+                for key, formula, si in (("at", load.at, "m"), ("force", load.force, "N"), ("torque", load.torque, "N*m")):
+                    if formula is not None:
+                        yield (section, load.name, key), formula, si
+        for spring in self.springs:
+            for key, formula, si in (
+                ("stiffness", spring.stiffness, "N/m"), ("free", spring.free, "m"), ("damping", spring.damping, "N*s/m"),
+            ):  # fmt: skip
+                if formula is not None:
+                    yield ("forces", spring.name, key), formula, si
+        for rubs in self.friction:
+            for key, formula, si in (
+                ("coefficient", rubs.coefficient, "1"), ("radius", rubs.radius, "m"), ("length", rubs.length, "m"),
+                ("arm", rubs.arm, "m"),
+            ):  # fmt: skip
+                if formula is not None:
+                    yield ("friction", rubs.at, key), formula, si
+        if self.flywheel is not None and self.flywheel.inertia is not None:
+            yield ("motor", "flywheel", "inertia"), self.flywheel.inertia, "kg*m^2"
+        if self.flywheel is not None and self.flywheel.unevenness is not None:
+            yield ("motor", "flywheel", "unevenness"), self.flywheel.unevenness, "1"

@@ -1,0 +1,38 @@
+"""What forces cost beside what they are computed from: ratios of processor time, never seconds."""
+
+import numpy as np
+
+import coursework
+from coursework.effects.analysis import analyse
+from coursework.effects.dynamics import Dynamics
+from coursework.motion.integration.integrate import march
+from coursework.motion.schemes import SCHEMES
+from tests.benchmarks.timer import ratio
+from tests.effects.massed import massed
+from tests.effects.moved import free_31
+
+STEPS = 10_000
+
+
+def test_steps_of_dynamics_beside_steps_of_the_kinematic_march():
+    text = free_31('rates = ["w1", "w2"]\nstart = { w1 = "0.2 rad/s", w2 = "0.1 rad/s" }\n')
+    run = coursework.solve(coursework.parse_variant(text), scheme="euler", step=0.48e-6 * 10, end=0.48e-5 * 10)
+    places, state = run.scene.begin_of_forces
+    driven = coursework.solve("31", quantities=["table"]).scene
+    made = Dynamics(run.scene.free_equations, places).rows(SCHEMES["euler"], state, 1e-6, STEPS)
+    assert (len(made.t), made.ended) == (STEPS + 1, "")
+    found = ratio(
+        lambda: Dynamics(run.scene.free_equations, list(places)).rows(SCHEMES["euler"], state, 1e-6, STEPS),
+        lambda: march(driven.rates, "euler", driven.start, 0.48 / STEPS, 0.48, None, None, []),
+    )
+    assert found < 12
+
+
+def test_forces_of_a_mechanism_of_seven_links_beside_its_exact_rows():
+    scene = coursework.solve(massed(coursework.load("jansen")), scheme="exact").scene
+    second = scene.exact_accelerations
+    found = ratio(
+        lambda: analyse(scene.mechanism, scene.equations, scene.exact, second),
+        lambda: scene._exact_at(np.array(scene.exact.t)),
+    )
+    assert found < 5

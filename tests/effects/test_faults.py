@@ -1,0 +1,59 @@
+"""Bad input of masses and forces: one sentence with the line and what to do."""
+
+import pytest
+
+import coursework
+from coursework.variant.formula.units import read_mass
+from tests.effects.massed import text_of
+
+CASES = [
+    ("31-forces", 'inertia = "0.454 kg*m^2"', 'inertia = "-0.454 kg*m^2"', "V704", "a value that is not below zero"),
+    ("31-forces", ', inertia = "0.454 kg*m^2"', "", "V725", "link 1 turns and has a mass, but no inertia"),
+    ("31-forces", '"B + 0.305 @ phi3 + 0.076 @ (phi3 + pi/2)"', '"B + 0.3 @ phi2"', "V731", "does not stand still"),
+    ("31-forces", ', centre = "B + 0.305 @ phi3 + 0.076 @ (phi3 + pi/2)"', "", "V724", "more than two points (M, B, C)"),
+    ("31-forces", 'inertia = "0.992 kg*m^2"', 'inertia = "rod"', "V726", "link 3 is no rod"),
+    ("31-forces", "4 = { mass", "7 = { mass", "V723", 'there is no link "7"'),
+    ("31-forces", '"6 kg"', '"6 m"', "V105", "masses.1.mass: a mass was expected: kg, g, t"),
+    ("31-forces", '"6 kg"', '"6 kgf"', "V701", "1 kgf = 9.80665 N"),
+    ("31-forces", 'gravity = "9.81 m/s^2"', 'gravity = "9.81 m/s"', "V105", "an acceleration was expected"),
+    ("example-1-forces", 'torque = "-60 N*m"', 'torque = "-60 J"', "V702", 'Write "-60 N*m"'),
+    ("example-1-forces", 'on = "3", at = "C"', 'on = "1", at = "C"', "V732", "does not move with link 1"),
+    ("example-1-forces", 'at = "C", ', "", "V708", "the force F1 has no point"),
+    ("example-1-forces", ', torque = "-60 N*m"', "", "V707", "either a force or a torque"),
+
+    ("example-1-forces", 'value = "-200 N"', 'value = "-200 kg"', "V205", "a mass"),
+    ("andrews-forces", ', free = "77.85 mm"', "", "V706", "free is missing"),
+    ("andrews-forces", 'spring = ["S", "K"]', 'spring = ["S", "Q"]', "V059", "Q"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "old", "new", "code", "told"), CASES, ids=[case[3] + case[1][:12] for case in CASES])
+def test_fault(name, old, new, code, told):
+    text = text_of(name, (old, new))
+    with pytest.raises(coursework.InputError) as caught:
+        run = coursework.solve(coursework.parse_variant(text, "bad.toml"), quantities=["forces"])
+        _ = run.results.forces
+    message = str(caught.value)
+    assert code in message and told in message, message
+    line = next(place for place, each in enumerate(text.splitlines(), start=1) if new and new in each) if new else None
+    assert line is None or f"bad.toml:{line}" in message, message
+
+
+def test_units():
+    assert [read_mass(text).value for text in ("2 t", "250 g", "1.5 kN", "12 N·m", "10 g*cm^2", "2 N/mm", "3 кг", "5 Н*м")] == [
+        2000.0, 0.25, 1500.0, 12.0, 1e-6, 2000.0, 3.0, 5.0,
+    ]  # fmt: skip
+    assert read_mass("0.5 m").si == "m"
+
+
+def test_a_file_without_forces_knows_no_units_of_mass():
+    with pytest.raises(coursework.InputError, match="V105"):
+        coursework.parse_variant(text_of("31", ('"0.953 m"', '"0.953 kg"')))
+
+
+def test_a_mass_may_be_a_datum_and_is_set():
+    text = text_of("example-1-forces", ('mass = "4 kg"', 'mass = "m1"'), ("[given]\n", '[given]\nm1 = "4000 g"\n'))
+    variant = coursework.parse_variant(text)
+    assert variant.values["m1"] == 4.0
+    assert variant.with_data(given={"m1": "5 kg"}).values["m1"] == 5.0
+    assert variant.with_data(given={"m1": 6.0}).values["m1"] == 6.0

@@ -1,0 +1,93 @@
+"""The files of a run with forces: heads, blanks, what run.json and the plan say; a file without forces has nothing of it."""
+
+import csv
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import coursework
+from coursework.commands.cli import main
+from tests.commands.test_cli import call
+from tests.effects.test_ways import PARALLEL
+
+HEAD_31 = (
+    "t,R01x,R01y,R12x,R12y,R23x,R23y,R34x,R34y,T04,N04,FMx,FMy,S1.ax,S1.ay,e1,S2.ax,S2.ay,e2,S3.ax,S3.ay,e3,S4.ax,S4.ay,e4,F_path"
+)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def read(name):
+    return [*csv.reader(Path("out", name).read_text(encoding="utf-8").splitlines())]
+
+
+def test_forces_and_energy_as_the_contract_says(folder):
+    assert call("run", "31-forces", "--format", "csv", "--out", "out").exit_code == 0
+    head, *rows = read("forces.csv")
+    assert ",".join(head) == HEAD_31
+    assert len(rows) == 25
+    head, *rows = read("energy.csv")
+    assert head == ["t", "T", "potential", "P_drive", "P_loads", "P_friction", "P_dampers"]
+    assert {row[4] for row in rows} == {"0.0"}
+    said = json.loads(Path("out/run.json").read_text(encoding="utf-8"))
+    assert said["forces"]["largest"] == {"name": "N04", "row": 21, "value": pytest.approx(1472.54, abs=0.01)}
+    assert max(said["forces"]["agreement"].values()) < 1e-13
+    told = {check["code"]: check["sentence"] for check in said["checks"]}
+    assert told["FORCE-ACCURACY"].startswith("Row 20 asks for FMy = -1254 N where the mechanism needs -2564 N")
+    exact = coursework.solve("31-forces", scheme="exact")
+    contact = next(str(check.sentence) for check in exact.checks if check.code == "CONTACT")
+    assert contact.startswith("In 11 of 25 rows the rail would have to pull") and "from -266 to 2846 N" in contact
+
+
+def test_what_is_not_unique_is_empty(folder):
+    Path("p.toml").write_text(PARALLEL, encoding="utf-8")
+    assert call("run", "p", "--quantities", "forces", "--format", "csv", "--out", "out").exit_code == 0
+    head, *rows = read("forces.csv")
+    assert rows[3][head.index("R01x")] == ""
+    assert float(rows[3][head.index("M")])
+    said = json.loads(Path("out/run.json").read_text(encoding="utf-8"))
+    assert "R01x" in said["forces"]["not_unique"] and "M" not in said["forces"]["not_unique"]
+
+
+def test_the_plan_says_which_effects_are_on(folder):
+    told = call("run", "example-1-forces", "--plan").stdout
+    effects = told[told.index("Effects of forces:") :]
+    assert "inertia              on: named in [masses]" in effects
+    assert "springs              off: not named in [forces]" in effects
+    assert "9 equations of 3 links with 9 unknown forces" in effects
+    assert "Effects" not in call("run", "example-1", "--plan").stdout
+
+
+def test_a_file_without_forces_imports_nothing_of_them(tmp_path):
+    code = f"import sys\nfrom {main.callback.__module__} import main\n"
+    code += "try:\n    main(['run', '31', '--format', 'csv', '--out', 'out'])\nexcept SystemExit:\n    pass\n"
+    code += "print('|'.join(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path, check=True)
+    modules = done.stdout.splitlines()[-1].split("|")
+    assert [name for name in modules if "effects" in name or name.endswith((".forces", ".mass_units"))] == []
+
+
+def test_forces_of_a_file_that_names_none_are_refused():
+    with pytest.raises(coursework.InputError, match="names no masses"):
+        coursework.solve("31", quantities=["forces"])
+
+
+@pytest.mark.parametrize("arguments", [(), ("--groups", "crank,RPR,RRP"), ("--from", "31"), ("--from", "v107")])
+def test_new_with_forces_runs_as_it_is(folder, arguments):
+    assert call("new", "mine", "--with", "forces", *arguments).exit_code == 0
+    run = coursework.solve("mine")
+    assert "forces" in run.asked
+    assert {check.verdict for check in run.results.force_checks} <= {"PASS", "SKIP", "COARSE"}
+
+
+def test_new_with_something_else_is_refused(folder):
+    assert call("new", "mine", "--with", "masses").exit_code == 2
+    assert call("new", "mine", "--with", "forces", "--from", "31-forces").exit_code == 2
+    assert not Path("mine.toml").exists()

@@ -1,0 +1,63 @@
+"""Friction: its laws in one joint, the fixed point, power that is lost, self-locking told."""
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.effects.checks import check_forces
+from tests.effects.massed import of, of_text, text_of
+
+
+def rubbing(name, entries):
+    return of_text(text_of(name, ("[ask]", f"[friction]\n{entries}\n\n[ask]")))
+
+
+def test_friction_of_a_guide_is_its_force_times_the_coefficient():
+    found = rubbing("example-2-forces", 'C = { coefficient = "0.1" }')
+    force = next(one.force for one in found.reactions.friction if one.body == "3")
+    sliding = found.rows.motion.column("u3")
+    moves = np.abs(sliding) > 1e-9
+    assert np.abs(force.real[moves] + 0.1 * np.abs(found.column("N03"))[moves] * np.sign(sliding[moves])).max() < 1e-9
+    assert (force.real[~moves] == 0).all() and (~moves).any()
+
+
+def test_power_lost_is_what_the_drive_gives_more():
+    pin = '{ radius = "20 mm", coefficient = "0.1" }'
+    entries = f'A = {pin}\nB = {pin}\nC = {{ coefficient = "0.1" }}'
+    found, ideal = rubbing("example-2-forces", entries), of("example-2-forces")
+    energy = found.energy
+    assert (energy.friction <= 1e-9).all() and energy.friction.min() < -10
+    assert energy.drive + energy.friction == pytest.approx(ideal.energy.drive, abs=1e-6)
+    checks = {one.code: one for one in check_forces(found, None)}
+    for code in ("VIRTUAL-POWER", "GROUPS", "REACTIONS-SUM", "FRICTION"):
+        assert checks[code].verdict == "PASS", code
+    small = rubbing("example-2-forces", entries.replace("0.1", "0.01"))
+    lost = np.trapezoid(found.energy.friction), np.trapezoid(small.energy.friction)
+    assert lost[0] == pytest.approx(10 * lost[1], rel=0.1)
+
+
+def test_a_wheel_rolls_against_an_arm():
+    found = rubbing("31-forces", 'P = { arm = "2 mm" }')
+    couple = next(one.couple for one in found.reactions.friction)
+    assert np.abs(couple + 0.002 * np.abs(found.column("N04")) * np.sign(found.rows.motion.column("w4"))).max() < 1e-9
+
+
+def test_self_locking_is_told_with_its_rows():
+    # The rod presses the slider with N = F tan(theta2), up to 0.35 F: from a coefficient of 2.9 on it cannot be pushed there.
+    found = rubbing("example-2-forces", 'C = { coefficient = "4" }')
+    told = {one.code: one for one in check_forces(found, None)}["FRICTION"]
+    assert told.verdict == "FAIL"
+    assert str(told.sentence).startswith("Self-locking in ")
+    locked = np.isnan(found.reactions.rows).all(axis=1)
+    assert locked.any()
+
+
+def test_friction_of_motion_under_forces_is_refused():
+    text = text_of("example-2-motor", ("[ask]", '[friction]\nC = { coefficient = "0.1" }\n\n[ask]'))
+    with pytest.raises(coursework.InputError, match="V718"):
+        coursework.parse_variant(text)
+
+
+def test_a_file_without_friction_has_none():
+    assert of("example-2-forces").reactions.friction == ()
+    assert not of("example-2-forces").energy.friction.any()

@@ -1,0 +1,142 @@
+"""Newton and Euler, virtual power and the groups find the same; what balances must; what is not unique stays empty."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.effects.checks import check_forces
+from coursework.motion.settings import Settings
+from coursework.scene.exact_scene import scene_of
+from coursework.variant.catalogue import names
+from tests.effects.massed import analysis, massed, of, of_text, text_of
+
+REFERENCE = Path(__file__).parents[1] / "reference" / "forces"
+# A crank of changing length is no rigid body, so it has no centre of mass: told as such.
+OTHERS = [name for name in names() if not name.endswith("-forces") and not name.startswith("variable-crank")]
+PARALLEL = """
+format = 1
+[given]
+r = "0.3 m"
+w0 = "2 rad/s"
+[drive]
+w1 = "w0"
+[coordinates]
+phi1 = { start = "60 deg", rate = "w1" }
+phi2 = { start = "60 deg", rate = "w2" }
+phi3 = { start = "60 deg", rate = "w3" }
+phi4 = { start = "0 deg", rate = "w4" }
+[time]
+step = "0.01 s"
+end = "0.1 s"
+[points]
+A = "(0, 0)"
+B = "(0.5, 0)"
+C = "(1, 0)"
+D = "A + r @ phi1"
+E = "D + 0.5 @ phi4"
+F = "D + 1 @ phi4"
+[links]
+1 = { points = ["A", "D"], rate = "w1" }
+2 = { points = ["B", "E"], rate = "w2" }
+3 = { points = ["C", "F"], rate = "w3" }
+4 = { points = ["D", "E", "F"], rate = "w4" }
+[frame]
+hinges = ["A", "B", "C"]
+[[constraint]]
+closure = "B + r @ phi2 = E"
+[[constraint]]
+closure = "C + r @ phi3 = F"
+[masses]
+1 = { mass = "1 kg", inertia = "rod" }
+2 = { mass = "1 kg", inertia = "rod" }
+3 = { mass = "1 kg", inertia = "rod" }
+4 = { mass = "3 kg", inertia = "0.25 kg*m^2", centre = "E" }
+[forces]
+gravity = "9.81 m/s^2"
+"""
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[] if n in {"31", "jansen", "v107", "cardan"} else pytest.mark.long) for n in OTHERS]
+)
+def test_every_mechanism_with_invented_masses(name):
+    found = analysis(scene_of(massed(coursework.load(name)), Settings(scheme="euler")), exact=True)
+    checks = {one.code: one for one in check_forces(found, found)}
+    assert {one.verdict for one in checks.values()} <= {"PASS", "SKIP", "COARSE"}
+    assert checks["VIRTUAL-POWER"].verdict == checks["REACTIONS-SUM"].verdict == "PASS"
+    assert checks["VIRTUAL-POWER"].value < 1e-13
+    assert checks["GROUPS"].verdict == "PASS" or name in {"cardan", "epicyclic"}  # an arm that is no link drives them
+
+
+@pytest.mark.parametrize("name", ["31-forces", "andrews-forces", "whitworth-forces"])
+def test_a_wrong_force_is_seen_by_each_way(name):
+    found = of(name)
+    spoilt = found.reactions.rows.copy()
+    spoilt[3, -1] += 1e-6 * found.reactions.largest
+    checks = {one.code: one for one in check_forces(replace_rows(found, spoilt), None)}
+    for code in ("VIRTUAL-POWER", "GROUPS", "REACTIONS-SUM"):
+        assert (checks[code].verdict, checks[code].row) == ("FAIL", 4), code
+    assert {one.verdict for one in check_forces(found, found)} <= {"PASS", "SKIP", "COARSE"}
+
+
+def replace_rows(found, rows):
+    return replace(found, reactions=replace(found.reactions, rows=rows))
+
+
+def test_power_is_the_change_of_the_energy_where_rows_are_close_enough():
+    close = of_text(text_of("example-2-forces", ("2*pi/(36*w0)", "2*pi/(180*w0)")))
+    verdicts = {one.code: one.verdict for one in check_forces(close, close)}
+    assert verdicts["POWER"] == "PASS"
+    assert {one.code: one.verdict for one in check_forces(of("example-1-forces"), None)}["POWER"] == "COARSE"
+
+
+def test_a_redundant_support_gives_what_is_unique_and_nothing_else():
+    wanted = json.loads((REFERENCE / "hard_forces.json").read_text(encoding="utf-8"))["redundant crank"]
+    found = of_text(PARALLEL)
+    assert found.reactions.matrix.shape[1:] == (wanted["equations"], wanted["unknown"])
+    assert np.isnan(found.reactions.rows[:, :-1]).all()
+    # The cranks of the reference lie along x; here at 60 degrees, where half of the weight is across them.
+    unique = {
+        key: value for key, (is_unique, value) in wanted["unique, value (least norm where not unique)"].items() if is_unique
+    }
+    assert set(unique) == {"M", *(f"{pair} across" for pair in ("R01", "R14", "R02", "R24", "R03", "R34"))}
+    assert found.column("M")[0] == pytest.approx(unique["M"] / 2, rel=1e-12)
+    assert found.by_power[0, 0] == pytest.approx(unique["M"] / 2, rel=1e-12)
+    for key, value in unique.items():
+        if key != "M":
+            pair = key.partition(" ")[0]
+            assert found.beside[f"{pair}.across"][0] == pytest.approx(value / 2, rel=1e-9), pair
+            assert found.beside[f"{pair}.angle"][0] == pytest.approx(np.deg2rad(150), abs=1e-9)
+    told = {one.code: one for one in check_forces(found, found)}["FORCE-CONDITION"]
+    assert told.verdict == "SKIP" and "13 unknown forces and 12 equations" in str(told.sentence)
+
+
+def test_forces_grow_with_the_square_towards_a_dead_point():
+    text = text_of("31-forces", ('"4.35 rad"', '"0.02 rad"'), ('step      = "0.02 s"', 'step      = "0.0005 s"'))
+    run = coursework.solve(coursework.parse_variant(text.replace('scheme    = "exact"', "")), scheme="exact")
+    stop, found = run.stop.time, analysis(run.scene)
+    left = stop - found.rows.motion.t
+    grown = found.column("FMy") * left**2
+    assert 3.95 < grown[-1] < 4.09  # which it reaches in the limit
+    assert (np.diff(grown[-25:]) > 0).all()
+    assert len(found.rows.motion.t) == len(run.motion.t) < 250
+    assert np.isfinite(found.reactions.rows).all()
+
+
+def test_no_mass_and_no_load_is_statics_of_nothing():
+    text = text_of("example-1-forces", ("F1 = {", "F9 = {"))
+    still = text.replace('"4 kg"', '"0 kg"').replace('"10 kg"', '"0 kg"').replace('"7 kg"', '"0 kg"')
+    light = of_text(
+        still.replace('inertia = "0.0533 kg*m^2"', 'inertia = "point"')
+        .replace('"0.833 kg*m^2"', '"point"')
+        .replace('"0.286 kg*m^2"', '"point"')
+    )
+    heavy = of("example-1-forces")
+    assert np.isfinite(light.reactions.rows).all()
+    # A link without mass is a two-force member: its two reactions are equal.
+    assert np.abs(light.column("R12x") - light.column("R23x")).max() < 1e-10
+    assert np.abs(light.column("R12x") - heavy.column("R12x")).max() > 1
