@@ -122,7 +122,7 @@ def test_the_key_is_the_table_that_a_run_writes(out):
         "Euler table",
         "Velocity equations",
         f"Check row {row}",
-        "from the drawing",
+        "read, mm",
         "must measure 100 mm",
         "(11)",
         "(18)",
@@ -133,8 +133,8 @@ def test_the_key_is_the_table_that_a_run_writes(out):
 def test_the_page_of_the_class_shows_how_it_spreads(out):
     page = page_of(out / "class.html")
     assert "3 students have variants of their own from template 31, seed 2026" in page
-    assert page.count('<svg class="chart"') == 4 + 10  # measures of difficulty, drawn data
-    assert page.count("<circle") == 3 * 14
+    assert page.count('<svg class="chart strip"') == 4 + 10  # measures of difficulty, drawn data
+    assert page.count("h0") == 3 * 14  # a mark each
     assert "&lt;script&gt;" in page
     assert "<script" not in page
 

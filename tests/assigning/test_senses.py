@@ -36,7 +36,7 @@ def text_of(piece):
 
 
 def rows_of(page):
-    table = re.search(r'<table class="senses">.*?</table>', page, re.S)[0]
+    table = re.search(r'<table class="senses"[^>]*>.*?</table>', page, re.S)[0]
     return [[text_of(cell) for cell in re.findall(r"<td>(.*?)</td>", row)] for row in re.findall(r"<tr>(.*?)</tr>", table)[1:]]
 
 

@@ -39,13 +39,13 @@ def test_what_is_not_judged_has_no_number_and_no_limit(real: ModuleType) -> None
     assert [real.text_of([part["AGREEMENT"][key]]) for key in ("value", "limit")] == ["–", "–"]
 
 
-def test_a_start_that_closes_to_the_last_digits_is_open_by_nought(real: ModuleType) -> None:
+def test_a_start_that_closes_to_the_last_digits_is_open_by_round_off(real: ModuleType) -> None:
     """Whitworth's start leaves 3e-18 m beside lengths of 0.35 m."""
     exact = listed(real, coursework.solve("whitworth", quantities=("table", "checks")))
-    assert real.text_of([exact["START"]["value"]]) == "0\xa0m"
+    assert real.text_of([exact["START"]["value"]]) == "3·10−18 (round-off)"
 
 
-@pytest.mark.parametrize(("share", "told"), [(0.9e-9, "0\xa0m"), (1.1e-9, "2.20·10−16\xa0m")])
+@pytest.mark.parametrize(("share", "told"), [(0.9e-9, "2·10−16 (round-off)"), (1.1e-9, "2.20·10−16\xa0m")])
 def test_what_passes_by_far_is_round_off(real: ModuleType, monkeypatch: pytest.MonkeyPatch, share: float, told: str) -> None:
     run, limit = coursework.solve("31", quantities=("table", "checks")), 2e-7
     monkeypatch.setattr(type(run), "checks", (Finding("PASS", "Told.", share * limit, limit, "m", code="START"),))
