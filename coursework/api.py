@@ -1,12 +1,12 @@
 """What `import coursework` offers for one variant: solve it, and its exact motion.
 
 Enters: a name, a path or a `Variant`.  Leaves: `Run`, tables.  Raises `InputError`.
-Used by `commands/` and `grading/marking/`.
+Used by `commands/`, `desk/` and `grading/marking/`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ from coursework.scene.exact_scene import scene_of
 from coursework.scene.quantities import TABLE, known_quantities, quantities_for
 from coursework.variant.catalogue import load
 from coursework.variant.judging.bounds import timed
+from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -66,6 +67,21 @@ def solve(
     return Run(scene_of(chosen, settings), asked, student, group, date, teacher=teacher, institution=institution, blank=blank)
 
 
+def step_of(text: str | None, variant: Variant) -> float | None:
+    """Return a step in seconds: a number, or h/N, a whole part of the step h of the file, as the command line has it."""
+    if text in {None, "auto"}:
+        return None
+    assert text is not None
+    head, slash, parts = text.partition("/")
+    if slash and head.strip() == "h" and parts.strip().isdecimal() and int(parts) > 0:
+        return variant.time.step / int(parts)
+    try:
+        return float(text.removesuffix("s").strip())
+    except ValueError:
+        told = say("fault.C031", text=text)
+        raise InputError(told) from None
+
+
 def exact(
     variant: Variant | str | Path, step: float | None = None, end: float | None = None, *, quantities: Iterable[str] | None = None
 ) -> pd.DataFrame:
@@ -93,6 +109,11 @@ def exact(
 def variant_of(path_or_name: str | Path) -> Variant:
     """Return the variant of a file or of the catalogue; among the faults of a file are the names that nobody can ask for."""
     return load(path_or_name, _asked_in_vain)
+
+
+def variant_in(text: str, name: str, tables: Mapping[str, bytes]) -> Variant:
+    """Return the variant of a text, as `variant_of` does that of a file; `tables` are those it may name."""
+    return parse_variant(text, name, tables, _asked_in_vain)
 
 
 def _asked_in_vain(variant: Variant) -> list[Fault]:

@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursework.api import solve, variant_of
+from coursework.api import solve, step_of, variant_of
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
 from coursework.commands.screen import is_terminal, tell, tell_own_file, tell_unprinted
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
@@ -140,20 +140,6 @@ def tell_round_off(run: Run) -> int:
     counts = {"best": best.steps, "spoilt": spoilt.steps, "most": curve[-1].steps}
     tell(say("screen.round_off", **counts, least=best.single, running=spoilt.running, worse=worse))
     return 0
-
-
-def step_of(text: str | None, variant: Variant) -> float | None:
-    """Return a step in seconds: a number, or h/N, a whole part of the step h of the file."""
-    if text in {None, "auto"}:
-        return None
-    assert text is not None
-    head, slash, parts = text.partition("/")
-    if slash and head.strip() == "h" and parts.strip().isdecimal() and int(parts) > 0:
-        return variant.time.step / int(parts)
-    try:
-        return float(text.removesuffix("s").strip())
-    except ValueError:
-        raise InputError(say("fault.C031", text=text)) from None
 
 
 def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, live: bool) -> list[str]:

@@ -17,8 +17,8 @@ from typing import Any, get_args
 
 import click
 
-from coursework.api import variant_of
-from coursework.commands.run import make_run, run_variant, step_of
+from coursework.api import step_of, variant_of
+from coursework.commands.run import make_run, run_variant
 from coursework.commands.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.templates import with_templates
 from coursework.report.output.formats import PAGES, chosen

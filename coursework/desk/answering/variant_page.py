@@ -1,0 +1,52 @@
+"""A text -> the very report of `run`, or its faults.
+
+Enters: a `Desk`.  Leaves: what `/api/page` and `/api/check` answer.  Used by `bench.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from coursework.desk.answering.controls import controls
+from coursework.desk.answering.derived import verdicts
+from coursework.desk.answering.typed import Desk, remarks_of
+from coursework.report.formulas.svg import draw
+from coursework.report.output.results import Results
+from coursework.report.pages.html import render_html
+from coursework.scene.quantities import ACCURACY, TABLE
+from coursework.words.sentences import ENGLISH
+
+
+def page(desk: Desk) -> dict[str, Any]:
+    """Return the page and what stands around it; without the study of accuracy where that is asked for later."""
+    run = desk.run
+    later = [ACCURACY.name] if desk.body.get("study") is False and run.asks(ACCURACY) else []
+    if later:
+        run = replace(run, asked=tuple(name for name in run.asked if name not in later) or (TABLE.name,))
+    results = Results(run, desk.language)
+    results.compute(pages=True)
+    return found(desk) | {"page": render_html(results.model), "later": later, "data": controls(desk)}
+
+
+def check(desk: Desk) -> dict[str, Any]:
+    """Return faults, none, and the first sentence of `run`."""
+    Results(desk.run, desk.language).compute(pages=False)
+    return found(desk)
+
+
+def found(desk: Desk) -> dict[str, Any]:
+    """Return what is told of a text without faults."""
+    summary = desk.run.summary if desk.language == ENGLISH else desk.run.named_summary
+    return {
+        "faults": [],
+        "summary": desk.words.written(summary) or None,
+        "remarks": remarks_of(desk),
+        "equations": verdicts(desk),
+    }
+
+
+def warm(_desk: Desk) -> dict[str, Any]:
+    """Have what a first page would wait for: everything imported, and the typesetter with its faces."""
+    draw(["omega_1"], breaks=True)
+    return {}

@@ -1,0 +1,96 @@
+"""The queue before the processes that compute: bounded, a newer text before an older one, nothing for who has left."""
+
+from __future__ import annotations
+
+import asyncio
+from concurrent.futures import Future
+
+import pytest
+
+from coursework.desk.job import Answer, Bounds, Job, Setup
+from coursework.desk.serving import renderers
+from coursework.desk.serving.bodies import Refused
+from coursework.desk.serving.renderers import MOST_WAITING, Renderers
+
+OK = Answer(200, "text/plain", b"")
+
+
+class Pool:
+    """In the place of processes: jobs that are answered when a test says so."""
+
+    ended = 0
+
+    def __init__(self, *_):
+        self.jobs: list[tuple[Job, Future[Answer]]] = []
+        self.dropped: list[Job] = []
+
+    def submit(self, job):
+        future: Future[Answer] = Future()
+        self.jobs.append((job, future))
+        return future
+
+    def drop(self, future, job):
+        self.dropped.append(job)
+
+    def begin(self, place):
+        assert self.jobs[place][1].set_running_or_notify_cancel()
+
+
+@pytest.fixture
+def made(monkeypatch):
+    monkeypatch.setattr(renderers, "Pool", Pool)
+    monkeypatch.setattr(renderers, "PATIENCE", 0.0)
+    one = Renderers(Setup(Bounds(1, 1)), 1)
+    return one, one._pool
+
+
+def test_beyond_the_bound_nobody_waits(made):
+    desk, pool = made
+
+    async def ask():
+        waiting = [asyncio.ensure_future(desk.answer(Job("check"))) for _ in range(MOST_WAITING)]
+        await asyncio.sleep(0)
+        with pytest.raises(Refused) as refused:
+            await desk.answer(Job("check"))
+        assert (refused.value.status_code, refused.value.headers) == (503, {"Retry-After": "2"})
+        for _, future in pool.jobs:
+            future.set_result(OK)
+        assert await asyncio.gather(*waiting) == [OK] * MOST_WAITING
+        assert desk.waiting == 0
+
+    asyncio.run(ask())
+
+
+def test_a_newer_text_of_the_same_desk_takes_the_older_out_of_the_queue(made):
+    desk, pool = made
+
+    async def ask():
+        older = asyncio.ensure_future(desk.answer(Job("page"), "one"))
+        other = asyncio.ensure_future(desk.answer(Job("page"), "two"))
+        await asyncio.sleep(0)
+        newer = asyncio.ensure_future(desk.answer(Job("page"), "one"))
+        assert (await older).status == 409
+        assert pool.jobs[0][1].cancelled()
+        for _, future in pool.jobs[1:]:
+            future.set_result(OK)
+        assert (await newer, await other) == (OK, OK)
+
+    asyncio.run(ask())
+
+
+def test_what_is_under_way_for_nobody_is_ended(made):
+    desk, pool = made
+
+    async def gone():
+        await asyncio.sleep(0.01)
+
+    async def ask():
+        begun = asyncio.ensure_future(desk.answer(Job("page"), "", gone()))
+        await asyncio.sleep(0)
+        pool.begin(0)
+        assert (await begun).status == 409
+        await asyncio.sleep(0.01)
+        assert pool.dropped == [pool.jobs[0][0]]
+        assert desk.waiting == 0
+
+    asyncio.run(ask())
