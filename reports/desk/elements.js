@@ -46,6 +46,24 @@ export function picture(text, title) {
 }
 
 /**
+ * A drawing that moves while a hand or the keyboard points at its card.
+ * @param {string} text
+ * @param {string} title
+ */
+export function moving(text, title) {
+  const svg = picture(text, title);
+  if (!(svg instanceof SVGSVGElement)) return svg;
+  svg.pauseAnimations();
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return svg;
+  requestAnimationFrame(() => {
+    const card = svg.closest("button");
+    for (const kind of ["pointerenter", "focus"]) card?.addEventListener(kind, () => svg.unpauseAnimations());
+    for (const kind of ["pointerleave", "blur"]) card?.addEventListener(kind, () => svg.pauseAnimations());
+  });
+  return svg;
+}
+
+/**
  * Hand a file to the person.
  * @param {Blob} blob
  * @param {string} name

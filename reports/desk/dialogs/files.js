@@ -45,7 +45,7 @@ export async function openFiles({ works, saving, view }) {
     const entries = await works.list(),
       known = new Set(entries.map((one) => one.name));
     // What was typed under a name and never saved is in this browser alone.
-    const drafts = keptNames("draft.").filter((name) => name && !known.has(name));
+    const drafts = keptNames("draft.").filter((name) => !known.has(name));
     list.replaceChildren(...entries.map(entry), ...drafts.map(draft));
     if (!list.children.length) list.replaceChildren(make("li", {}, say("no_files")));
   }
@@ -61,7 +61,7 @@ export async function openFiles({ works, saving, view }) {
           className: "name",
           onclick: () => (dialog.close(), name !== saving.name && saving.begin(name, "", null), view.focus()),
         },
-        name,
+        name || say("unnamed"),
       ),
       make("span", {}, say("state_new")),
     );

@@ -1,11 +1,10 @@
 // New: the catalogue as pictures, searched by words, links and groups; or pieces that are put to what the text has already.
 
-import { make, picture } from "../elements.js";
-import { get, post, request } from "../requests.js";
-import { declaredIn } from "../text/declared.js";
-import { edited } from "../text/verdicts.js";
+import { make, moving } from "../elements.js";
+import { get, request } from "../requests.js";
 import { say } from "../words.js";
 import { askLine, openDialog, refusedName } from "./dialog.js";
+import { hangPiece, pieceCard } from "./pieces.js";
 
 /** @import { CatalogueEntry, Piece } from "../types" */
 /** @import { Desk } from "../commands.js" */
@@ -89,91 +88,10 @@ export async function openNew(host, desk) {
     look();
   }
   const language = encodeURIComponent(desk.settings.language);
-  /** @param {Piece} piece */
-  const hang = (piece) => {
-    dialog.close();
-    void hangPiece(piece, desk);
-  };
   await Promise.all([
     get(`/api/catalogue?language=${language}`).then(fill),
     get(`/api/pieces?language=${language}`).then((/** @type {Piece[]} */ found) =>
-      pieces.replaceChildren(
-        ...found.map((piece) =>
-          make(
-            "button",
-            { type: "button", className: "card", "data-piece": piece.kind, onclick: () => hang(piece) },
-            moving(piece.svg, piece.title),
-            make("b", {}, piece.kind),
-            make("span", {}, piece.title),
-          ),
-        ),
-      ),
+      pieces.replaceChildren(...found.map((piece) => pieceCard(piece, () => (dialog.close(), hangPiece(piece, desk))))),
     ),
   ]);
-}
-
-/**
- * A drawing that moves while a hand or the keyboard points at its card.
- * @param {string} text
- * @param {string} title
- */
-function moving(text, title) {
-  const svg = picture(text, title);
-  if (!(svg instanceof SVGSVGElement)) return svg;
-  svg.pauseAnimations();
-  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return svg;
-  requestAnimationFrame(() => {
-    const card = svg.closest("button");
-    for (const kind of ["pointerenter", "focus"]) card?.addEventListener(kind, () => svg.unpauseAnimations());
-    for (const kind of ["pointerleave", "blur"]) card?.addEventListener(kind, () => svg.pauseAnimations());
-  });
-  return svg;
-}
-
-/**
- * Ask on which points a piece hangs, and append its lines.
- * @param {Piece} piece
- * @param {Desk} desk
- */
-async function hangPiece(piece, desk) {
-  const { doc } = desk.view.state,
-    text = doc.toString(),
-    points = [...declaredIn(text).points];
-  const fields = piece.asks.map(({ key, means }) => {
-    const select = make("select", { id: `desk-on-${key}` }, ...points.map((name) => make("option", {}, name)));
-    return { label: make("label", { for: select.id }, means), select };
-  });
-  // What came last into the text is what one builds on.
-  for (const [k, { select }] of fields.entries()) select.selectedIndex = Math.max(0, points.length - fields.length + k);
-  const why = make("output", {});
-  const form = make(
-    "form",
-    { className: "line" },
-    ...fields.flatMap(({ label, select }) => [label, select]),
-    make("button", { className: "main" }, say("add_piece")),
-    why,
-  );
-  const { dialog } = openDialog(document.body, piece.title, [
-    make("div", { className: "piece" }, picture(piece.svg, piece.title)),
-    form,
-  ]);
-  form.addEventListener("submit", async (event) => {
-    event.preventDefault();
-    try {
-      const found = await post("/api/piece", {
-        ...desk.given(),
-        text,
-        kind: piece.kind,
-        on: fields.map(({ select }) => select.value),
-      });
-      why.textContent = found.sentence ?? found.faults?.[0]?.sentence ?? "";
-      if (why.textContent) return;
-      dialog.close();
-      const from = edited(desk.view, doc, found, "input.desk");
-      if (from !== null) desk.view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
-      desk.view.focus();
-    } catch (error) {
-      why.textContent = /** @type {Error} */ (error).message;
-    }
-  });
 }

@@ -3,6 +3,7 @@
 import { download, make } from "../elements.js";
 import { request } from "../requests.js";
 import { say } from "../words.js";
+import { zipped } from "../work/zip.js";
 import { openDialog } from "./dialog.js";
 
 /** @import { Desk } from "../commands.js" */
@@ -48,14 +49,16 @@ export function openTake(host, { config, works, view, given, saving }) {
   const formats = (config.policy.formats ?? config.formats).filter((format) => config.formats.includes(format));
   const file = make("input", {
     type: "file",
-    accept: ".zip,.toml",
+    accept: ".zip,.toml,.csv",
     id: "desk-open",
     onchange: async () => {
       const chosen = file.files?.[0];
       if (!chosen) return;
       told.textContent = "";
       try {
-        const { written, skipped } = chosen.name.endsWith(".toml") ? await one(chosen) : await works.unzip(chosen);
+        // A text or a table alone comes the way of a zip.
+        const packed = chosen.name.endsWith(".zip") ? chosen : zipped({ [chosen.name]: await chosen.text() });
+        const { written, skipped } = await works.unzip(packed);
         const lines = [
           say("opened", { names: written.join(", ") || "–" }),
           ...skipped.map((each) => `${each.name}: ${each.sentence}`),
@@ -67,14 +70,6 @@ export function openTake(host, { config, works, view, given, saving }) {
       }
     },
   });
-  /** @param {File} chosen */
-  async function one(chosen) {
-    const title = chosen.name.replace(/\.toml$/, ""),
-      done = await works.write(title, await chosen.text(), null);
-    return "theirs" in done
-      ? { written: [], skipped: [{ name: title, sentence: say("name_taken", { name: title }) }] }
-      : { written: [title], skipped: [] };
-  }
   openDialog(host, say("take_title", { name: name() }), [
     make(
       "p",
