@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -61,3 +63,9 @@ def desk(folder: Path | None = None, *, name: str = "", policy: Policy | None = 
         if folder:
             client.cookies.set(COOKIE, SECRET)
         yield client
+
+
+def ended(work: Coroutine[Any, Any, Any]) -> Any:
+    """Return what work comes to, done in a thread of its own: a browser of the suite may have its loop running in this one."""
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(asyncio.run, work).result()

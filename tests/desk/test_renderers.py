@@ -11,6 +11,7 @@ from coursework.desk.job import Answer, Bounds, Job, Setup
 from coursework.desk.serving import renderers
 from coursework.desk.serving.bodies import Refused
 from coursework.desk.serving.renderers import MOST_WAITING, Renderers
+from tests.desk.desks import ended
 
 OK = Answer(200, "text/plain", b"")
 
@@ -58,7 +59,7 @@ def test_beyond_the_bound_nobody_waits(made):
         assert await asyncio.gather(*waiting) == [OK] * MOST_WAITING
         assert desk.waiting == 0
 
-    asyncio.run(ask())
+    ended(ask())
 
 
 def test_a_newer_text_of_the_same_desk_takes_the_older_out_of_the_queue(made):
@@ -75,7 +76,7 @@ def test_a_newer_text_of_the_same_desk_takes_the_older_out_of_the_queue(made):
             future.set_result(OK)
         assert (await newer, await other) == (OK, OK)
 
-    asyncio.run(ask())
+    ended(ask())
 
 
 def test_what_is_under_way_for_nobody_is_ended(made):
@@ -93,4 +94,4 @@ def test_what_is_under_way_for_nobody_is_ended(made):
         assert pool.dropped == [pool.jobs[0][0]]
         assert desk.waiting == 0
 
-    asyncio.run(ask())
+    ended(ask())

@@ -21,7 +21,7 @@ from uvicorn.server import ServerState
 
 from coursework.desk.serving import server as server_module
 from coursework.desk.serving.server import Impatient
-from tests.desk.desks import TEXT
+from tests.desk.desks import TEXT, ended
 from tests.desk.server import Server, running
 
 NEW = {"If_None_Match": "*"}
@@ -188,4 +188,4 @@ def test_a_line_without_a_request_is_closed(monkeypatch):
             writer.close()
         return found
 
-    assert asyncio.run(opened()) == b""
+    assert ended(opened()) == b""

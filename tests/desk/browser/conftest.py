@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import os
+import contextlib
 import shutil
-import signal
-import subprocess
-import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,9 +11,8 @@ from typing import Any
 
 import pytest
 
-import coursework
+from tests.desk.server import running
 
-ROOT = Path(coursework.__file__).parents[1]
 PATIENCE = 60_000  # ms: a machine may be busy; no test says how long anything takes
 VIEW = "document.querySelector('#desk-text .cm-content').cmTile.view"
 RESTS = "#desk-state:not([data-state=computing])"
@@ -86,24 +82,16 @@ class Desk:
 @pytest.fixture(scope="session")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., tuple[str, Path]]]:
     """Start a desk in a folder of its own, one for all tests that ask for the same; all are ended behind them."""
-    running: dict[tuple[str, ...], tuple[subprocess.Popen[str], str, Path]] = {}
+    found: dict[tuple[str, ...], tuple[str, Path]] = {}
+    with contextlib.ExitStack() as stack:
 
-    def start(*words: str) -> tuple[str, Path]:
-        if words not in running:
-            folder = tmp_path_factory.mktemp("desk")
-            command = [sys.executable, "-m", "coursework", *words, "--port", "0"]
-            process = subprocess.Popen(
-                command, cwd=folder, env=os.environ | {"PYTHONPATH": str(ROOT)}, stdout=subprocess.PIPE, text=True
-            )
-            assert process.stdout is not None
-            running[words] = process, process.stdout.readline().strip(), folder
-        return running[words][1:]
+        def start(*words: str) -> tuple[str, Path]:
+            if words not in found:
+                folder = tmp_path_factory.mktemp("desk")
+                found[words] = stack.enter_context(running(*words, folder=folder)).address, folder
+            return found[words]
 
-    yield start
-    for process, *_ in running.values():
-        process.send_signal(signal.SIGINT)
-    for process, *_ in running.values():
-        process.communicate(timeout=30)
+        yield start
 
 
 @pytest.fixture
