@@ -114,11 +114,9 @@ def _put_in(text: str, lines: Mapping[str, Sequence[str]], draft: Draft) -> list
             at = sum(ends[: last[section]]) + last[section] - 1 if section in last else len(text.rstrip("\n"))
             head = [] if section in last or section == "group" else ["", f"[{section}]"]
             made.append((at, at, "".join(f"\n{line}" for line in (*head, *added))))
-    guides = {guide.through for group in draft.groups for guide in group.guides}
-    hinges = [name for name in draft.places if name not in guides]
     span = found.spans.get(("frame", "hinges"))
-    if hinges and span is not None:
+    if draft.hinges and span is not None:
         inside = text[span[0] + 1 : span[1] - 1].strip()
-        names = ", ".join(f'"{name}"' for name in hinges)
+        names = ", ".join(f'"{name}"' for name in draft.hinges)
         made.append((span[1] - 1, span[1] - 1, f", {names}" if inside else names))
     return made
