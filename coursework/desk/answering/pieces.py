@@ -31,6 +31,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 ASKED = (TABLE, PLOTS, CHECKS, GRAPH_CHECK, ACCELERATIONS, POINTS)
+STILL = 1e-9  # m: a point that goes less far stands
 DRIVEN = next(kind for kind, shape in GROUP_SHAPES.items() if shape.driven)
 
 
@@ -67,6 +68,8 @@ def piece(desk: Desk) -> dict[str, Any]:
         return _without(desk, say("desk.piece_does_not_close", kind=kind))
     if missing := [name for name in hung if name not in known]:
         return _without(desk, say("desk.no_joint", joint=missing[0][:40]))
+    if kind != DRIVEN and all(known[name].amplitude < STILL for name in hung):
+        return _without(desk, say("desk.piece_on_still", point=hung[0]))
     beside = [*known.values()][-1:] if kind == DRIVEN else []  # so that it does not stand on another
     digits = [int(found) for name in desk.variant.names for found in re.findall(r"\d{1,3}", name)]
     try:
