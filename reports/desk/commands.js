@@ -52,10 +52,9 @@ export function commandsIn(desk) {
     const { doc } = view.state;
     const written = await post("/api/equations", { ...desk.given(), text: doc.toString() });
     const from = written.text ? edited(view, doc, written, "input.desk") : null;
-    if (from !== null) {
-      view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
-      view.focus();
-    } else notices.show("refused", say("equations_there"));
+    if (from === null) return notices.show("refused", written.faults?.[0]?.sentence ?? say("equations_there"));
+    view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
+    view.focus();
   });
   on("desk-forget", async () => {
     const sentence = say(desk.config.mode === "serve" ? "forget_serve" : "forget_edit");

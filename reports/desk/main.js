@@ -99,7 +99,7 @@ function answered(answer) {
   frame.classList.toggle("pale", Boolean(first));
   pale.hidden = !first || !page.html;
   pale.textContent = first ? say("pale", { sentence: first.sentence }) : "";
-  found("desk-welcome", HTMLElement).hidden = Boolean(page.html) || text().trim() !== "";
+  found("desk-welcome", HTMLElement).hidden = Boolean(page.html);
   frame.classList.toggle("empty", !page.html);
   keepHere();
 }
@@ -140,12 +140,21 @@ const saving = savingIn({
     found("desk-name", HTMLElement).textContent = name || say("unnamed");
     document.title = `${name || say("unnamed")} · ${say("title")}`;
   },
+  // Page and sliders of the text before say nothing of this one.
+  began() {
+    page.clear();
+    frame.classList.add("empty");
+    found("desk-pale", HTMLElement).hidden = true;
+    data.show([], view.state.doc, since);
+  },
   askName: (name) => askLine({ title: say("save"), label: say("name"), value: name, verb: say("save"), refuses: refusedName }),
   compare: (theirs, own) => compared(saving.name, own, theirs.text, config.nonce),
 });
 
 followWords(() => page.speak());
 printed(found("desk-print", HTMLElement), config.nonce, () => page.html);
+// Where all parts stand one below the other, the way to the page is short.
+if (matchMedia("(max-width: 1099px)").matches) found("desk-data", HTMLDetailsElement).open = false;
 if (!keeps()) notices.show("keeps", say("keeps_nothing"));
 if (config.mode === "edit" && !config.writable) notices.show("folder", say("not_writable", { folder: config.folder ?? "" }));
 commandsIn({ config, works, view, settings, saving, notices, given });

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
 from coursework.api import solve
-from coursework.desk.answering import bench
-from coursework.desk.job import Bounds, Job, Policy, Setup, plain
+from coursework.desk.job import Policy
 from coursework.equations.reduction import structure
 from coursework.equations.reduction.equations import differentiate
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
-from coursework.system.plain_lines import plain_of
 from coursework.variant.reading.reader import parse_variant
 from tests.command import call
 from tests.desk.desks import TEXT, VARIANTS, desk
@@ -131,23 +128,3 @@ def test_other_numbers_compile_no_structure_again(client, monkeypatch):
     scenes = [solve(parse_variant(TEXT.replace("0.953 m", f"0.95{number} m"))).scene for number in range(2)]
     assert scenes[0].solutions is scenes[1].solutions
     assert structure.MOST_KEPT >= 32
-
-
-def test_what_a_class_asks_alike_is_computed_once(monkeypatch):
-    asked = []
-    monkeypatch.setattr(bench, "limit_memory_beyond", lambda _: None)
-    monkeypatch.setattr(
-        bench, "answer", lambda job, setup: asked.append(job.body["text"]) or plain(200, {"text": job.body["text"]})
-    )
-    with bench.opened(plain_of(Setup(Bounds(1, 10**6)))) as work:
-        for text in ("a", "b", "a", "b"):
-            assert json.loads(work(plain_of(Job("page", {"text": text}))).body) == {"text": text}
-        assert asked == ["a", "b"]
-        for number in range(bench.KEPT):
-            work(plain_of(Job("page", {"text": str(number)})))
-        work(plain_of(Job("page", {"text": "a"})))
-        assert asked.count("a") == 2
-    with bench.opened(plain_of(Setup(Bounds(1, 10**6), folder="."))) as work:  # whose tables may change
-        for _ in range(2):
-            work(plain_of(Job("page", {"text": "c"})))
-        assert asked.count("c") == 2

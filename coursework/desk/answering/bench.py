@@ -6,10 +6,8 @@ Enters: `Setup`, jobs.  Leaves: `Answer`s.  Every process of `serving/renderers.
 from __future__ import annotations
 
 import gzip
-import json
 import sys
 import traceback
-from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -24,7 +22,6 @@ from coursework.system.plain_lines import record_of
 from coursework.words.errors import CourseworkError
 from coursework.words.sentences import say
 
-KEPT = 32  # answers, some 100 kB each
 PACKED_FROM = 2000  # bytes, below which compressing an answer costs more than it saves
 KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
     "page": variant_page.page,
@@ -46,25 +43,7 @@ def opened(plain_setup: Any) -> Iterator[Callable[[Any], Answer]]:
     """Yield what answers one job after the other."""
     setup = record_of(Setup, plain_setup)
     limit_memory_beyond(setup.bounds.memory)
-    yield (lambda job: answer(record_of(Job, job), setup)) if setup.folder else _Remembering(setup).answer
-
-
-class _Remembering:
-    """Keeps the latest answers where nothing but the question decides them: a class opens one variant within a minute."""
-
-    def __init__(self, setup: Setup) -> None:
-        self._setup = setup
-        self._kept: OrderedDict[str, Answer] = OrderedDict()
-
-    def answer(self, plain_job: Any) -> Answer:
-        """Return what comes of a job."""
-        asked = json.dumps(plain_job, sort_keys=True)
-        found = self._kept.pop(asked, None) or answer(record_of(Job, plain_job), self._setup)
-        if found.status == OK:
-            self._kept[asked] = found
-        while len(self._kept) > KEPT:
-            self._kept.popitem(last=False)
-        return found
+    yield lambda job: answer(record_of(Job, job), setup)
 
 
 def answer(job: Job, setup: Setup) -> Answer:

@@ -21,6 +21,7 @@ export function openTable({ view, given }) {
   const told = make("div", { className: "told", "aria-live": "polite" });
   const file = make("input", {
     type: "file",
+    className: "unseen",
     id: "desk-own-table",
     onchange: () => file.files?.[0] && void look(file.files[0]),
   });

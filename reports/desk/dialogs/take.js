@@ -49,6 +49,7 @@ export function openTake(host, { config, works, view, given, saving }) {
   const formats = (config.policy.formats ?? config.formats).filter((format) => config.formats.includes(format));
   const file = make("input", {
     type: "file",
+    className: "unseen",
     accept: ".zip,.toml,.csv",
     id: "desk-open",
     onchange: async () => {
@@ -85,7 +86,7 @@ export function openTake(host, { config, works, view, given, saving }) {
       "p",
       { className: "row" },
       button(say("zip"), "zip", async () => download(await works.zip(), "coursework.zip")),
-      make("label", { className: "file" }, say("unzip"), " ", file),
+      make("label", { className: "file" }, say("unzip"), file),
     ),
     told,
   ]);

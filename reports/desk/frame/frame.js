@@ -47,7 +47,8 @@ addEventListener("message", ({ source, data }) => {
   else if (data.kind === "words") {
     words = data.words;
     explain();
-  } else if (data.kind === "refused") explain(data.sentence);
+  } else if (data.kind === "clear") scrollTo(0, 0);
+  else if (data.kind === "refused") explain(data.sentence);
   else if (data.kind === "page") {
     patch(data.html);
     explain();

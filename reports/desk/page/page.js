@@ -54,6 +54,11 @@ export function pageIn(frame, words, heard) {
       if (ready) send(last);
       return id;
     },
+    /** Another text begins: nothing is shown until its first page. */
+    clear() {
+      last = null;
+      if (ready) send({ kind: "clear" });
+    },
     speak: () => ready && send({ kind: "words", words: words() }),
     /** @param {string} sentence Why a joint does not follow, "" where it does. */
     refuse: (sentence) => ready && send({ kind: "refused", sentence }),

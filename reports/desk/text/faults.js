@@ -81,7 +81,11 @@ export function showFaults(view, list, answer, doc, since) {
     message: fault.sentence,
     actions: fault.mend ? [{ name: name(), apply: () => mendIt(view, fault) }] : [],
   });
-  view.dispatch(setDiagnostics(view.state, [...faults.map(marked("error")), ...remarks.map(marked("info"))]));
+  // What an empty text lacks is how to begin, no slip.
+  const nothing = !doc.toString().trim();
+  list.classList.toggle("beginning", nothing);
+  const marks = nothing ? [] : [...faults.map(marked("error")), ...remarks.map(marked("info"))];
+  view.dispatch(setDiagnostics(view.state, marks));
   list.replaceChildren(
     ...faults.map((fault) => line(view, fault, "fault")),
     ...remarks.map((remark) => line(view, remark, "remark")),

@@ -10,14 +10,14 @@ import { keep, kept } from "./store.js";
 /**
  * @typedef {{
  *   works: Works, view: EditorView, state: ReturnType<typeof import("../state.js").stateIn>,
- *   notices: ReturnType<typeof import("../notices.js").noticesIn>, named: (name: string) => void,
+ *   notices: ReturnType<typeof import("../notices.js").noticesIn>, named: (name: string) => void, began: () => void,
  *   askName: (name: string) => Promise<string | null>,
  *   compare: (theirs: Kept, own: string) => Promise<"mine" | "theirs" | null>,
  * }} Parts
  */
 
 /** @param {Parts} parts */
-export function savingIn({ works, view, state, notices, named, askName, compare }) {
+export function savingIn({ works, view, state, notices, named, began, askName, compare }) {
   let name = "",
     warned = false;
   /** @type {{text: string, etag: string | null}} */
@@ -109,6 +109,7 @@ export function savingIn({ works, view, state, notices, named, askName, compare 
     conflict = null;
     for (const key of ["conflict", "restored", "refused", "outside"]) notices.drop(key);
     named(name);
+    began();
     const unsaved = kept(draft());
     const restored = typeof unsaved?.text === "string" && unsaved.text !== content ? unsaved : null;
     rewrite(view, restored ? restored.text : content, { undo: false });
