@@ -8,7 +8,7 @@ import { found } from "./elements.js";
 import { noticesIn } from "./notices.js";
 import { pageIn } from "./page/page.js";
 import { printed } from "./page/print.js";
-import { speakIn, standBehind } from "./requests.js";
+import { postAtOnce, speakIn, standBehind } from "./requests.js";
 import { settingsIn } from "./settings.js";
 import { stateIn } from "./state.js";
 import { completing } from "./text/completion.js";
@@ -24,7 +24,7 @@ import { folderWorks } from "./work/folder.js";
 import { savingIn } from "./work/saving.js";
 import { keep, keeps, kept } from "./work/store.js";
 
-/** @import { Answer, Config } from "./types" */
+/** @import { Answer, Ask, Config } from "./types" */
 
 const config = /** @type {Config} */ (JSON.parse(found("desk-config", HTMLScriptElement).textContent ?? ""));
 standBehind(config.root);
@@ -86,14 +86,28 @@ function ask() {
   asks.moved();
 }
 
-/** @param {Answer} answer */
-function answered(answer) {
+/**
+ * What the page is an answer to, where sections of it are headings yet.
+ * @type {Ask | null}
+ */
+let lacking = null;
+
+/** The page with all its sections. */
+const whole = () => (lacking && postAtOnce("/api/page", { ...lacking, study: true })?.page) || page.html;
+
+/**
+ * @param {Answer} answer
+ * @param {Ask} asked
+ */
+function answered(answer, asked) {
   showFaults(view, faults, answer, doc, since);
   showVerdicts(view, answer.equations ?? [], doc, since);
   if (!answer.faults.length) data.show(answer.data ?? [], doc, since);
   state.set({ unreachable: null, faults: answer.faults.length });
-  if (answer.page !== null) showing = page.show(answer.page, Boolean(answer.later?.length));
-  else settle();
+  if (answer.page !== null) {
+    lacking = answer.later?.length ? asked : null;
+    showing = page.show(answer.page, answer.later ?? []);
+  } else settle();
   const first = answer.faults[0],
     pale = found("desk-pale", HTMLElement);
   frame.classList.toggle("pale", Boolean(first));
@@ -143,6 +157,7 @@ const saving = savingIn({
   // Page and sliders of the text before say nothing of this one.
   began() {
     page.clear();
+    lacking = null;
     frame.classList.add("empty");
     found("desk-pale", HTMLElement).hidden = true;
     data.show([], view.state.doc, since);
@@ -152,7 +167,7 @@ const saving = savingIn({
 });
 
 followWords(() => page.speak());
-printed(found("desk-print", HTMLElement), config.nonce, () => page.html);
+printed(found("desk-print", HTMLElement), config.nonce, whole);
 // Where all parts stand one below the other, the way to the page is short.
 if (matchMedia("(max-width: 1099px)").matches) found("desk-data", HTMLDetailsElement).open = false;
 if (!keeps()) notices.show("keeps", say("keeps_nothing"));

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -36,9 +37,13 @@ def test_the_page_is_the_report_of_run(client):
 
 def test_what_comes_into_view_later_is_left_out_until_it_is_asked_for(client):
     found = client.post("/api/page", json={"text": TEXT, "study": False}).json()
-    assert found["later"] == ["accuracy"]
-    assert 'id="accuracy"' not in found["page"]
-    assert 'id="results"' in found["page"]
+    whole = client.post("/api/page", json={"text": TEXT}).json()
+    assert found["later"] == ["graph_check", "conclusion", "checks", "accuracy", "method"]
+    assert whole["later"] == []
+    lean, full = (re.findall(r'<section id="(\w+)">\s*(.*?)</section>', one["page"], re.S) for one in (found, whole))
+    heads = [[(name, re.search("<h2>.*?</h2>", text)[0]) for name, text in parts] for parts in (lean, full)]
+    assert heads[0] == heads[1]
+    assert [name for name, text in lean if re.fullmatch(r"<h2>.*?</h2>\s*", text)] == found["later"]
 
 
 def test_scheme_and_step_are_those_of_the_command_line(client):

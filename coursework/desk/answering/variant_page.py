@@ -14,17 +14,20 @@ from coursework.desk.answering.typed import Desk, remarks_of
 from coursework.report.formulas.svg import draw
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
-from coursework.scene.quantities import ACCURACY, TABLE
+from coursework.report.sections.sections import BEHIND
+from coursework.scene.quantities import ACCURACY, GRAPH_CHECK, TABLE
 from coursework.words.sentences import ENGLISH
+
+DEAR = {ACCURACY.name, GRAPH_CHECK.name}  # nothing else on a page needs them
 
 
 def page(desk: Desk) -> dict[str, Any]:
-    """Return the page and what stands around it; without the study of accuracy where that is asked for later."""
-    run = desk.run
-    later = [ACCURACY.name] if desk.body.get("study") is False and run.asks(ACCURACY) else []
-    if later:
-        run = replace(run, asked=tuple(name for name in run.asked if name not in later) or (TABLE.name,))
-    results = Results(run, desk.language)
+    """Return the page and what stands around it; of what is read last only the headings where that is asked for later."""
+    run, later = desk.run, tuple[str, ...]()
+    if desk.body.get("study") is False:
+        later = tuple(write.__name__ for write, needed in BEHIND if needed is None or run.asks(needed))
+        run = replace(run, asked=tuple(name for name in run.asked if name not in DEAR) or (TABLE.name,))
+    results = Results(run, desk.language, later=later)
     results.compute(pages=True)
     return found(desk) | {"page": render_html(results.model), "later": later, "data": controls(desk)}
 

@@ -47,20 +47,15 @@ addEventListener("message", ({ source, data }) => {
   else if (data.kind === "words") {
     words = data.words;
     explain();
-  } else if (data.kind === "clear") scrollTo(0, 0);
+  } else if (data.kind === "clear") forget();
   else if (data.kind === "refused") explain(data.sentence);
   else if (data.kind === "page") {
-    patch(data.html);
+    patch(data.html, data.later);
     explain();
     joints.prepare();
-    // What is computed only when somebody looks at the end of the page.
+    // What is computed only when somebody looks at it.
     later.disconnect();
-    document.getElementById("desk-later")?.remove();
-    if (data.later) {
-      const end = Object.assign(document.createElement("p"), { id: "desk-later", textContent: "…" });
-      document.querySelector("main")?.append(end);
-      later.observe(end);
-    }
+    for (const one of document.querySelectorAll("[data-later]")) later.observe(one);
     tell({ kind: "shown", id: data.id });
   }
 });

@@ -72,8 +72,9 @@ const runScript = (page) => {
 };
 
 /** Show a page; returns the names of the parts that were made anew.
- * @param {string} html */
-const patch = (html) => {
+ * @param {string} html
+ * @param {string[]} later Sections that are headings yet: what stands of them from before stays, pale. */
+const patch = (html, later) => {
   const page = new DOMParser().parseFromString(html, "text/html");
   const parts = partsOf(page),
     at = topmost(),
@@ -98,14 +99,16 @@ const patch = (html) => {
   for (const [name, { into, element }] of parts) {
     const source = element.outerHTML,
       parent = into === "main" ? main : document.body;
-    sources.set(name, source);
+    const waits = later.includes(name);
+    sources.set(name, waits ? "" : source);
     let old = standing.get(name);
-    if (!old || alive || before.get(name) !== source) {
+    if (!old || (!waits && (alive || before.get(name) !== source))) {
       made.push(name);
       const fresh = document.importNode(element, true);
       if (old?.parentElement === parent) old.replaceWith(fresh);
       standing.set(name, (old = fresh));
     }
+    if (waits && old instanceof HTMLElement) old.dataset.later = "";
     const last = behind[into],
       next = last ? last.nextElementSibling : parent.firstElementChild;
     if (next !== old) parent.insertBefore(old, next);
@@ -125,3 +128,11 @@ const patch = (html) => {
 /** What stands on the page by the name of its part.
  * @type {Map<string, Element>} */
 const standing = new Map();
+/** Leave nothing of a page: the next is of another text. */
+const forget = () => {
+  running.abort();
+  script = "";
+  for (const element of standing.values()) element.remove();
+  standing.clear();
+  scrollTo(0, 0);
+};

@@ -18,7 +18,7 @@
 export function pageIn(frame, words, heard) {
   let ready = false,
     id = 0;
-  /** @type {{kind: "page", id: number, html: string, later: boolean} | null} */
+  /** @type {{kind: "page", id: number, html: string, later: string[]} | null} */
   let last = null;
 
   /** @param {unknown} message */
@@ -47,7 +47,7 @@ export function pageIn(frame, words, heard) {
     /**
      * Show a page; `shown` is called with the number that this returns.
      * @param {string} html
-     * @param {boolean} later Whether more of it is to come when its end is looked at.
+     * @param {string[]} later Sections of which only the heading is there, until somebody looks at them.
      */
     show(html, later) {
       last = { kind: "page", id: ++id, html, later };

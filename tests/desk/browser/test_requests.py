@@ -91,9 +91,18 @@ def test_what_changes_no_number_leaves_the_moving_part_as_it_is(desk: Callable[.
 
 def test_the_study_comes_when_it_is_looked_at(desk: Callable[..., Any]) -> None:
     one, _ = desk()
-    assert one.report.locator("#accuracy").count() == 0
+    heads = one.report.eval_on_selector_all("main > section > h2", "list => list.map(one => one.innerText)")
+    assert one.report.locator("#accuracy > *").count() == 1
     before = one.asked[PAGE]
-    one.report.evaluate("document.querySelector('#desk-later').scrollIntoView()")
-    one.report.wait_for_selector("#accuracy")
+    one.report.evaluate("document.querySelector('#accuracy').scrollIntoView()")
+    one.report.wait_for_selector("#accuracy table")
     assert one.asked[PAGE] == before + 1
-    assert one.report.locator("#desk-later").count() == 0
+    assert one.report.locator("[data-later]").count() == 0
+    assert one.report.eval_on_selector_all("main > section > h2", "list => list.map(one => one.innerText)") == heads
+    # What was there stays, pale, until it is there anew: nothing jumps under the eyes of a reader.
+    one.report.evaluate("scrollTo(0, 0)")
+    one.replace('"0.953 m"', '"0.954 m"')
+    one.rest("changed")
+    assert one.report.locator("#accuracy[data-later] table").count() > 0
+    one.report.evaluate("document.querySelector('#accuracy').scrollIntoView()")
+    one.report.wait_for_selector("#accuracy:not([data-later]) table")

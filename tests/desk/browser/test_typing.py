@@ -28,6 +28,8 @@ def test_a_variant_is_typed_from_nothing_saved_and_moved(desk: Callable[..., Any
     assert one.faults() == []
     assert one.state == ("changed", "changed")
     assert not page.is_visible("#desk-welcome")
+    one.report.evaluate("document.querySelector('#checks').scrollIntoView()")
+    one.report.wait_for_selector("#checks tbody")
     checks = one.report.eval_on_selector_all("#checks tbody", "list => list.length")
     assert checks > 10
     # The tab dies; what was typed is there again and said so.
