@@ -54,9 +54,9 @@ class Server:
 
 
 @contextlib.contextmanager
-def running(*words: str, folder: Path, **environment: str) -> Iterator[Server]:
-    """Start a desk on any port, and end it with what is left."""
-    command = [sys.executable, "-m", "coursework", *words, "--port", "0"]
+def running(*words: str, folder: Path, port: int = 0, **environment: str) -> Iterator[Server]:
+    """Start a desk, on any port where none is said, and end it with what is left."""
+    command = [sys.executable, "-m", "coursework", *words, "--port", str(port)]
     process = subprocess.Popen(
         command, cwd=folder, env=os.environ | {"PYTHONPATH": str(Path(__file__).parents[2])} | environment,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
