@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 OWN, OTHER = ('"0.953 m"', '"0.955 m"'), ('"0.953 m"', '"0.954 m"')
 
 
@@ -19,7 +19,6 @@ def saved(desk: Callable[..., Any]) -> tuple[Any, Path]:
     return one, folder / "31.toml"
 
 
-@pytest.mark.long
 def test_a_change_from_outside_is_taken_over_at_once(desk: Callable[..., Any]) -> None:
     one, path = saved(desk)
     path.write_text(one.text.replace(*OTHER), encoding="utf-8")
@@ -29,7 +28,7 @@ def test_a_change_from_outside_is_taken_over_at_once(desk: Callable[..., Any]) -
     assert one.page.input_value("[data-datum=r1] input[type=text]") == "0.954"
 
 
-@pytest.mark.parametrize("choice", ["mine", pytest.param("theirs", marks=pytest.mark.long)])
+@pytest.mark.parametrize("choice", ["mine", "theirs"])
 def test_two_changes_are_shown_side_by_side(choice: str, desk: Callable[..., Any]) -> None:
     one, path = saved(desk)
     first = one.text
@@ -44,7 +43,6 @@ def test_two_changes_are_shown_side_by_side(choice: str, desk: Callable[..., Any
     assert one.text == path.read_text(encoding="utf-8") == first.replace(*(OWN if choice == "mine" else OTHER))
 
 
-@pytest.mark.long
 def test_files_are_copied_renamed_deleted_and_brought_back(desk: Callable[..., Any]) -> None:
     one, path = saved(desk)
     page, folder = one.page, path.parent

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 WHERE = "(document.activeElement.closest('#desk-bar, #desk-text, #desk-faults, #desk-data, #desk-page, dialog') ?? {}).id"
 
 
