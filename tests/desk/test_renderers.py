@@ -62,6 +62,22 @@ def test_beyond_the_bound_nobody_waits(made):
     ended(ask())
 
 
+def test_where_the_oldest_waits_for_long_nobody_is_put_behind_it(made, monkeypatch):
+    desk, pool = made
+    monkeypatch.setattr(renderers, "LONGEST", -1.0)
+
+    async def ask():
+        waiting = [asyncio.ensure_future(desk.answer(Job("check", number))) for number in range(3)]
+        await asyncio.sleep(0)
+        with pytest.raises(Refused):
+            await desk.answer(Job("check", "another"))
+        for _, future in pool.jobs:
+            future.set_result(OK)
+        await asyncio.gather(*waiting)
+
+    ended(ask())
+
+
 def test_a_newer_text_of_the_same_desk_takes_the_older_out_of_the_queue(made):
     desk, pool = made
 

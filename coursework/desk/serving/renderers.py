@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import asyncio
 import hashlib
+import time
 from collections import OrderedDict
 from collections.abc import Awaitable
 from concurrent.futures import Future
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from coursework.desk.job import BUSY, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
@@ -25,7 +26,8 @@ CONFLICT = 409
 QUIET = 120.0  # s without a job after which all processes but one end
 PACE = 10.0  # s between two looks for them
 PATIENCE = 1.0  # s that a process may go on with what nobody waits for any longer: it is dearer to start another
-MOST_WAITING = 32  # jobs for each process; more than some seconds nobody waits
+MOST_WAITING = 32  # jobs for each process
+LONGEST = 5.0  # s that the oldest of them may have waited: more than some seconds nobody waits
 KEPT = 256  # answers, some 70 kB each: a class opens one variant within a minute
 RETRY = {"Retry-After": "2"}
 _SLOWER = 4.0  # a process may wait for others so many times as long as it computes
@@ -39,6 +41,7 @@ class _Asked:
     future: Future[Answer]
     answer: asyncio.Future[Answer]
     waiting: int = 0
+    begun: float = field(default_factory=time.monotonic)
 
 
 class Renderers:
@@ -56,7 +59,7 @@ class Renderers:
         trade = Trade(place, plain_of(setup), Answer, unanswered, seconds * _SLOWER + PACE, quiet=False)
         self._pool: Pool[Job, Answer] = Pool(trade, workers)
         self._newest: dict[str, asyncio.Future[None]] = {}
-        self._most = workers * MOST_WAITING
+        self._workers = workers
         self._alike = not setup.folder  # nothing but the question decides an answer: no table beside the text
         self._asked: dict[bytes, _Asked] = {}
         self._kept: OrderedDict[bytes, Answer] = OrderedDict()
@@ -101,7 +104,7 @@ class Renderers:
             return kept
         ended, asked = self._pool.ended, self._asked.get(key)
         if asked is None:
-            if self.waiting >= self._most:
+            if self._is_full():
                 raise Refused(BUSY, say("desk.busy"), RETRY)
             future = self._pool.submit(job)
             asked = self._asked[key] = _Asked(job, future, asyncio.wrap_future(future))
@@ -124,6 +127,12 @@ class Renderers:
                 self._leave(key, asked)
             if self._pool.ended > ended:
                 self.warm()
+
+    def _is_full(self) -> bool:
+        """Return whether who comes now would wait for too long."""
+        oldest = next(iter(self._asked.values()), None)
+        late = oldest is not None and time.monotonic() - oldest.begun > LONGEST
+        return self.waiting >= self._workers * MOST_WAITING or (late and self.waiting > 2 * self._workers)
 
     def _leave(self, key: bytes, asked: _Asked) -> None:
         """Nobody waits for a job any longer: it is not begun, or it may end by itself, for to start a process is dearer."""

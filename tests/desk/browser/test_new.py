@@ -56,3 +56,25 @@ def test_a_mechanism_is_built_from_pieces(desk: Callable[..., Any]) -> None:
     page.focus("#desk-text .cm-content")
     page.keyboard.press("Control+z")
     one.until(lambda: one.text.count("[[group]]") == 1)
+
+
+def test_an_empty_text_begins_with_an_empty_page(desk: Callable[..., Any]) -> None:
+    one, _ = desk()
+    page = one.page
+    assert page.locator("[data-datum]").count() > 0
+    page.click("#desk-new")
+    page.click("dialog .row button")
+    page.wait_for_selector("#desk-line")
+    page.keyboard.press("Enter")
+    one.until(lambda: one.text == "")
+    one.rest("faulty")
+    # What the text before had is nowhere; what an empty one lacks is told, but underlined nowhere.
+    assert (page.locator("[data-datum]").count(), page.locator("[class*=cm-lint]").count()) == (0, 0)
+    assert page.is_visible("#desk-welcome")
+    assert not page.is_visible("#desk-pale")
+    page.click("#desk-equations")
+    assert page.wait_for_selector("[data-notice=refused] span").inner_text() in one.faults()[0][2]
+    page.focus("#desk-text .cm-content")
+    page.keyboard.type("[given")
+    one.rest("faulty")
+    assert page.is_visible("#desk-welcome")
