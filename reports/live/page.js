@@ -1,7 +1,8 @@
 // What every part of the page needs: elements, numbers in the reader's language, sentences with gaps.
 // Enters: `data`.  Leaves: functions; text enters the page by textContent alone.
-const live = document.getElementById("live");
+/** @type {(id: string) => any} */
 const byId = (id) => document.getElementById(id);
+const live = byId("live");
 const element = (name, given) => Object.assign(document.createElement(name), given);
 const svg = (name, attributes, into) => {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);

@@ -58,7 +58,7 @@ def _piece(name: str) -> str:
 @lru_cache
 def _text(path: Path) -> str:
     lines = map(str.strip, path.read_text(encoding="utf-8").splitlines())
-    return "\n".join(_tight(line) for line in lines if line and not line.startswith("//"))
+    return "\n".join(_tight(line) for line in lines if line and not line.startswith(("//", "/**")))
 
 
 def _tight(line: str) -> str:
