@@ -57,6 +57,11 @@ def test_the_page_knows_what_was_opened(client, tmp_path):
     assert config_of(client.get("/").text)["text"] == "another"
 
 
+def test_a_folder_that_cannot_be_written_is_known_from_the_start(client, monkeypatch):
+    monkeypatch.setattr("os.access", lambda *_: False)
+    assert config_of(client.get("/").text)["writable"] is False
+
+
 def test_the_shells_policy_has_no_holes(client):
     page = client.get("/")
     policy, nonce = page.headers["content-security-policy"], config_of(page.text)["nonce"]

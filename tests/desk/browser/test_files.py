@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -68,3 +69,17 @@ def test_files_are_copied_renamed_deleted_and_brought_back(desk: Callable[..., A
     act("other", "restore")
     page.wait_for_selector("li:not(.deleted)[data-name=other]")
     assert names() == {"31", "other"}
+
+
+def test_a_folder_that_cannot_be_written_is_said_before_the_first_change(desk: Callable[..., Any]) -> None:
+    one, folder = desk()
+    assert one.page.locator("#desk-notices p").count() == 0
+
+    def refuses(route: Any) -> None:
+        answer = route.fetch()
+        route.fulfill(response=answer, body=answer.text().replace('"writable": true', '"writable": false'))
+
+    one.page.route(lambda url: urlsplit(url).path == "/", refuses)
+    one.page.reload()
+    one.rest("changed", "saved")
+    assert str(folder) in one.page.inner_text("[data-notice=folder]")
