@@ -23,16 +23,17 @@ MOST = {"31": 7.0, "jansen": 24.0}  # 5.4 and 19 measured
 SAVED = 0.7  # a page that waits with what stands behind the graphs against one with all its sections: 0.52 measured
 QUIET, TICKS = 2.0, 2  # s without a request, and the hundredths of a second of a processor that they may cost
 MEBIBYTES = 300  # that server and process hold together
+NUMBERS = itertools.count(1)  # no page of before is asked for again
 _DATUM = re.compile(r'"(0\.\d+) m"')
 
 
 def pages(name: str, *, study: bool):
     """Return what answers one text after the other, each with another length."""
     text = (folder("variants") / f"{name}.toml").read_text(encoding="utf-8")
-    setup, numbers = Setup(Bounds(60, 1024), Policy()), itertools.count(1)
+    setup = Setup(Bounds(60, 1024), Policy())
 
     def page() -> None:
-        other = _DATUM.sub(lambda found: f'"{found[1]}{next(numbers):04} m"', text, count=1)
+        other = _DATUM.sub(lambda found: f'"{found[1]}{next(NUMBERS):04} m"', text, count=1)
         assert bench.answer(Job("page", {"text": other, "study": study}, packed=True), setup).packed
 
     page()

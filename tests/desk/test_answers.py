@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from coursework.api import solve
+from coursework.desk.answering import variant_page
 from coursework.desk.job import Policy
 from coursework.equations.reduction import structure
 from coursework.equations.reduction.equations import differentiate
@@ -44,6 +45,26 @@ def test_what_comes_into_view_later_is_left_out_until_it_is_asked_for(client):
     heads = [[(name, re.search("<h2>.*?</h2>", text)[0]) for name, text in parts] for parts in (lean, full)]
     assert heads[0] == heads[1]
     assert [name for name, text in lean if re.fullmatch(r"<h2>.*?</h2>\s*", text)] == found["later"]
+
+
+def test_a_page_is_written_again_where_something_on_it_is_another(client, monkeypatch):
+    written = []
+    monkeypatch.setattr(variant_page, "render_html", lambda model: written.append(model) or render_html(model))
+    text, other = TEXT.replace("0.953 m", "0.9531 m"), TEXT.replace("0.953 m", "0.9532 m")
+    pages = [
+        client.post("/api/page", json={"text": one, **more}).json()["page"]
+        for one, more in (
+            (text, {}),
+            (text + "# a remark\n", {}),
+            (other, {}),
+            (text, {}),
+            (text, {"language": "ru"}),
+            (text, {"step": "h/2"}),
+        )
+    ]
+    assert len(written) == 4
+    assert pages[0] == pages[1] == pages[3]
+    assert len(set(pages)) == 4
 
 
 def test_scheme_and_step_are_those_of_the_command_line(client):

@@ -5,6 +5,7 @@ Enters: a `Desk`.  Leaves: what `/api/page` and `/api/check` answer.  Used by `b
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +19,8 @@ from coursework.report.sections.sections import BEHIND
 from coursework.scene.quantities import ACCURACY, GRAPH_CHECK, TABLE
 from coursework.words.sentences import ENGLISH
 
+KEPT = 12  # pages, some 300 kB each
+_PAGES: OrderedDict[tuple[str, tuple[str, ...]], str] = OrderedDict()
 DEAR = {ACCURACY.name, GRAPH_CHECK.name}  # nothing else on a page needs them
 
 
@@ -27,9 +30,20 @@ def page(desk: Desk) -> dict[str, Any]:
     if desk.body.get("study") is False:
         later = tuple(write.__name__ for write, needed in BEHIND if needed is None or run.asks(needed))
         run = replace(run, asked=tuple(name for name in run.asked if name not in DEAR) or (TABLE.name,))
-    results = Results(run, desk.language, later=later)
-    results.compute(pages=True)
-    return found(desk) | {"page": render_html(results.model), "later": later, "data": controls(desk)}
+    html = _written(Results(run, desk.language, later=later))
+    return found(desk) | {"page": html, "later": later, "data": controls(desk)}
+
+
+def _written(results: Results) -> str:
+    """Return the page, the one of before where only remarks were typed, or a hand went back."""
+    key = (results.stamp, results.later)
+    if key not in _PAGES:
+        results.compute(pages=True)
+        _PAGES[key] = render_html(results.model)
+    _PAGES.move_to_end(key)
+    while len(_PAGES) > KEPT:
+        _PAGES.popitem(last=False)
+    return _PAGES[key]
 
 
 def check(desk: Desk) -> dict[str, Any]:
