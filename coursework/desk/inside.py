@@ -1,6 +1,6 @@
 """Files of one folder and none outside it: names that every system takes, no link followed out, never more than a bound.
 
-Enters: a folder and a name.  Leaves: a path, bytes.  Used by `folder.py`, `opened.py` and `typed.py`.
+Enters: a folder and a name.  Leaves: a path, bytes.  Used by `folder.py`, `config.py` and `typed.py`.
 """
 
 from __future__ import annotations

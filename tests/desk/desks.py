@@ -14,9 +14,9 @@ from starlette.testclient import TestClient
 from coursework.desk.answering import bench
 from coursework.desk.job import Answer, Bounds, Job, Policy, Setup
 from coursework.desk.serving.application import Application, Plan
+from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
-from coursework.desk.serving.opened import opened
 
 PORT, SECRET = 8531, "s" * 43
 HOST = f"127.0.0.1:{PORT}"

@@ -9,7 +9,7 @@ import pytest
 
 from coursework.commands import desk as command
 from coursework.desk.policy import read_policy
-from coursework.desk.serving.opened import opened
+from coursework.desk.serving.config import opened
 from coursework.words.errors import InputError
 from tests.command import call
 from tests.desk.desks import TEXT

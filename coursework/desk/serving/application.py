@@ -27,9 +27,8 @@ from coursework.desk.serving.files import Files
 from coursework.desk.serving.guard import Gate, Guard, new_cookie
 from coursework.desk.serving.library import Library
 from coursework.desk.serving.metrics import Metrics
-from coursework.desk.serving.refusals import refusal
 from coursework.desk.serving.renderers import Renderers
-from coursework.desk.serving.replies import language_of, reply
+from coursework.desk.serving.replies import language_of, refusal, reply
 from coursework.system.frozen import frozen
 from coursework.words.errors import OutputError
 

@@ -21,9 +21,9 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from coursework.desk.job import Bounds, Policy
 from coursework.desk.serving.application import Application, Plan
+from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
-from coursework.desk.serving.opened import opened
 from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
