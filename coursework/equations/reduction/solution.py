@@ -48,7 +48,7 @@ def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solut
     Earlier velocities stay names, or are put in where the formula becomes shorter so.  No datum changes them: they are worked
     out once for all variants of a template.
     """
-    key = ("solutions", tuple((block.equations, block.unknowns) for block in reduction.blocks))
+    key = ("solutions", MOST_LETTERS, tuple((block.equations, block.unknowns) for block in reduction.blocks))
     return equations.once(key, lambda: _solutions(equations, reduction))
 
 
