@@ -12,11 +12,12 @@ import numpy as np
 from coursework.grading.marking.key import Key, key_of
 from coursework.grading.marking.student_table import student_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import FileEntry, StudentWork
-from coursework.grading.reading.submission import Submission
+from coursework.grading.reading.submission import Submission, note
 from coursework.grading.reading.table.units import AS_READ
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
@@ -80,7 +81,10 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
     if missing:
         told(say("screen.missing_columns", missing=named(", ".join(missing))))
     told(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
-    cells = mark_cells(key, student_of(key, table))
+    student = student_of(key, table)
+    if (back := turned_back(key, student)) is not None:
+        told(note("clockwise").text)
+    cells = mark_cells(key, back or student)
     coarse = int(cells.too_coarse.sum())
     if coarse:
         told(say("screen.coarse_cells", coarse=coarse))

@@ -20,8 +20,10 @@ from typing import Any
 import numpy as np
 
 from coursework.system.frozen import frozen
+from coursework.variant.record.vocabulary import scheme_names
+from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import load_phrases, say
+from coursework.words.sentences import closest, load_phrases, say
 
 Slopes = Callable[[Any, Any], Any]
 Tree = tuple[Any, ...]  # the trees that grow from a root; () is a single vertex
@@ -220,6 +222,18 @@ SCHEMES: dict[str, Scheme] = {scheme.name: scheme for scheme in (EULER, MIDPOINT
 DEFAULT_SCHEME = EULER
 # What finds a motion to round-off by halving its steps, and what the accuracy study calls the better scheme.
 PRECISE = RK4
+
+
+def scheme_of(name: str) -> Scheme:
+    """Return a scheme by its name.  Raises `InputError` for a name that is none.
+
+    >>> scheme_of("rk4").slopes
+    4
+    """
+    if name not in SCHEMES:
+        known = scheme_names()
+        raise InputError(say("fault.C003", scheme=name, hint=closest(str(name), known), known=", ".join(known)))
+    return SCHEMES[name]
 
 
 def title_of(scheme: Scheme) -> Sentence:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.api import solve, variant_in
+from coursework.api import make_run, variant_in
 from coursework.desk.answering.edits import Piece, changed
 from coursework.desk.answering.pictures import picture
 from coursework.desk.answering.typed import Desk
@@ -45,7 +45,7 @@ def _piece(kind: str, desk: Desk) -> dict[str, Any]:
     letters = shape.named()
     means = role(shape, "from", letters, 1) if shape.points else say("desk.rides_on")
     asks = [] if shape.driven else [{"key": "from", "means": written(means)}]
-    scene = solve(variant_in(_alone(kind, desk), kind, {})).scene
+    scene = make_run(variant_in(_alone(kind, desk), kind, {})).scene
     return {"kind": kind, "title": written(title(shape, letters)), "svg": picture(scene), "asks": asks}
 
 
@@ -62,7 +62,7 @@ def piece(desk: Desk) -> dict[str, Any]:
         return _without(desk, say("desk.no_file", name=kind[:40]))
     if not desk.text.strip():
         return changed("", [(0, 0, _alone(kind, desk))])
-    scene = solve(desk.variant).scene
+    scene = make_run(desk.variant).scene
     known = _ends(scene)
     if not hung and kind != DRIVEN:
         return _without(desk, say("desk.piece_does_not_close", kind=kind))

@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from coursework.api import solve, step_of, variant_in
+from coursework.api import make_run, step_of, variant_in
 from coursework.desk.answering.mends import mend_of
 from coursework.desk.inside import TablesOf
 from coursework.desk.job import Setup, fault_entry
@@ -60,7 +60,7 @@ class Desk:
             if scheme == EXACT:
                 raise InputError(say("fault.C087", what=PRECISE.name))
             scheme = DEFAULT_SCHEME.name
-        return solve(self.variant, scheme, self.step)
+        return make_run(self.variant, scheme, self.step)
 
     @property
     def step(self) -> float | None:

@@ -10,10 +10,12 @@ from dataclasses import replace
 
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
+from coursework.report.sections.checks import parted
 from coursework.report.sections.laws import laws_shown
-from coursework.report.text.numbers import NOTHING, TIGHT, first_of
+from coursework.report.sections.remarks import as_written, remarks
+from coursework.report.text.numbers import NOTHING, TIGHT, aligned, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
-from coursework.report.text.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
+from coursework.report.text.parts import Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text.text_runs import LONGEST_NAME, runs
 from coursework.report.wording.closeness import largest_error_sentence, splits, unreturned
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
@@ -25,41 +27,43 @@ from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
-MOST_REMARKS = 12  # on the first page, on which the results begin
 SHOWN_DIGITS = 5
 TIME_DIGITS = 4  # of a moment named in a sentence
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
-_QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
 
 def statement(context: PageContext) -> list[Part]:
     """Title block, what drives what, the mechanism, its data beside the answer, remarks."""
-    data, answer = _data(context), _answer(context)
+    data = _data(context)
     return [
         _title_block(context),
+        *_bar(context),
+        *([] if context.is_about_accuracy else [_answer(context)]),
         *_task(context),
         *_mechanism(context),
-        *([Beside(data, answer)] if data.rows else [answer]),
+        *([data] if data.rows else []),
         *[Paragraph(context.in_its_language(text, context.rich(text)), style="note") for text in context.variant.remarks],
-        *_set(context),
-        *_plausibility(context),
+        *remarks(context),
     ]
+
+
+def _bar(context: PageContext) -> list[Part]:
+    """Return that and when the motion stops, how many rows there are, and what would be possible."""
+    run, say, stop = context.run, context.words, context.run.stop
+    if stop is None:
+        return []
+    time, all_rows = context.quantity(stop.time, "s", STOP_DIGITS), run.variant.time.steps + 1
+    kept = say("stop.bar_rows", kept=say.count("count.rows", len(run.motion.t)), rows=say.numbers.whole(all_rows))
+    phases = [{"t": say("join.sentences")}, *context.rich(run.scene.phases)] if run.scene.phases else []
+    lead = say("stop.bar", mark=say("checks.mark.FAIL"), time=time, kind=context.event(stop.kind))
+    return [Paragraph([*runs(kept), *phases], "bar", lead)]
 
 
 def _mechanism(context: PageContext) -> list[Part]:
     found = context.run.mechanism()
     return [drawn(context, found)] if found is not None else []
-
-
-def _set(context: PageContext) -> list[Part]:
-    """Return what the command line has set, other than in the file."""
-    values = context.run.variant.set_values
-    if not values:
-        return []
-    pairs = [f"{name} = {_set_value(context, text)}" for name, text in values.items()]
-    return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
 
 
 def _title_block(context: PageContext) -> TitleBlock:
@@ -179,23 +183,26 @@ def _data(context: PageContext) -> Table:
     variant = context.variant
     means = meanings(context.run.scene.mechanism)
     measured = coordinate_meanings(context.run.scene.mechanism)
-    rows: list[list[Cell]] = [
-        [
+    listed: list[tuple[Runs, Runs, tuple[str, str]]] = [
+        (
             context.symbol_runs([g.name]),
             context.quoted(g.means, LONGEST_NAME) if g.means else context.lettered(context.told(means[g.name])),
-            _given(context, g.text, g.unit),
-        ]
+            (_given(context, g.text), context.unit(g.unit)),
+        )
         for g in variant.given
     ]
     for c in variant.coordinates:
         head = context.symbol_runs([c.name])
         if c.start is None:
             how = context.words("given.from_groups" if c.start_guess is None else "given.follows")
-            rows.append([head, _between(context, measured[c.name], how), _first(context, c.name, c.unit)])
+            listed.append((head, _between(context, measured[c.name], how), (_first(context, c.name), context.unit(c.unit))))
         else:
             how = context.words("given.at_start")
-            rows.append([head, _between(context, measured[c.name], how), _given(context, c.text, c.written)])
-    columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
+            listed.append((head, _between(context, measured[c.name], how), (_given(context, c.text), context.unit(c.written))))
+    values = aligned([value for _, _, (value, _) in listed], context.numbers.mark)
+    rows: list[list[Cell]] = [[head, means, value, unit] for (head, means, (_, unit)), value in zip(listed, values, strict=True)]
+    heads = ("quantity", "meaning", "written", "unit")
+    columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in heads]
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
 
@@ -204,48 +211,53 @@ def _between(context: PageContext, measured: str, how: str) -> Runs:
     return context.lettered(context.words("given.between", ends=context.told(measured), how=how) if measured else how)
 
 
-def _first(context: PageContext, name: str, unit: str) -> str:
+def _first(context: PageContext, name: str) -> str:
     """Return a coordinate of the first row; a restricted table may not have it."""
     motion = context.run.motion
     known = name in motion.coordinate_names and len(motion.t) > 0
-    return context.quantity(first_of(motion, name), unit) if known else NOTHING
+    return context.numbers.plain(first_of(motion, name)) if known else NOTHING
 
 
-def _given(context: PageContext, text: str, unit: str) -> str:
+def _given(context: PageContext, text: str) -> str:
     """Return a value as the file gives it, in the signs of the page; digits beyond what can be measured are left out."""
     computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
-    return context.with_unit(context.numbers.plain(float(text)) if computed else _written(context, text), unit)
-
-
-def _set_value(context: PageContext, text: str) -> str:
-    """Return a value as it was set, its unit in the language of the page; a law of the drive has no unit behind it."""
-    if found := _QUANTITY.fullmatch(text):
-        return context.with_unit(_written(context, found[1]), found[2])
-    return _written(context, text)
-
-
-def _written(context: PageContext, text: str) -> str:
-    return clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark)
+    return context.numbers.plain(float(text)) if computed else as_written(context, text)
 
 
 def _answer(context: PageContext) -> Result:
     """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
     run, say = context.run, context.words
-    told, kept = [], say.count("count.rows", len(run.motion.t))
-    if run.stop is not None:
-        time = context.quantity(run.stop.time, "s", STOP_DIGITS)
-        told.append(context.lettered(say("result.stopped", time=time, kind=context.event(run.stop.kind), rows=kept)))
+    told: list[Runs] = []
     if run.asks(CHECKS):
         # Where it stops is said already.
-        findings = [replace(finding, value=None) if finding.code == "STOP" and told else finding for finding in run.checks]
+        findings = [replace(one, option="", value=None if one.code == "STOP" else one.value) for one in run.checks]
         told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
+        # What to take is said here and nowhere else.
+        if advice := next((advice for finding in run.checks if (advice := parted(finding.sentence)[1])), ""):
+            told.append(context.rich(advice))
     if run.asks(TABLE) and len(run.motion.t):
         told.append(runs(_checked(context)))
     if run.asks(CHECKS):
         told += _misses(context)
     if not told:
-        told.append(runs(say("result.rows", rows=kept)))
-    return Result(say("result.title"), told)
+        told.append(runs(say("result.rows", rows=say.count("count.rows", len(run.motion.t)))))
+    return Result(say("result.title"), _verdict(context), told)
+
+
+def _verdict(context: PageContext) -> Runs:
+    """Return in few words whether the rows are computed right, and whether they are close to the motion."""
+    say, checks = context.words, context.run.checks if context.run.asks(CHECKS) else ()
+    computed = [one.verdict for one in checks if one.group == "computation" and one.code != "STOP"]
+    accuracy = next((one for one in checks if one.code == "ACCURACY"), None)
+    if not computed or not len(context.run.motion.t):
+        return []
+    told = [say("result.wrong" if {"FAIL", "ERROR"} & {*computed} else "result.right")]
+    if accuracy is not None and accuracy.verdict == "PASS":
+        told.append(say("result.close"))
+    elif accuracy is not None and accuracy.verdict in {"COARSE", "FAIL"} and accuracy.value is not None and accuracy.column:
+        share = context.with_unit(context.numbers.fixed(100 * accuracy.value, 1), "%")
+        told.append(say("result.far", symbol=context.lettering(accuracy.column), share=share, row=accuracy.row or 1))
+    return context.lettered(say.sentences(told))
 
 
 def _checked(context: PageContext) -> str:
@@ -285,14 +297,4 @@ def _misses(context: PageContext) -> list[Runs]:
 
 def _driven(context: PageContext) -> set[str]:
     """Return the coordinates whose rate is driven: of them it is known where they are."""
-    variant = context.run.variant
-    return {c.name for c in variant.driven_coordinates}
-
-
-def _plausibility(context: PageContext) -> list[Part]:
-    say, plausibility = context.words, context.run.variant.plausibility
-    told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
-    notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]
-    if len(plausibility) > MOST_REMARKS:
-        notes.append(say("remark.more", number=len(plausibility) - MOST_REMARKS))
-    return [Paragraph(runs(note), style="note") for note in notes]
+    return {c.name for c in context.run.variant.driven_coordinates}
