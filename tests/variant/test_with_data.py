@@ -98,7 +98,6 @@ def test_what_geometry_does_not_hold_stays_as_it_was():
     )
 
 
-@pytest.mark.filterwarnings("ignore::coursework.CourseworkWarning")  # of the length that is too short to be meant
 def test_data_that_cannot_close_are_told():
     with pytest.raises(coursework.InputError, match="no closed position lies near the old start"):
         coursework.solve(four_bar().with_data(given={"b": 0.001}), quantities=["table"]).columns()

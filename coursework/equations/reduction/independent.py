@@ -138,7 +138,7 @@ def _too_near(equations: VelocityEquations, nearly: list[tuple[str, list[str], f
     lengths = np.linalg.norm(matrix, axis=1, keepdims=True)
     condition = min(float(np.linalg.cond(matrix / np.where(lengths > 0, lengths, 1.0))), _MOST_CONDITION)
     told = say(
-        f"{_MISSING}.nearly", count=len(unknowns), unknowns=", ".join(unknowns), rows=len(listed),
+        "fault.V404.nearly", count=len(unknowns), unknowns=", ".join(unknowns), rows=len(listed),
         condition=10.0 ** np.floor(np.log10(condition)), why=why,
     )  # fmt: skip
     return Fault(told, equations.variant.file, line)
