@@ -126,8 +126,8 @@ const watch = {
       const told = svg("title", {}, mark);
       const name = data.words["scheme_" + one.scheme];
       // Named where its name has room.
-      const px = x(one.time), py = y(one.error), way = px > right - 90 ? -8 : 8;
-      if (!taken.some((at) => Math.abs(at[0] - px) < 130 && Math.abs(at[1] - py) < 15)) {
+      const px = x(one.time), py = y(one.error), long = 7.5 * name.length + 8, way = px + long > 358 ? -8 : 8;
+      if ((way > 0 || px > left + long) && !taken.some((at) => Math.abs(at[0] - px) < 130 && Math.abs(at[1] - py) < 15)) {
         taken.push([px, py]);
         svg("text", { x: f1(px + way), y: f1(py + 4), "text-anchor": way < 0 ? "end" : "start" }, field).textContent = name;
       }

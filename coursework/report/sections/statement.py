@@ -6,29 +6,23 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
-from coursework.report.sections.checks import parted
+from coursework.report.sections.answer import answer
 from coursework.report.sections.laws import laws_shown
 from coursework.report.sections.remarks import as_written, remarks
-from coursework.report.text.numbers import NOTHING, TIGHT, aligned, first_of
+from coursework.report.text.numbers import NOTHING, aligned, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
-from coursework.report.text.parts import Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
+from coursework.report.text.parts import Cell, Column, Paragraph, Part, Runs, Table, TitleBlock
 from coursework.report.text.text_runs import LONGEST_NAME, runs
-from coursework.report.wording.closeness import largest_error_sentence, splits, unreturned
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.report.wording.sought import sought
-from coursework.results.checks.summary import summary
-from coursework.scene.quantities import CHECKS, TABLE
 from coursework.variant.formula.tree import Formula, constant, terms
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
-SHOWN_DIGITS = 5
-TIME_DIGITS = 4  # of a moment named in a sentence
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
@@ -40,7 +34,7 @@ def statement(context: PageContext) -> list[Part]:
     return [
         _title_block(context),
         *_bar(context),
-        *([] if context.is_about_accuracy else [_answer(context)]),
+        *([] if context.is_about_accuracy else [answer(context)]),
         *_task(context),
         *_mechanism(context),
         *([data] if data.rows else []),
@@ -222,79 +216,3 @@ def _given(context: PageContext, text: str) -> str:
     """Return a value as the file gives it, in the signs of the page; digits beyond what can be measured are left out."""
     computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
     return context.numbers.plain(float(text)) if computed else as_written(context, text)
-
-
-def _answer(context: PageContext) -> Result:
-    """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
-    run, say = context.run, context.words
-    told: list[Runs] = []
-    if run.asks(CHECKS):
-        # Where it stops is said already.
-        findings = [replace(one, option="", value=None if one.code == "STOP" else one.value) for one in run.checks]
-        told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
-        # What to take is said here and nowhere else.
-        if advice := next((advice for finding in run.checks if (advice := parted(finding.sentence)[1])), ""):
-            told.append(context.rich(advice))
-    if run.asks(TABLE) and len(run.motion.t):
-        told.append(runs(_checked(context)))
-    if run.asks(CHECKS):
-        told += _misses(context)
-    if not told:
-        told.append(runs(say("result.rows", rows=say.count("count.rows", len(run.motion.t)))))
-    return Result(say("result.title"), _verdict(context), told)
-
-
-def _verdict(context: PageContext) -> Runs:
-    """Return in few words whether the rows are computed right, and whether they are close to the motion."""
-    say, checks = context.words, context.run.checks if context.run.asks(CHECKS) else ()
-    computed = [one.verdict for one in checks if one.group == "computation" and one.code != "STOP"]
-    accuracy = next((one for one in checks if one.code == "ACCURACY"), None)
-    if not computed or not len(context.run.motion.t):
-        return []
-    told = [say("result.wrong" if {"FAIL", "ERROR"} & {*computed} else "result.right")]
-    if accuracy is not None and accuracy.verdict == "PASS":
-        told.append(say("result.close"))
-    elif accuracy is not None and accuracy.verdict in {"COARSE", "FAIL"} and accuracy.value is not None and accuracy.column:
-        share = context.with_unit(context.numbers.fixed(100 * accuracy.value, 1), "%")
-        told.append(say("result.far", symbol=context.lettering(accuracy.column), share=share, row=accuracy.row or 1))
-    return context.lettered(say.sentences(told))
-
-
-def _checked(context: PageContext) -> str:
-    """Return the velocities of the row that is checked."""
-    motion, variant = context.run.motion, context.run.variant
-    row = min(variant.time.row_of_check, len(motion.t))
-    sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
-    values = context.words("result.between").join(
-        f"{context.lettering(name)}{TIGHT}={TIGHT}"
-        + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
-        for name in sought
-    )
-    time = context.quantity(float(motion.t[row - 1]), "s", TIME_DIGITS)
-    return context.words("result.row", row=row, time=time, values=values)
-
-
-def _misses(context: PageContext) -> list[Runs]:
-    """Return the row a period later minus the first, of the coordinates; of exact rows also the scheme's error."""
-    say, numbers, told = context.words, context.numbers, []
-    coordinates, left = context.run.motion.coordinate_names, unreturned(context)
-    moved = [split for split in left if split.name in coordinates]
-    row = (context.run.results.evidence.period_row or 0) + 1
-    of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on behind a whole number of periods
-    gaps = [
-        f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
-        for split in [split for split in moved if split.name not in _driven(context)] or moved
-    ]
-    if gaps:
-        told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.numbers").join(gaps))))
-    elif any(split.name in coordinates for split in splits(context)):
-        told.append(runs(say(f"result.repeats_positions{of_row}" if left else f"result.repeats{of_row}", row=row)))
-    # Beside rows that are the motion itself there is no other word of how far the scheme's are off.
-    if context.run.tableau is None and (sentence := largest_error_sentence(context)):
-        told.append(runs(sentence))
-    return told
-
-
-def _driven(context: PageContext) -> set[str]:
-    """Return the coordinates whose rate is driven: of them it is known where they are."""
-    return {c.name for c in context.run.variant.driven_coordinates}

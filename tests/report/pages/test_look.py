@@ -9,9 +9,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+import pymupdf
 import pytest
 
 from tests.report.pages.all_kinds import KINDS, make
+from tests.report.pages.pictures import SEEN, VIEWS, take
 
 pytestmark = pytest.mark.browser
 
@@ -115,3 +118,15 @@ def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> N
     sized(page, 1400)
     assert page.inner_text("h1") == "What accuracy costs: variant 31"
     assert page.evaluate(TOP, "figure") < 300
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", VIEWS)
+def test_a_page_looks_as_it_did_when_a_person_looked_at_it(name: str, places: dict[str, Path], browser: Any) -> None:
+    """Faces differ from system to system; a part that moved, or lost its colour, is far more."""
+    kind, width, colours = VIEWS[name]
+    now, seen = take(browser, places[kind], width, colours), pymupdf.Pixmap(SEEN / f"{name}.png")
+    assert (now.width, now.height) == (seen.width, seen.height)
+    apart = np.abs(np.frombuffer(now.samples, np.uint8).astype(int) - np.frombuffer(seen.samples, np.uint8))
+    assert apart.mean() < 4
+    assert (apart > 96).mean() < 0.01
