@@ -1,13 +1,13 @@
 """What `import coursework` offers for one variant: solve it, and its exact motion.
 
 Enters: a name, a path or a `Variant`.  Leaves: `Run`, tables.  Raises `InputError`.
-Used by `commands/` and `grading/marking/`.
+Used by `commands/`, `desk/` and `grading/marking/`.
 """
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,6 +20,7 @@ from coursework.scene.quantities import TABLE, known_quantities, no_quantity, qu
 from coursework.variant.catalogue import load, variant_from
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.judging.bounds import timed
+from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkWarning, Fault, InputError
 from coursework.words.sentence import Sentence
@@ -140,6 +141,11 @@ def _also(variant: Variant) -> tuple[str, ...]:
 def variant_of(path_or_name: str | Path) -> Variant:
     """Return the variant of a file or of the catalogue; among the faults of a file are the names that nobody can ask for."""
     return load(path_or_name, _asked_in_vain)
+
+
+def variant_in(text: str, name: str, tables: Mapping[str, bytes]) -> Variant:
+    """Return the variant of a text, as `variant_of` does that of a file; `tables` are those it may name."""
+    return parse_variant(text, name, tables, _asked_in_vain)
 
 
 def step_of(step: float | str | None, variant: Variant) -> float | None:

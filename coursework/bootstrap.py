@@ -1,6 +1,7 @@
 """From a fresh checkout to a first result with Python alone: a virtual environment, the package, then the job.
 
     python -m coursework.bootstrap run 31      any command of `coursework`
+    python -m coursework.bootstrap edit        the desk in the browser, with what it needs besides
     python -m coursework.bootstrap test        the tests
     python -m coursework.bootstrap test --long the tests and what takes long: every file where else a sample is tried
 
@@ -24,6 +25,8 @@ OLDEST = (3, 11)
 WRONG_INPUT, NOT_PREPARED, INTERRUPTED = 2, 3, 130
 MEASURED = "tests/benchmarks"  # their ratios want a machine that is not at work beside them
 LONG = "--long"
+MEGABYTES = {"[test]": 250, "[desk]": 95}
+EXTRAS = {"test": "[test]", "edit": "[desk]", "serve": "[desk]"}
 SILENCE = 15  # seconds after which a word is due that the installation is still at work
 
 
@@ -41,16 +44,25 @@ def main(arguments: list[str]) -> int:
     testing = arguments[0] == "test"
     try:
         refuse_too_old(sys.version_info[:2])
-        python = prepare("[test]" if testing else "")
+        python = prepare(EXTRAS.get(arguments[0], ""))
         if testing:
             return test(python, arguments[1:])
-        return subprocess.run([str(python), "-m", "coursework", *arguments]).returncode
+        return ended(subprocess.Popen([str(python), "-m", "coursework", *arguments]))
     except NotPrepared as fault:
         print(fault, file=sys.stderr)
         return NOT_PREPARED
     except KeyboardInterrupt:
         print("Interrupted. The same command again goes on from here.", file=sys.stderr)
         return INTERRUPTED
+
+
+def ended(command: subprocess.Popen[bytes]) -> int:
+    """Return the exit status of a command, which hears an interrupt as we do and ends by itself."""
+    while True:
+        try:
+            return command.wait()
+        except KeyboardInterrupt:
+            continue
 
 
 def test(python: Path, wanted: list[str]) -> int:
@@ -89,7 +101,7 @@ def prepare(extra: str) -> Path:
         return python
     print(
         f"Preparing coursework in {HOME}, once: a virtual environment (some seconds), then its packages from the Python "
-        f"package index (about {250 if extra else 90} MB; one to five minutes, as the connection allows).",
+        f"package index (about {MEGABYTES.get(extra, 90)} MB; one to five minutes, as the connection allows).",
         flush=True,
     )
     if not version or not answers(python, "-m", "pip", "--version"):

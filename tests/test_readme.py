@@ -181,7 +181,7 @@ def test_files_named_exist():
 
 def test_every_command_of_the_tool_is_there():
     for name in main.commands:
-        assert re.search(rf"^coursework {name}\b", TEXT, re.M), name
+        assert re.search(rf"(?:^|`)coursework {name}\b", TEXT, re.M), name
 
 
 def test_bootstrap_commands_are_those_of_the_gate():

@@ -286,3 +286,42 @@ def precheck_command(files: tuple[Path, ...], variant: str | None) -> int:
     from coursework.commands.precheck import precheck_files
 
     return precheck_files(files, variant)
+
+
+@main.command("edit")
+@click.argument("name", default="", shell_complete=offered("variants"))
+@click.option("--port", type=click.IntRange(0, 65535), default=8531, show_default=True, help="Port on this machine (0: any).")
+@click.option("--no-browser", is_flag=True, help="Print the address and open no browser.")
+@limited
+@spoken(passed_on=True)
+@click.pass_context
+def edit_command(context: click.Context, /, name: str, language: str, **options: Any) -> int:
+    """Open the desk in the browser: NAME typed, checked and drawn at once, over the files of this folder."""
+    from coursework.commands.desk import edit
+
+    return edit(name, language=_chosen(context, language), **options)
+
+
+@main.command("serve")
+@click.option("--host", default="", help="Address at which others reach the desk (default: this machine alone).")
+@click.option("--port", type=click.IntRange(0, 65535), default=8531, show_default=True, help="Port (0: any).")
+@click.option("--workers", type=click.IntRange(1, 64), help="Processes that compute (default: the cores, at most 4).")
+@click.option("--root-path", default="", metavar="P", help="What stands before every path behind a proxy, such as /desk.")
+@click.option("--proxy", is_flag=True, help="Believe the X-Forwarded headers of the proxy before it.")
+@click.option("--allow-host", "hosts", multiple=True, metavar="H", help="A name by which it is called; again for more.")
+@click.option(
+    "--policy", type=click.Path(path_type=Path), help="What the desk offers (TOML: equations, exact, formats, language)."
+)
+@spoken(passed_on=True)
+@click.pass_context
+def serve_command(context: click.Context, /, language: str, **options: Any) -> int:
+    """Serve the desk to a class, without files: what is typed stays in each browser."""
+    from coursework.commands.desk import serve
+
+    return serve(language=_chosen(context, language), **options)
+
+
+def _chosen(context: click.Context, language: str) -> str:
+    """Return a language that somebody has chosen, "" for that of each browser."""
+    by_itself = context.get_parameter_source("language") is click.core.ParameterSource.DEFAULT
+    return "" if by_itself else language

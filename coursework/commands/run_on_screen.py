@@ -9,7 +9,6 @@ from pathlib import Path
 
 from coursework.commands.screen import in_language, speaks_english, tell, tell_wrapped, title_of
 from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, never_more
-from coursework.results.checks.summary import summary
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
 from coursework.words.sentence import Sentence
@@ -29,7 +28,7 @@ def tell_remarks(run: Run) -> None:
 def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     """Print the result, its summary first, with every check."""
     if run.summary:
-        tell(run.summary if speaks_english() else _named_summary(run))
+        tell(run.summary if speaks_english() else run.named_summary)
     tell(f"{title_of(run.variant)}  ({run.variant.name})")
     if changed := _set_values(run):
         tell(changed)
@@ -50,7 +49,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     tell_wrapped(say("screen.computed", title=title_of(run.variant), name=run.variant.name, how=_how_computed(run)))
     findings = run.checks if run.asks(CHECKS) else ()
     if findings:
-        tell_wrapped(_named_summary(run))
+        tell_wrapped(run.named_summary)
     for line in (_set_values(run), *_about_rows(run)):
         if line:
             tell_wrapped(line)
@@ -71,11 +70,6 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     tell_wrapped(say("screen.written_to", out=folder, files=", ".join(written)))
     if findings:
         tell_wrapped(say("screen.more_with_verbose"))
-
-
-def _named_summary(run: Run) -> Sentence:
-    """Return the summary with the names of checks in place of their codes."""
-    return summary(run.checks, is_motion=run.tableau is None, named=lambda finding: finding.title)
 
 
 def _parted(finding: Finding) -> list[str]:

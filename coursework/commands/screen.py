@@ -72,15 +72,13 @@ def is_terminal() -> bool:
     return sys.stdout is not None and sys.stdout.isatty()
 
 
-def with_symbols(text: str, names: Iterable[str]) -> str:
+def before_a_person(text: str, names: Iterable[str]) -> str:
     """Return a text with names as the pages set them, φ₁ and ω₁, before a person; a program reads them as a file writes them."""
     if not is_terminal() or "utf" not in (sys.stdout.encoding or "").lower():
         return text
-    from coursework.report.text.symbols import symbol
+    from coursework.report.text.symbols import with_symbols
 
-    listed = sorted(names, key=len, reverse=True)
-    written = "|".join(map(re.escape, listed))
-    return re.sub(rf"(?<![\w.])(?:{written})(?![\w.]*\w)", lambda name: symbol(name[0]).text, text) if listed else text
+    return with_symbols(text, names)
 
 
 def tell_wrapped(text: str, *, hanging: str = "") -> None:

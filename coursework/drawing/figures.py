@@ -71,7 +71,7 @@ def draw_start(
     time = float(t[0])
     if all_rows(equations, motion):
         t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
-    board, svg = _mechanism(mechanism, outline, read(t, coordinates), values)
+    board, svg = _mechanism(mechanism, outline, read(t, coordinates), values, dragged=not row)
     angles = say("drawing.mechanism.angles") if "data-angle" in svg else ""
     told = {"scale": board.scale_text, "driven": _driven_words(outline, equations.variant), "angles": angles}
     caption = say("drawing.mechanism.later", row=row + 1, time=time, **told) if row else say("drawing.mechanism.caption", **told)
@@ -95,7 +95,7 @@ def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion
 
 
 def _mechanism(
-    mechanism: Mechanism, outline: Outline, poses: Poses, values: Mapping[str, float] | None = None
+    mechanism: Mechanism, outline: Outline, poses: Poses, values: Mapping[str, float] | None = None, *, dragged: bool = False
 ) -> tuple[Board, str]:
     """Return the first row with names, lengths and what drives it; with the `values` of its coordinates also their angles."""
     arrows = {name: way for name in outline.driven if (way := driven_way(poses, name))}
@@ -112,7 +112,7 @@ def _mechanism(
     sheet = board.sheet()
     painter = Painter(sheet, outline, poses, 0, board.put, board.mm)
     painter.fixed()
-    painter.moving()
+    painter.moving(dragged=dragged)
     shafts = {
         name: (painter.at[name], painter.at[name] + _length(painter, name, way) * way.conjugate()) for name, way in arrows.items()
     }

@@ -104,6 +104,14 @@ class SceneRun:
         return summary(self.checks, is_motion=self.tableau is None) if self.asks(CHECKS) else ""
 
     @property
+    def named_summary(self) -> str:
+        """Return the same with the names of checks in place of their codes."""
+        from coursework.results.checks.summary import summary
+
+        named = summary(self.checks, is_motion=self.tableau is None, named=lambda finding: finding.title)
+        return named if self.asks(CHECKS) else ""
+
+    @property
     def stop(self) -> Stop | None:
         """Return why the motion ended before its time."""
         return self.motion.stop

@@ -24,6 +24,7 @@ from coursework.system.file_set import discard_all
 from coursework.system.frozen import frozen
 from coursework.system.on_demand import UNDER_WAY
 from coursework.words.errors import CourseworkError, Fault
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import load_phrases, say
 
 PACE = 0.1  # s between two looks
@@ -112,7 +113,7 @@ class _Watch(threading.Thread):
 
     def _spent(self) -> Fault | None:
         if time.process_time() - self.begun > self.budget.seconds:
-            return Fault(say("fault.E001", limit=f"{self.budget.seconds:g}", stage=_stage()), self.of)
+            return Fault(out_of_time(self.budget.seconds), self.of)
         held = memory_held()
         if held is not None and self.held is not None and held - self.held > self.budget.memory * MIB:
             return Fault(say("fault.E002", limit=f"{self.budget.memory:g}", stage=_stage()), self.of)
@@ -123,6 +124,11 @@ class _Watch(threading.Thread):
         if self.fault:
             self.last_word(self.fault)
         os._exit(WRONG_INPUT)
+
+
+def out_of_time(seconds: float) -> Sentence:
+    """Return what is told of a run whose processor time is spent."""
+    return say("fault.E001", limit=f"{seconds:g}", stage=_stage())
 
 
 def _say_last(fault: Fault) -> None:

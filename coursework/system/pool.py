@@ -2,24 +2,27 @@
 
 Enters: a `Trade`, jobs as records.  Leaves: an answer a job, whatever happens.  A process may have read a hostile file, so what
 it sends is read as data of the kind expected and nothing else (`plain_lines.py`).
-Used by `several.py` and `grading/batch/`.
+Used by `several.py`, `grading/batch/` and the desk.
 
 Every process is a fresh interpreter on every system, with the paths of this one: what is forked inherits threads and locks.
 """
 
 from __future__ import annotations
 
+import math
 import os
 import queue
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import AbstractContextManager, contextmanager, suppress
 from itertools import islice
 from typing import Any, Generic, TypeVar
 
+from coursework.system.budget import WRONG_INPUT
 from coursework.system.frozen import frozen
 from coursework.system.plain_lines import line_of, plain_of, read_line, record_of
 from coursework.system.pool_process import Answered, Opening
@@ -48,7 +51,8 @@ class Trade(Generic[Job, Answer]):
 
     `place` is "module:function": called with the plain `setup` in each process, it returns a context whose value is a function
     from a plain job to an `answer`.  `unanswered` gives the answer for a job over which a process was silent for more than
-    `seconds` (True: it is not tried again), or died `tries` times, alone from the second on.
+    `seconds` or ended itself, its budget being spent (True: it is not tried again), or died `tries` times, alone from the second
+    on.
     `memory` (MiB) bounds the address space of a process, where the platform can.
     """
 
@@ -69,8 +73,12 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
         self.trade = trade
         self._child: subprocess.Popen[bytes] | None = None
         self._at_work = threading.Lock()
+        self._naming = threading.Lock()
+        self._job: Job | None = None
+        self.since = 0.0
         self._answered = self._grown = 0
-        self._late = self._closed = False
+        self.ended = 0  # processes that ended, or were ended, over a job
+        self._late = self._closed = self._dropped = False
 
     def __exit__(self, *_: object) -> None:
         self.close()
@@ -78,7 +86,7 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
     def answer(self, job: Job) -> Answer:
         """Return what came of a job."""
         line = line_of(job)
-        with self._at_work:
+        with self._at_work, self._named(job):
             for _ in range(self.trade.tries):
                 if self._closed:
                     break
@@ -87,10 +95,27 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
                     answer = record_of(self.trade.answer, answered.answer)
                     self._answered, self._grown = self._answered + 1, answered.grown
                     return answer
-                self._end()
-                if self._late:
+                self.ended += 1
+                if self._end() == WRONG_INPUT or self._late or self._dropped:
                     return self.trade.unanswered(job, True)
             return self.trade.unanswered(job, False)
+
+    def drop(self, job: Job) -> None:
+        """End the process where it is at this very job, for whose answer nobody waits any longer."""
+        with self._naming:
+            if self._job is job and self._child is not None:
+                self._dropped = True
+                self._child.kill()
+
+    def rest(self, seconds: float) -> bool:
+        """End the process where it has had no job for so long; return whether one is left.  The next job starts another."""
+        if self._at_work.acquire(blocking=False):
+            try:
+                if time.monotonic() - self.since > seconds:
+                    self._end()
+            finally:
+                self._at_work.release()
+        return self._child is not None
 
     def close(self) -> None:
         """End the process, from any thread and whatever it is doing, and start no other."""
@@ -100,6 +125,17 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
             child.kill()  # whoever waits for its answer gets none
         with self._at_work:
             self._end()
+
+    @contextmanager
+    def _named(self, job: Job) -> Iterator[None]:
+        """Let it be known which job the process is at."""
+        with self._naming:
+            self._job, self._dropped = job, False
+        try:
+            yield
+        finally:
+            with self._naming:
+                self._job, self.since = None, time.monotonic()
 
     def _asked(self, line: bytes) -> bytes:
         """Return the line of the process, less than one where it died or was silent for too long."""
@@ -147,10 +183,10 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
         if self._closed:  # in this very moment
             self._child.kill()
 
-    def _end(self) -> None:
-        """End the process: one without a job does so by itself when its line is closed."""
+    def _end(self) -> int:
+        """End the process, and return its status: one without a job ends by itself when its line is closed."""
         if self._child is None:
-            return
+            return 0
         child, self._child = self._child, None
         for stream in (child.stdin, child.stdout):
             if stream is not None:
@@ -159,7 +195,7 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
         with suppress(subprocess.TimeoutExpired):
             child.wait(_ENDING)
         child.kill()
-        child.wait()
+        return child.wait()
 
 
 class Pool(AbstractContextManager["Pool[Job, Answer]"], Generic[Job, Answer]):
@@ -178,6 +214,23 @@ class Pool(AbstractContextManager["Pool[Job, Answer]"], Generic[Job, Answer]):
     def submit(self, job: Job) -> Future[Answer]:
         """Hand in a job; its answer comes when it comes, without regard to others.  One not yet begun can be cancelled."""
         return self._threads.submit(self._answer, job)
+
+    def drop(self, future: Future[Answer], job: Job) -> None:
+        """Give up a job that was handed in: it is not begun, or the process that is at it is ended."""
+        if not future.cancel():
+            for worker in self._workers:
+                worker.drop(job)
+
+    def rest(self, seconds: float) -> None:
+        """End the processes that have had no job for so long, all but one."""
+        left = [worker for worker in self._workers if worker.rest(math.inf)]
+        for worker in sorted(left, key=lambda worker: worker.since)[:-1]:
+            worker.rest(seconds)
+
+    @property
+    def ended(self) -> int:
+        """Return how many processes ended, or were ended, over a job."""
+        return sum(worker.ended for worker in self._workers)
 
     def answers(self, jobs: Iterable[tuple[Key, Job]]) -> Iterator[tuple[Key, Answer]]:
         """Yield the answer of each job with its key, as they come; jobs are drawn as they are needed, in this thread."""

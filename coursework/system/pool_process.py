@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+from contextlib import suppress
 from importlib import import_module
 from typing import Any, BinaryIO
 
@@ -67,5 +68,6 @@ def main() -> None:
     nowhere = os.open(os.devnull, os.O_RDWR)
     os.dup2(nowhere, 0)
     os.dup2(nowhere, 1)
-    serve(lines, answers)
+    with suppress(BrokenPipeError):  # whoever started us is gone
+        serve(lines, answers)
     os._exit(0)  # everything is put away; an interpreter full of libraries takes its time to end

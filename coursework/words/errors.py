@@ -46,10 +46,13 @@ class Fault:
         where = self.file + (f":{self.line}" if self.line else "")
         if self.column:
             where += f":{self.column}"
-        place, said = written(self.place), written(self.message)
-        if place:
-            said = f"{place}{'：' if said.endswith(('。', '？')) else ': '}{said}"
+        said = self.said(written)
         return visible(f"{self.code} {where}  {said}" if where else f"{self.code} {said}")
+
+    def said(self, written: Callable[[str], str] = str) -> str:
+        """Return what is wrong with what in the file, without its line: for who sees the line."""
+        place, said = written(self.place), written(self.message)
+        return visible(f"{place}{'：' if said.endswith(('。', '？')) else ': '}{said}" if place else said)
 
     def plain(self) -> dict[str, Any]:
         """Return the fault for a JSON file: its code, where it is, what it speaks about and the sentence."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -95,14 +96,15 @@ def _text(run: dict[str, str]) -> str:
     return "".join(run.get(key, "") for key in "tvspc")
 
 
-def _inside(place: int, places: list[tuple[int, int]]) -> bool:
+def _inside(place: int, places: tuple[tuple[int, int], ...]) -> bool:
     return any(begin <= place < end for begin, end in places)
 
 
-def _together(text: str) -> list[tuple[int, int]]:
+@lru_cache(maxsize=2048)  # a desk sets the same sentences again and again
+def _together(text: str) -> tuple[tuple[int, int], ...]:
     """Return the places that no line may break, in order; none over another, none longer than `LONGEST`."""
     if not _JOINTS.search(text) or not _WORTH_A_LOOK.search(text):
-        return []
+        return ()
     text = without_chinese(text, _APART)
     kept: list[tuple[int, int]] = []
     for begin, end in sorted(match.span() for pattern in _TOGETHER for match in pattern.finditer(text)):
@@ -112,10 +114,10 @@ def _together(text: str) -> list[tuple[int, int]]:
                 kept[-1] = (first, max(end, last))
         elif end - begin <= LONGEST:
             kept.append((begin, end))
-    return kept
+    return tuple(kept)
 
 
-def _cut(begin: int, end: int, places: list[tuple[int, int]]) -> Iterator[tuple[int, int, bool]]:
+def _cut(begin: int, end: int, places: tuple[tuple[int, int], ...]) -> Iterator[tuple[int, int, bool]]:
     """Yield the pieces of a run of text, each with whether it is kept."""
     ends = sorted({begin, end, *(place for pair in places for place in pair if begin < place < end)})
     for first, last in pairwise(ends):

@@ -30,7 +30,9 @@ const additions = {
       for (let i = 0; i <= parts; i++) {
         const place = motion.at(true_, (motion.duration * i) / parts);
         if (!place) break;
-        data.shown_points.forEach((name, k) => (paths[k] += `${i ? "L" : "M"}${drawing.put(place, name).map(f1).join(" ")}`));
+        data.shown_points.forEach((name, k) => {
+          paths[k] += `${i ? "L" : "M"}${drawing.put(place, name).map(f1).join(" ")}`;
+        });
       }
       for (const path of paths) svg("path", { d: path, class: true_ ? "live-true" : "live-table" }, traces);
     }

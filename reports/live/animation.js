@@ -2,7 +2,7 @@
 // Enters: `motion`, `drawing`, `cursors`; `begin`, `furnish`, `light` of what stands before it.  The last piece: it starts the page.
 const scrub = byId("scrub"), play = byId("play");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
-let now = 0, playing = false, begun = 0, asked = 0, frames = 0;
+let now = 0, playing = false, begun = 0, asked = 0, pictures = 0;
 
 // Show the time t (s), what is written of it too or not; the scrub stands at the row, counted from 0 with a fraction.
 const show = (t, inWords = true) => {
@@ -45,7 +45,7 @@ const frame = (stamp) => {
   begun = stamp;
   const t = now + past * Number(byId("speed").value);
   // Nobody reads sixty numbers a second: all of them are written together, at every fourth frame.
-  show(t >= motion.duration ? t % (motion.duration || 1) : t, ++frames % 4 === 0);
+  show(t >= motion.duration ? t % (motion.duration || 1) : t, ++pictures % 4 === 0);
   asked = requestAnimationFrame(frame);
 };
 // Where motion on the screen is not wanted: row by row, once a second.

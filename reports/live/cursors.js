@@ -5,9 +5,12 @@ const cursors = {
   tables: [],
   // A graph, or the drawing in it, says data-box="left top right bottom" in its own units and data-time="first last" (s).
   find() {
+    /** @type {any[]} */
     const homes = [...document.querySelectorAll("[data-panel] [data-box]")];
     // While it moves, only the graphs that are on the screen follow.
-    const watching = new IntersectionObserver((entries) => entries.forEach((one) => (one.target.seen = one.isIntersecting)));
+    const watching = new IntersectionObserver((all) => {
+      for (const one of all) Object.assign(one.target, { seen: one.isIntersecting });
+    });
     this.panels = homes.map((home) => {
       const [left, top, right, bottom] = home.dataset.box.split(" ").map(Number);
       const [from, to] = home.dataset.time.split(" ").map(Number);

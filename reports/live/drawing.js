@@ -202,7 +202,7 @@ const drawing = {
   },
   joints(place) {
     let rings = "", dots = "";
-    data.shown_points.forEach((name, i) => {
+    data.shown_points.forEach((name) => {
       const [x, y] = this.put(place, name);
       if (data.rings.includes(name)) rings += round(x, y, 4);
       else dots += round(x, y, 3);

@@ -134,7 +134,7 @@ const motion = {
   // Where everything drawn is at t (s), flat x, y in m; null where that motion has no such time or a point no place.
   at(true_, t) {
     const rows = true_ ? this.truth : this.rows;
-    if (!rows || !rows.n || t > (rows.n - 1) * rows.h * (1 + 1e-9)) return null;
+    if (!rows?.n || t > (rows.n - 1) * rows.h * (1 + 1e-9)) return null;
     const place = places(t, interpolated(rows, t, new Float64Array(m)), this.d, new Float64Array(2 * data.points.length));
     return finite(place) ? place : null;
   },

@@ -1,7 +1,8 @@
 // What every part of the page needs: elements, numbers in the reader's language, sentences with gaps.
 // Enters: `data`.  Leaves: functions; text enters the page by textContent alone.
-const live = document.getElementById("live");
+/** @type {(id: string) => any} */
 const byId = (id) => document.getElementById(id);
+const live = byId("live");
 const element = (name, given) => Object.assign(document.createElement(name), given);
 const svg = (name, attributes, into) => {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
@@ -71,7 +72,7 @@ const change = (element, name, value) => {
 // What can be moved sideways is a stop of the keyboard, and only while it can.
 const stops = () => {
   for (const one of document.querySelectorAll(".scroll, .formula, .drawing > div, .live-scroll")) {
-    if (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1) one.tabIndex = 0;
+    if (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1) one.setAttribute("tabindex", "0");
     else one.removeAttribute("tabindex");
   }
 };

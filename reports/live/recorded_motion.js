@@ -16,8 +16,10 @@ const motion = {
     const from = rows[i], to = rows[i + 1] ?? from, share = place - i;
     return from.map((value, k) => value + share * (to[k] - value));
   },
+  /** @type {(...given: any[]) => any} */
   rate: () => null,
 };
 const begin = () => {};
 const furnish = () => {};
+/** @type {(...given: any[]) => void} */
 const light = () => {};

@@ -11,6 +11,8 @@ Each limit is asserted by `pytest tests/benchmarks`; README.md names some of the
 | `solve_many`, 1000 sets of variant 31 | Euler by hand over arrays, nothing watched | 6.0 | at most 10 |
 | 1000 sets of variant 31, one by one | `solve_many` | 490 | at least 200 |
 | one variant of a class, from its file to table and checks | 20 000 Euler steps by hand | 1.0 | at most 1.25 |
+| a page of the desk for another datum, 31 | 20 000 Euler steps by hand | 5.4 | at most 7 |
+| the same of jansen | 20 000 Euler steps by hand | 19 | at most 24 |
 | `coursework run 31 --format csv` | importing numpy, click | 2.5 | at most 2.8 |
 | `coursework run 31 --set r1=0.95m --format csv` | importing numpy, click | 2.6 | at most 2.8 |
 | `coursework run jansen --format csv` | importing numpy, click | 2.6 | at most 2.8 |
@@ -32,6 +34,7 @@ import coursework
 from coursework.equations.reduction.blocks import reduce
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
+from tests.benchmarks import test_desk as desk
 from tests.benchmarks import test_many as many
 from tests.benchmarks import test_march as march
 from tests.benchmarks import test_whole_process as whole
@@ -66,6 +69,8 @@ def rows():
     batch = "`solve_many`, 1000 sets of variant 31"
     yield batch, "Euler by hand over arrays, nothing watched", many.cost(0), f"at most {many.MOST}"
     yield "1000 sets of variant 31, one by one", "`solve_many`", many.gain(), f"at least {many.LEAST_GAIN}"
+    for name, most in desk.MOST.items():
+        yield f"a page of the desk for another datum, {name}", "20 000 Euler steps by hand", desk.cost(name), f"at most {most}"
     for arguments, yardstick, limit in whole.CASES:
         with tempfile.TemporaryDirectory() as folder:
             process = whole.against(arguments, yardstick, limit, folder)

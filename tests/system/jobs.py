@@ -34,6 +34,8 @@ def opened(folder):
         Path(folder, f"{name}.{os.getpid()}").touch()
         print("noise", flush=True)
         match does.split():
+            case ["spent"]:
+                os._exit(2)
             case ["die"]:
                 os._exit(7)
             case ["once"] if len(list(Path(folder).glob(f"{name}.*"))) == 1:

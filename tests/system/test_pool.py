@@ -146,3 +146,35 @@ def test_jobs_are_drawn_as_they_are_needed(tmp_path):
         next(answers)
         assert len(drawn) <= pool.AHEAD + 1
         answers.close()
+
+
+def test_a_job_that_is_given_up_is_not_begun_or_its_process_is_ended_and_it_is_not_tried_again(tmp_path):
+    with Pool(trade(tmp_path), 1) as one:
+        jobs = [Job("long", "wait 60"), Job("queued"), Job("next")]
+        under_way, queued, following = (one.submit(job) for job in jobs)
+        until(lambda: begun(tmp_path, "long"))
+        one.drop(queued, jobs[1])
+        one.drop(under_way, jobs[0])
+        assert under_way.result(60).pid == -1
+        assert following.result(60).pid > 0
+        assert queued.cancelled()
+        one.drop(following, jobs[2])  # done long since: nothing happens
+    assert (len(begun(tmp_path, "long")), begun(tmp_path, "queued"), one.ended) == (1, [], 1)
+
+
+def test_a_process_that_has_spent_its_budget_is_not_tried_again(tmp_path):
+    with Worker(trade(tmp_path)) as worker:
+        assert worker.answer(Job("a", "spent")).pid == -1
+        assert worker.answer(Job("b")).pid > 0
+    assert len(begun(tmp_path, "a")) == 1
+
+
+def test_processes_without_a_job_for_long_end_all_but_one(tmp_path):
+    with Pool(trade(tmp_path), 3) as some:
+        [future.result(60) for future in [some.submit(Job(str(k), "wait 0.3")) for k in range(3)]]
+        alive = [worker for worker in some._workers if worker._child is not None]
+        some.rest(60.0)
+        assert [worker for worker in some._workers if worker._child is not None] == alive
+        some.rest(0.0)
+        assert len([worker for worker in some._workers if worker._child is not None]) == 1
+        assert some.submit(Job("again")).result(60).pid > 0

@@ -70,8 +70,8 @@ class Painter:
         for name in self.outline.hinges:
             self.hinge(name)
 
-    def moving(self) -> None:
-        """Draw what moves: blocks, links, joints."""
+    def moving(self, *, dragged: bool = False) -> None:
+        """Draw what moves: blocks, links, joints; those that the desk lets a hand drag say where they are."""
         for block in self.outline.blocks:
             self.block(block)
         for wheel in self.outline.wheels:
@@ -81,7 +81,7 @@ class Painter:
         for slot in self.outline.slots:
             self.slot(slot)
         for name in self.names:
-            self.joint(name)
+            self.joint(name, self.spot(name) if dragged else "")
 
     def thin(self) -> None:
         """Draw the links alone with thin lines, as one of many positions."""
@@ -262,12 +262,17 @@ class Painter:
         end = touch + 12 * along
         self.sheet.path([at, end, end + side, at + side], RING, closed=True)
 
-    def joint(self, name: str) -> None:
+    def spot(self, name: str) -> str:
+        """Return what tells a program which point a joint is, where it is in the mechanism (m), and how many mm 1 m is here."""
+        at = self.place[name]
+        return f' data-joint="{plain(name)}" data-at="{at.real:.6g} {at.imag:.6g}" data-mm="{self.mm:.6g}"'
+
+    def joint(self, name: str, data: str = "") -> None:
         """Draw a joint as a ring, a mere point of a link as a dot."""
         if any(name == wheel.contact for wheel in self.outline.wheels):
-            self.sheet.circle(self.at[name], 0.7, DOT)
+            self.sheet.circle(self.at[name], 0.7, DOT, data)
             return
         members = sum(name in bar.corners for bar in self.outline.bars)
         pinned = name in self.outline.hinges or any(name == block.at for block in self.outline.blocks)
         ring = members > 1 or pinned or any(name == wheel.centre for wheel in self.outline.wheels)
-        self.sheet.circle(self.at[name], JOINT if ring else 0.9, RING if ring else DOT)
+        self.sheet.circle(self.at[name], JOINT if ring else 0.9, RING if ring else DOT, data)

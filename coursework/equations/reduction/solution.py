@@ -45,8 +45,14 @@ def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solut
     """Return (velocity, its formula) for every block, nothing for blocks that are solved numerically on a page.
 
     Those are blocks of three and more, and blocks with a formula of more than `MOST_LETTERS` letters.
-    Earlier velocities stay names, or are put in where the formula becomes shorter so.
+    Earlier velocities stay names, or are put in where the formula becomes shorter so.  No datum changes them: they are worked
+    out once for all variants of a template.
     """
+    key = ("solutions", MOST_LETTERS, tuple((block.equations, block.unknowns) for block in reduction.blocks))
+    return equations.once(key, lambda: _solutions(equations, reduction))
+
+
+def _solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
     order = equations.order
     before: dict[Expression, Expression] = {}
     found: list[Solution] = []

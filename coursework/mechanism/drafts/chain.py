@@ -1,6 +1,6 @@
 """A chain of groups of the kinds asked for: who hangs on whom, what everything is called, and sizes that close.
 
-Enters: names of kinds, cranks and dyads, the first a crank.  Leaves: `Draft`.  Used by `text.py` and `commands/new.py`.
+Enters: names of kinds, cranks and dyads, the first a crank.  Leaves: `Draft`.  Used by `text.py`, `commands/new.py` and the desk.
 
 A dyad hangs on the points that wait longest: pins of cranks, and points where dyads before it meet.  What it needs beside them
 is a pivot or a guide on the frame.  A dyad without a point of its own rides on the body of such a point: that carries its last
@@ -10,7 +10,7 @@ guide.  On a crank such a guide would stand parallel to a fixed one twice a turn
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -128,6 +128,19 @@ def draft_of(names: Sequence[str]) -> Draft:
         return drafting.draft
 
 
+def draft_on(name: str, ends: Sequence[End], taken: Collection[str], body: int) -> Draft:
+    """Return one group of a kind that hangs on points of a chain there is, and no more.  Raises `DoesNotClose`.
+
+    `taken` are the points that there are, `body` the number of its first coordinate.
+    """
+    drafting = _Drafting(set(), ends, taken, body)
+    try:
+        drafting.add(group_kind(name))
+    except (_MustSwing, IndexError):  # a guide on a crank that turns all the way; no point to ride on
+        raise DoesNotClose(1) from None
+    return drafting.draft
+
+
 class _MustSwing(Exception):
     """The chain is drafted again, with this crank swinging."""
 
@@ -138,12 +151,12 @@ class _MustSwing(Exception):
 class _Drafting:
     """The chain as far as it has been drafted; `waiting` are the points that nothing hangs on yet."""
 
-    def __init__(self, swinging: set[int]) -> None:
+    def __init__(self, swinging: set[int], ends: Sequence[End] = (), taken: Collection[str] = (), body: int = 1) -> None:
         self.draft = Draft()
-        self.waiting: list[End] = []
+        self.waiting = list(ends)
         self._swinging = swinging
-        self._letters = _letters()
-        self._bodies = itertools.count(1)
+        self._letters = (letter for letter in _letters() if letter not in taken)
+        self._bodies, self._first_crank = itertools.count(body), body
         self._turning: dict[str, int] = {}  # pins of cranks that turn all the way round
 
     def add(self, kind: GroupKind) -> None:
@@ -160,7 +173,7 @@ class _Drafting:
         return Coordinate(f"phi{body}", f"w{body}", "rad") if angle else Coordinate(f"s{body}", f"u{body}", "m")
 
     def _add_crank(self, kind: GroupKind, body: int, coordinates: tuple[Coordinate, ...]) -> None:
-        number = len(self.draft.cranks) + 1
+        number = len(self.draft.cranks) + self._first_crank
         beside = round(self.waiting[-1].middle.real + _APART, 2) if self.waiting else 0.0
         height = round(self.waiting[-1].middle.imag, 2) if self.waiting else 0.0
         pivot, pin = self._new_point(complex(beside, height)), next(self._letters)

@@ -1,7 +1,7 @@
 """The file of a draft: every key that a chain has, a comment on each, in the language asked.
 
-Enters: a `Draft`, the name of the file, what puts a sentence into a language.  Leaves: the text.  Used by `commands/new.py`.
-What the file says stands in `reports/new-groups.toml.j2`.
+Enters: a `Draft`, the name of the file, what puts a sentence into a language.  Leaves: the text.
+Used by `commands/new.py` and the desk.  What the file says stands in `reports/new-groups.toml.j2`.
 """
 
 from __future__ import annotations
@@ -18,20 +18,34 @@ from coursework.words.templates import filled
 _COMMENT = 46  # the column where comments begin
 
 
-def text_of(draft: Draft, name: str, said: Callable[[str], str], asked: Sequence[str]) -> str:
-    """Return the file, which asks for some quantities; `said` returns a sentence in the language of the comments."""
+def text_of(draft: Draft, name: str, said: Callable[[str], str], asked: Sequence[str], first: int = 1) -> str:
+    """Return the file, which asks for some quantities; `said` returns a sentence in the language of the comments.
+
+    `first` is the number of its first group.
+    """
 
     def meanings(group: GroupDraft) -> list[tuple[str, str]]:
         return [(key, said(meant)) for key, meant in roles(group.kind.shape, group.letters).items()]
 
     text = filled(
         "new-groups.toml.j2", draft=draft, name=name, kinds=", ".join(str(group.kind) for group in draft.groups), asked=asked,
-        swing=SWING, turned=TURNED, schemes=SCHEME_NAMES, roles=meanings,
+        first=first, swing=SWING, turned=TURNED, schemes=SCHEME_NAMES, roles=meanings,
         say=lambda key, **values: said(say(key, **values)),
         title=lambda group: said(title(group.kind.shape, group.letters)),
         role=lambda group, key, place: said(role(group.kind.shape, key, group.letters, place)),
     )  # fmt: skip
     return "".join(f"{_written(*line.partition(chr(9))[::2])}\n" for line in text.rstrip("\n").split("\n"))
+
+
+def additions(draft: Draft, number: int, said: Callable[[str], str]) -> dict[str, list[str]]:
+    """Return the lines that a file gets for the groups of a draft, by section; the first of them is its group `number`."""
+    found: dict[str, list[str]] = {section: [] for section in ("given", "drive", "coordinates", "points", "group")}
+    for block in text_of(draft, "", said, (), number).split("\n\n"):
+        head, *lines = block.split("\n")
+        section = head.partition("]")[0].strip("[")
+        if section in found:  # a group brings its own head, and a blank line before it
+            found[section] += ["", head, *lines] if section == "group" else lines
+    return found
 
 
 def _written(code: str, comment: str) -> str:

@@ -30,8 +30,9 @@ class Results:
     stem = "report"
     record_name = "run.json"
 
-    def __init__(self, run: SceneRun, language: str = "en", live: bool = True) -> None:
+    def __init__(self, run: SceneRun, language: str = "en", live: bool = True, later: tuple[str, ...] = ()) -> None:
         self.run = run
+        self.later = later
         self.language = language
         self.live = live
         self.unprinted = ""
@@ -66,7 +67,7 @@ class Results:
         from coursework.report.pages import build_model
 
         with under_way("pages"):
-            return build_model(self.run, self.language, self.stamp, live=self.live)
+            return build_model(self.run, self.language, self.stamp, live=self.live, later=self.later)
 
     def tables(self) -> Iterable[tuple[str, str]]:
         """Return the CSV texts by name."""

@@ -67,15 +67,16 @@ def _shortened(text: str, longest: int) -> str:
     return text if len(text) <= longest else text[: longest - 1].rsplit(" ", 1)[0].rstrip(" ,:;") + "…"
 
 
-def build_model(run: SceneRun, language: str = "en", stamp: str = "", *, live: bool = False) -> ReportModel:
+def build_model(
+    run: SceneRun, language: str = "en", stamp: str = "", *, live: bool = False, later: tuple[str, ...] = ()
+) -> ReportModel:
     """Return the report of a run: the sections that have something to say, and those only if asked for.
 
-    `stamp` names the run in the footer, so that a page can be told from one of another run; `live` adds the part that moves.
-    Raises `InputError` where the
-    language is not there.
+    `stamp` names the run in the footer, so that a page can be told from one of another run; `live` adds the part that moves;
+    of the sections `later` only the heading is written.  Raises `InputError` where the language is not there.
     """
     words = load_words(language)
-    context = PageContext(run, words)
+    context = PageContext(run, words, later)
     heading = heading_of(context)
     author = clean(run.student or "", LONGEST_NAME)
     title, name = LONGEST_RUNNING

@@ -43,6 +43,8 @@ PAPER: Writers = (
 )  # fmt: skip
 LAST: Writers = ((conclusion, CHECKS),)
 APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None))
+# What is read behind the table and the graphs: a page that is written again and again waits with it until somebody looks.
+BEHIND: Writers = ((graph_check, GRAPH_CHECK), *LAST, *APPENDIX)
 
 
 def all_sections(context: PageContext) -> Iterator[Section]:
@@ -78,7 +80,9 @@ def _heading(context: PageContext, quantity: str, named: str) -> str:
 
 def _written_by(writers: Writers, context: PageContext) -> Iterator[Section]:
     for write, quantity in writers:
-        if quantity is not None and not context.run.asks(quantity):
-            continue
-        if parts := write(context):
-            yield Section(write.__name__, context.words(f"section.{write.__name__}"), parts)
+        name = write.__name__
+        parts: list[Part] = []
+        if name not in context.later and (quantity is None or context.run.asks(quantity)):
+            parts = write(context)
+        if parts or name in context.later:
+            yield Section(name, context.words(f"section.{name}"), parts)

@@ -35,10 +35,11 @@ _OF_GROUP = re.compile(r"(?<![\w.])G\d+[xy](?!\w)")  # an equation of a group, a
 
 @caching
 class PageContext:
-    """One run and one language."""
+    """One run and one language; `later`: sections of which only the heading stands."""
 
     run: SceneRun
     words: Words
+    later: tuple[str, ...] = ()
 
     @property
     def variant(self) -> Variant:

@@ -8,6 +8,7 @@ Used by `report/` and `assigning/`.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import lru_cache
 
 from coursework.system.frozen import frozen
@@ -135,3 +136,13 @@ def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
         if match := pattern.fullmatch(name):
             return Symbol(match[1], _greek(next(part for part in match.groups()[1:] if part)))
     return Symbol(name)
+
+
+def with_symbols(text: str, names: Iterable[str]) -> str:
+    """Return a text with some names in it as the pages set them: φ₁ and ω₁.
+
+    >>> with_symbols("phi1 = 2*w1, phi12", ["phi1", "w1"])
+    'φ₁ = 2*ω₁, phi12'
+    """
+    written = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
+    return re.sub(rf"(?<![\w.])(?:{written})(?![\w.]*\w)", lambda name: symbol(name[0]).text, text) if written else text

@@ -1,6 +1,6 @@
 """pydantic's models of the records of the schema: what tells the faults of a file, and the JSON schema that editors read.
 
-Enters: `schema.py`.  Leaves: models, made when the first file with a fault is met.  Used by `shape.py`.
+Enters: `schema.py`.  Leaves: models, made when the first file with a fault is met.  Used by `shape.py` and the desk.
 """
 
 from __future__ import annotations

@@ -64,10 +64,12 @@ def _named_after(path: Path) -> str:
     return re.sub("[\\udc80-\\udcff]", lambda byte: f"%{ord(byte[0]) - 0xDC00:02X}", path.stem)
 
 
-def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[str, bytes] | None = None) -> Variant:
+def parse_variant(
+    content: str | bytes, file: str = "variant", tables: Mapping[str, bytes] | None = None, judge: Judge | None = None
+) -> Variant:
     """Return the variant in a text; `tables` are the files it names, by name.  Nothing is read from disk.
 
-    Raises `InputError` with all faults.
+    Raises `InputError` with all faults; `judge` adds its own to them.
 
     >>> import coursework
     >>> text = coursework.load("31").path.read_text(encoding="utf-8")
@@ -81,7 +83,7 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
     if not isinstance(content, (str, bytes)):
         raise TypeError(say("fault.D035", found=type(content).__name__))
     raw = content.encode("utf-8") if isinstance(content, str) else content
-    return _build(read_source(raw, file, tables or {}), file, None)
+    return _build(read_source(raw, file, {} if tables is None else tables), file, None, judge)
 
 
 def _build(source: Source, name: str, path: Path | None, judge: Judge | None = None) -> Variant:

@@ -1,7 +1,7 @@
 """The text of a variant file with other values in it: comments, order and spelling stay as its author wrote them.
 
 Enters: a text that has been read as a variant, and values by their path.  Leaves: the new text.
-Used by `variant_text.py` and by individual variants.
+Used by `variant_text.py`, by individual variants and by the desk.
 """
 
 from __future__ import annotations
@@ -38,6 +38,22 @@ def rewritten(text: str, changes: Mapping[KeyPath, Any], drop: Iterable[str] = (
     return _SCHEMA_LINE.sub("", plain)
 
 
+def place_of(text: str, path: KeyPath) -> tuple[int, int] | None:
+    r"""Return where the text of a value begins and ends (letters from 0), inside its quotes; None where it has no place.
+
+    >>> text = '[given]\nr1 = "0.953 m"'
+    >>> text[slice(*place_of(text, ("given", "r1")))]
+    '0.953 m'
+    """
+    found = _located(text)
+    own = _own(text, found, path)
+    if own is None or own not in found.spans:
+        return None
+    begin, end = found.spans[own]
+    quotes = next((mark for mark in ('"""', "'''", '"', "'") if text.startswith(mark, begin)), "")
+    return begin + len(quotes), end - len(quotes)
+
+
 @lru_cache(maxsize=8)  # a class has one template, and as many copies as students
 def _located(text: str) -> Positions:
     return locate(text)
@@ -51,9 +67,7 @@ def _line_starts(text: str) -> tuple[int, ...]:
 def _replacement(text: str, found: Positions, path: KeyPath, value: Any) -> tuple[int, int, str]:
     """Return where a value goes, up to where, and its text."""
     written = json.dumps(value, ensure_ascii=False)
-    own = _spelt(found.spans, path)
-    if own is not None and path[0] == "given" and text[found.spans[own][0]] == "{":
-        own = (*own, "value")  # what the datum means stays
+    own = _own(text, found, path)
     if own is not None:
         begin, end = found.spans[own]
         remark = _REMARK.match(text, end) if path[0] == "time" else None  # it says what the number before it was
@@ -69,6 +83,12 @@ def _replacement(text: str, found: Positions, path: KeyPath, value: Any) -> tupl
         return at, at, f"\n{key} = {written}"
     name = ".".join(str(part) for part in section)
     raise InputError(say("fault.V049", name=name, key=str(key)))
+
+
+def _own(text: str, found: Positions, path: KeyPath) -> KeyPath | None:
+    """Return the path of a value as the file spells it; what a datum means beside its value stays."""
+    own = _spelt(found.spans, path)
+    return (*own, "value") if own is not None and path[0] == "given" and text[found.spans[own][0]] == "{" else own
 
 
 def _removals(text: str, found: Positions, name: str) -> Iterable[tuple[int, int, str]]:

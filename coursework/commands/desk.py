@@ -1,0 +1,62 @@
+"""`coursework edit` and `coursework serve`: the desk in the browser.
+
+Enters: the options of the two commands.  Leaves: a server until Ctrl-C.  Used by `cli.py`.
+"""
+
+from __future__ import annotations
+
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+from coursework.commands.screen import tell
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
+
+SERVERS = ("starlette", "uvicorn", "watchfiles")
+# What a text on a desk that is open to others may take: seconds of processor time, and MiB beyond the start.
+OPEN_SECONDS, OPEN_MEMORY = 5.0, 512.0
+
+
+def edit(name: str, *, port: int, no_browser: bool, budget: float, memory: float, language: str) -> int:
+    """Open the desk over the files of this folder."""
+    _require_extra()
+    from coursework.desk.job import Bounds, Policy
+    from coursework.desk.serving.server import Wish, serve
+
+    bounds = Bounds(budget, memory)
+    serve(Wish(port, bounds, Policy(), name, Path.cwd(), language=language, browser=not no_browser), _told)
+    return 0
+
+
+def serve(
+    *, host: str, port: int, workers: int | None, root_path: str, proxy: bool, hosts: tuple[str, ...], policy: Path | None,
+    language: str,
+) -> int:  # fmt: skip
+    """Serve the desk to others."""
+    _require_extra()
+    from coursework.desk.job import Bounds, Policy
+    from coursework.desk.policy import read_policy
+    from coursework.desk.serving.server import Wish, serve
+
+    root = "/" + root_path.strip("/") if root_path.strip("/") else ""
+    offered = read_policy(policy) if policy else Policy()
+    bounds = Bounds(OPEN_SECONDS, OPEN_MEMORY)
+    serve(Wish(port, bounds, offered, "", None, host, workers, root, proxy, hosts, language), _told)
+    return 0
+
+
+def _told(sentence: str) -> None:
+    tell(sentence, err=True)
+
+
+def _require_extra() -> None:
+    """Raise `InputError` with the line that installs what serves."""
+    if any(find_spec(name) is None for name in SERVERS):
+        raise InputError(say("fault.C080", python=sys.executable, folder=_checkout()))
+
+
+def _checkout() -> str:
+    """Return what pip installs the extra from: the folder of the checkout, else the package by its name."""
+    root = Path(__file__).resolve().parents[2]
+    return f'"{root}[desk]"' if (root / "pyproject.toml").is_file() else '"coursework[desk]"'

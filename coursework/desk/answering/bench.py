@@ -1,0 +1,80 @@
+"""Inside a process of the desk: a job as plain data -> an answer, each under a budget of its own.
+
+Enters: `Setup`, jobs.  Leaves: `Answer`s.  Every process of `serving/renderers.py` opens one, by name; nobody imports it.
+"""
+
+from __future__ import annotations
+
+import gzip
+import sys
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from coursework.desk.answering import completion, derived, drag, library, pieces, takeaway, variant_page
+from coursework.desk.answering.typed import Desk, faults_of
+from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
+from coursework.system.budget import MIB, Budget, watched
+from coursework.system.plain_lines import record_of
+from coursework.words.errors import CourseworkError
+from coursework.words.sentences import say
+
+PACKED_FROM = 2000  # bytes, below which compressing an answer costs more than it saves
+KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
+    "page": variant_page.page,
+    "check": variant_page.check,
+    "take": takeaway.take,
+    "table": takeaway.table,
+    "catalogue": library.catalogue,
+    "keys": completion.keys,
+    "equations": derived.equations,
+    "drag": drag.drag,
+    "pieces": pieces.pieces,
+    "piece": pieces.piece,
+    "warm": variant_page.warm,
+}
+
+
+@contextmanager
+def opened(plain_setup: Any) -> Iterator[Callable[[Any], Answer]]:
+    """Yield what answers one job after the other."""
+    setup = record_of(Setup, plain_setup)
+    limit_memory_beyond(setup.bounds.memory)
+    yield lambda job: answer(record_of(Job, job), setup)
+
+
+def answer(job: Job, setup: Setup) -> Answer:
+    """Return what comes of a job: what a text breaks is told as its faults."""
+    budget = Budget(setup.bounds.seconds, setup.bounds.memory)
+    desk = Desk(job.body or {}, job.language, setup)
+    try:
+        with watched(budget, desk.name, lambda _fault: None):
+            made = KINDS[job.kind](desk)
+    except CourseworkError as error:
+        return faulty(job.kind, faults_of(error, desk))
+    except MemoryError:
+        return faulty(job.kind, [fault_entry("E002", desk.words.written(say("screen.memory")))])
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        sys.stderr.write(f"{type(error).__name__} in {Path(place.filename).name}:{place.lineno}\n")  # no word of the text
+        return told(FAULT, job.language, "desk.our_fault")
+    found = made if isinstance(made, Answer) else plain(OK, made)
+    if not job.packed or found.name or len(found.body) < PACKED_FROM:
+        return found
+    return replace(found, body=gzip.compress(found.body, 4), packed=True)
+
+
+def limit_memory_beyond(mib: float) -> None:
+    """Bound the address space of this process at so much beyond what it has with all its libraries, where the platform can."""
+    try:
+        import resource
+
+        with Path("/proc/self/statm").open(encoding="ascii") as file:
+            held = int(file.read().split()[0]) * resource.getpagesize()
+    except (ImportError, OSError):
+        return
+    most = held + int(2 * mib) * MIB  # what is held is watched; this ends what grows between two looks
+    resource.setrlimit(resource.RLIMIT_AS, (most, resource.getrlimit(resource.RLIMIT_AS)[1]))

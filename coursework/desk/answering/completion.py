@@ -1,0 +1,66 @@
+"""What may stand in a text, each word with one line of meaning: sections and keys of the schema, units, functions, quantities.
+
+Enters: a `Desk`, for its language.  Leaves: plain data.  Used by `bench.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from coursework.desk.answering.typed import Desk
+from coursework.motion.schemes import SCHEMES, title_of
+from coursework.scene.quantities import known_quantities
+from coursework.variant.formula.tree import FUNCTIONS
+from coursework.variant.formula.units import UNITS
+from coursework.variant.reading.models import json_schema
+from coursework.variant.record.roles import title
+from coursework.variant.record.vocabulary import EXACT, GROUP_SHAPES
+from coursework.words.sentences import say
+
+_LISTED = "$defs"
+
+
+def keys(desk: Desk) -> dict[str, Any]:
+    """Return it in the language of the desk."""
+    schema = json_schema()
+    written = desk.words.written
+    sections = [_section(name, entry, schema[_LISTED], desk) for name, entry in schema["properties"].items()]
+    quantities = {name: _heading(name, desk) for name in known_quantities()}
+    schemes = {scheme.name: written(title_of(scheme)) for scheme in SCHEMES.values()} | {EXACT: written(say("exact.title"))}
+    kinds = {name: written(title(shape, shape.named())) for name, shape in GROUP_SHAPES.items()}
+    return {
+        "sections": sections, "functions": list(FUNCTIONS), "units": [unit for unit in UNITS if unit.isascii()],
+        "quantities": _pairs(quantities), "schemes": _pairs(schemes), "kinds": _pairs(kinds),
+    }  # fmt: skip
+
+
+def _section(name: str, entry: dict[str, Any], models: dict[str, Any], desk: Desk) -> dict[str, Any]:
+    """Return a section with its keys; `many`: [[name]], `named`: the author chooses the names in it."""
+    found = dict.fromkeys(key for model in _models(entry, models) for key in models[model]["properties"])
+    inner = {key: desk.words.template(f"desk.key.{name}_{key}") for key in found if desk.words.has(f"desk.key.{name}_{key}")}
+    inner |= {key: desk.words.template(f"desk.key.{key}") for key in found if key not in inner}
+    return {
+        "name": name, "means": desk.words.template(f"desk.key.{name}"), "many": entry.get("type") == "array" and bool(found),
+        "named": "additionalProperties" in entry, "keys": _pairs(inner),
+    }  # fmt: skip
+
+
+def _models(entry: Any, models: dict[str, Any]) -> Iterator[str]:
+    """Yield the models that an entry of the schema leads to, those inside them too."""
+    if isinstance(entry, dict) and "$ref" in entry:
+        name = str(entry["$ref"]).rpartition("/")[2]
+        yield name
+        yield from _models(models[name]["properties"], models)
+    elif isinstance(entry, (dict, list)):
+        for part in entry.values() if isinstance(entry, dict) else entry:
+            yield from _models(part, models)
+
+
+def _heading(quantity: str, desk: Desk) -> str:
+    key = f"section.{quantity}"
+    return desk.words.template(key) if desk.words.has(key) else desk.words.template("section.results")
+
+
+def _pairs(named: dict[str, str]) -> list[dict[str, str]]:
+    return [{"name": name, "means": means} for name, means in named.items()]

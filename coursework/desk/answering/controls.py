@@ -1,0 +1,86 @@
+"""The data of a text that can be moved: what each is, how far, and where it stands in the text.
+
+Enters: a `Desk` whose text has no faults.  Leaves: a plain record a datum or start value.
+Used by `variant_page.py` and `drag.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import islice
+from typing import Any
+
+from coursework.desk.answering.edits import value_place
+from coursework.desk.answering.typed import Desk
+from coursework.report.text.symbols import symbol
+from coursework.report.wording.data_meanings import coordinate_meanings, meanings
+from coursework.system.frozen import frozen
+from coursework.variant.formula.units import UNITS
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
+
+MOST = 80
+_FEWEST = 50  # places of a slider
+
+
+@frozen
+class Written:
+    """A number that the file writes: where (`path`), `text` and `unit` as it has them, what it measures (`si`)."""
+
+    path: KeyPath
+    text: str
+    unit: str
+    si: str
+
+    @property
+    def name(self) -> str:
+        """Return the name of the datum, or of the coordinate whose start it is."""
+        return str(self.path[1])
+
+    @property
+    def digits(self) -> int:
+        """Return how many decimals the file writes."""
+        return len(self.text.partition(".")[2])
+
+    @property
+    def size(self) -> float:
+        """Return what one of its unit is in SI."""
+        return float(UNITS[self.unit][0]) if self.unit in UNITS else 1.0
+
+    def spelled(self, value: float, decimals: int) -> str:
+        """Return another value (SI) as the file writes it."""
+        return f"{value / self.size:.{decimals}f} {self.unit}".rstrip()
+
+
+def written_numbers(variant: Variant) -> Iterator[Written]:
+    """Give the data of the task sheet and the start values that the file writes, in its order."""
+    for given in variant.given:
+        yield Written(("given", given.name), given.text, given.unit, given.si)
+    for one in variant.coordinates:
+        if one.start is not None:
+            yield Written(("coordinates", one.name, "start"), one.text, "" if one.start_has_no_unit else one.written, one.unit)
+
+
+def controls(desk: Desk) -> list[dict[str, Any]]:
+    """Return what can be moved, with the words for it in the language of the desk."""
+    mechanism, said = desk.run.scene.mechanism, desk.variant.texts.get(desk.language)
+    means = meanings(mechanism) | coordinate_meanings(mechanism) | (dict(said.means) if said else {})
+    shown = islice(written_numbers(desk.variant), MOST)
+    return [_control(desk, one) | {"title": desk.words.written(means.get(one.name, ""))} for one in shown]
+
+
+def _control(desk: Desk, one: Written) -> dict[str, Any]:
+    value = float(one.text.replace("−", "-").replace(",", "."))
+    if one.si == "rad":
+        low, high = value - math.pi / one.size, value + math.pi / one.size
+    else:
+        low, high = sorted((0.5 * value, 1.5 * value)) if value else (-1.0, 1.0)
+    step = min(10.0**-one.digits, 10.0 ** math.floor(math.log10((high - low) / _FEWEST)))
+    decimals = max(0, -round(math.log10(step)))
+    return {
+        "name": one.name, "kind": "given" if one.path[0] == "given" else "start", "symbol": symbol(one.name).text, "value": value,
+        "unit": one.unit, "digits": one.digits, "step": step, "low": round(math.floor(low / step) * step, decimals),
+        "high": round(math.ceil(high / step) * step, decimals), "text": f"{one.text} {one.unit}".rstrip(),
+        "place": value_place(desk.text, one.path), "line": desk.variant.line_of(*one.path[:2]),
+    }  # fmt: skip

@@ -1,0 +1,98 @@
+"""The velocity equations that the geometry of a text gives, written into it with their reasons; and what it says of written ones.
+
+Enters: a `Desk`.  Leaves: the text with them; a verdict an equation.  Used by `bench.py` and `variant_page.py`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from coursework.desk.answering.edits import with_lines
+from coursework.desk.answering.typed import Desk
+from coursework.desk.job import FORBIDDEN, Answer, told
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations, differentiate
+from coursework.equations.reduction.system import compile_system
+from coursework.mechanism.mechanism import build
+from coursework.motion.geometry.start import start_values
+from coursework.variant.formula.reader import MAX_NODES as MOST_PARTS
+from coursework.variant.formula.tree import spelled
+from coursework.words.sentences import say
+
+ROWS, SPREAD, SAME = 4, 0.1, 1e-9  # positions about the start at which equations are compared, how far (rad, m), and rank
+_GEOMETRY = re.compile(r"^(?:#[^\n]*\n+)?\[(?:points|links|frame|closure|ask)\]", re.M)
+
+
+def equations(desk: Desk) -> dict[str, Any] | Answer:
+    """Return the text with the equations which the written ones lack, as it is where they lack none."""
+    if not desk.setup.policy.equations:
+        return told(FORBIDDEN, desk.language, "desk.not_offered")
+    found = differentiate(build(desk.variant))
+    lacking = [one for one in _lacking(found) if _parts(one, found) <= MOST_PARTS]
+    taken = {constraint.name for constraint in desk.variant.constraints}
+    names = (str(number) for number in range(1, 1000) if str(number) not in taken)
+    lines = [line for name, one in zip(names, lacking, strict=False) for line in _written(name, one, found, desk)]
+    return {**with_lines(desk.text, _line(desk), lines), "number": len(lacking)}
+
+
+def _lacking(found: VelocityEquations) -> Iterator[VelocityEquation]:
+    """Give the derived equations that are independent of the written ones, and of those before them."""
+    own = {constraint.name for constraint in found.variant.constraints}
+    written = [one for one in found.equations if one.name in own]
+    derived = [one for one in (*found.equations, *found.from_closure, *found.bound) if one.name not in own]
+    if found.variant.groups or not derived:
+        return  # a chain stands for its equations
+    start = np.array(start_values(found))
+    about = start + SPREAD * np.sin(np.arange(ROWS * len(start)).reshape(ROWS, len(start)))
+    matrices, *_ = compile_system(found, [*written, *derived]).matrices(np.zeros(ROWS), about)
+    kept = list(range(len(written)))
+    for place, one in enumerate(derived, start=len(written)):
+        if _rank(matrices[:, [*kept, place]]) > _rank(matrices[:, kept]):
+            kept.append(place)
+            yield one
+
+
+def _parts(one: VelocityEquation, found: VelocityEquations) -> int:
+    return sum(1 for side in one.shown(found.order) for _ in side.walk())
+
+
+def _rank(matrices: Any) -> int:
+    return int(np.linalg.matrix_rank(matrices, tol=SAME * max(1.0, float(np.abs(matrices).max(initial=0.0)))).max(initial=0))
+
+
+def _written(name: str, one: VelocityEquation, found: VelocityEquations, desk: Desk) -> list[str]:
+    left, right = one.shown(found.order)
+    because = json.dumps(desk.words.written(one.because), ensure_ascii=False)
+    return [
+        "",
+        "[[constraint]]",
+        f'name     = "{name}"',
+        f"because  = {because}",
+        f'equation = "{spelled(left)} = {spelled(right)}"',
+    ]
+
+
+def _line(desk: Desk) -> int:
+    """Return the line behind which equations stand: the last one written, else that before the geometry."""
+    if desk.variant.constraints:
+        last = max(constraint.line for constraint in desk.variant.constraints)
+        following = desk.text.split("\n")[last:]
+        return last + next((place for place, line in enumerate(following) if not line.strip()), len(following))
+    geometry = _GEOMETRY.search(desk.text)
+    return max(1, desk.text.count("\n", 0, geometry.start()) - 1) if geometry else desk.text.count("\n") + 1
+
+
+def verdicts(desk: Desk) -> list[dict[str, Any]]:
+    """Return of each written equation what the geometry says of it: right, or nothing (None); a wrong one is a fault."""
+    closure = desk.run.scene.closure
+    agreed = closure.agreed if closure is not None else ()
+    told = {right: desk.words.written(say(f"desk.equation_{right}")) for right in ("right", "open")}
+    return [
+        {"name": one.name, "line": one.line, "right": one.name in agreed or None,
+         "sentence": told["right" if one.name in agreed else "open"]}
+        for one in desk.variant.constraints if not one.is_closure
+    ]  # fmt: skip

@@ -1,0 +1,135 @@
+"""A joint dragged: the start values, or the lengths, with which it comes as near as it can to where the hand is.
+
+Enters: a `Desk`, a joint, a place (m).  Leaves: the text with other values, where the joint is then.  Used by `bench.py`.
+By damped least squares; what geometry determines follows, so that a closed chain stays closed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+
+from coursework.desk.answering.controls import Written, written_numbers
+from coursework.desk.answering.edits import with_values
+from coursework.desk.answering.typed import Desk
+from coursework.drawing.outline.poses import read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.motion.settings import Settings
+from coursework.scene.scene import Scene
+from coursework.system.arrays import Array, Complex
+from coursework.variant.record.changes import determined
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+MOST_STEPS, CLOSE = 12, 1e-4  # corrections; of the mechanism's size, nearer than which nobody sees a difference
+NUDGE, WIDEST = 1e-5, 0.6  # rad or m: of a derivative, and of one correction
+FINE = 1e-3  # rad or m, to which start values are written at least
+_HARDER, _EASIER, _STUCK = 10.0, 0.2, 1e3
+At = Callable[[Array], complex]
+
+
+def drag(desk: Desk) -> dict[str, Any]:
+    """Return `text`, `ranges`, the place `reached`, and a `sentence` where nothing moves the joint."""
+    variant, joint, place = desk.variant, str(desk.body["joint"]), complex(*desk.body["place"])
+    lengths = desk.body.get("free") is True
+    before = _places(variant)
+    if joint not in before:
+        return _unmoved(desk, say("desk.no_joint", joint=joint))
+    moving = [one for one in written_numbers(variant) if _may_move(one, variant, lengths)]
+    begin = np.array([_value(one) for one in moving])
+
+    def at(values: Array) -> complex:
+        return _places(_moved(variant, moving, values))[joint]
+
+    size = max(abs(a - b) for a in before.values() for b in before.values()) or 1.0
+    found = _nearest(at, begin, place, size)
+    if found is None:
+        return _unmoved(desk, say("desk.joint_of_data" if not lengths else "desk.joint_fixed", joint=joint))
+    after = _moved(variant, moving, found)
+    reached = _places(after)[joint]
+    return {
+        **with_values(desk.text, _written(variant, after, moving, found)), "reached": [reached.real, reached.imag],
+        "near": abs(reached - place) < size / 100, "sentence": None,
+    }  # fmt: skip
+
+
+def _may_move(one: Written, variant: Variant, lengths: bool) -> bool:
+    is_datum = one.path[0] == "given"
+    return is_datum and one.si == "m" if lengths else not is_datum and one.name not in determined(variant)
+
+
+def _value(one: Written) -> float:
+    return float(one.text.replace("−", "-")) * one.size
+
+
+def _moved(variant: Variant, moving: Sequence[Written], values: Array) -> Variant:
+    """Return the variant with other values (SI); starts that its geometry determines follow.  Raises `InputError`."""
+    changed = {one.name: value for one, value in zip(moving, values.tolist(), strict=True)}
+    return variant.with_data(given=changed) if moving and moving[0].path[0] == "given" else variant.with_data(start=changed)
+
+
+def _places(variant: Variant) -> dict[str, complex]:
+    """Return where the points of a mechanism are at the start (m).  Raises `InputError` where it does not close."""
+    scene = Scene(variant, Settings())
+    outline = read_outline(scene.mechanism)
+    poses = read_poses(outline, scene.equations)(np.zeros(1), np.array([scene.start])) if outline else None
+    return poses.pose(0) if poses else {}
+
+
+def _nearest(at: At, begin: Array, place: complex, size: float) -> Array | None:
+    """Return the values nearest to `begin` that bring a point nearest to a place, None where none of them moves it."""
+    values, point, damping = begin, at(begin), 1e-3
+    if not np.any(np.abs(_slopes(at, begin, point)) > CLOSE):
+        return None
+    for _ in range(MOST_STEPS):
+        if abs(point - place) < CLOSE * size or damping > _STUCK:
+            break
+        slopes = _slopes(at, values, point)
+        rows = np.array([slopes.real, slopes.imag])
+        away = np.array([(place - point).real, (place - point).imag])
+        scale = float(np.max(np.sum(rows * rows, axis=0)))
+        step = np.linalg.solve(rows.T @ rows + damping * scale * np.eye(len(values)), rows.T @ away)
+        step *= min(1.0, WIDEST / float(np.max(np.abs(step), initial=1e-300)))
+        tried = _tried(at, values + step)
+        if tried is None or abs(tried - place) >= abs(point - place):
+            damping *= _HARDER
+            continue
+        values, point, damping = values + step, tried, damping * _EASIER
+    return values
+
+
+def _slopes(at: At, values: Array, point: complex) -> Complex:
+    nudged = [_tried(at, values + NUDGE * axis) for axis in np.eye(len(values))]
+    return np.array([0.0 if one is None else (one - point) / NUDGE for one in nudged], dtype=complex)
+
+
+def _tried(at: At, values: Array) -> complex | None:
+    """Return where a point is with other values, None where the mechanism does not close with them."""
+    with suppress(InputError, ArithmeticError):
+        return at(values)
+    return None
+
+
+def _written(variant: Variant, after: Variant, moving: Sequence[Written], values: Array) -> dict[KeyPath, str]:
+    """Return what the file has to write, with the decimals it has: those that moved, and starts that follow from them."""
+    starts = dict(zip((one.name for one in after.coordinates), Scene(after, Settings()).start, strict=True))
+    now = {one.name: value for one, value in zip(moving, values.tolist(), strict=True)}
+    found: dict[KeyPath, str] = {}
+    for one in written_numbers(variant):
+        is_start = one.path[0] != "given"
+        value = now.get(one.name, starts[one.name] if is_start and one.name in starts else _value(one))
+        decimals = max(one.digits, math.ceil(-math.log10(FINE / one.size))) if is_start else one.digits
+        if abs(value - _value(one)) > 0.5 * one.size * 10.0**-decimals:
+            found[one.path] = one.spelled(value, decimals)
+    return found
+
+
+def _unmoved(desk: Desk, why: Sentence) -> dict[str, Any]:
+    return {"text": desk.text, "ranges": [], "reached": None, "near": False, "sentence": desk.words.written(why)}

@@ -1,0 +1,114 @@
+"""A mechanism as a small picture that moves: its bars, wheels, pivots and guides, in the ink of whoever shows it.
+
+Enters: a `Scene`.  Leaves: SVG, whose animation stands until it is started.  Used by `library.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from coursework.drawing.outline.outline import Block, Outline, Rail, Slot
+from coursework.drawing.outline.poses import Poses, all_rows, read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.scene.scene import Scene
+from coursework.system.arrays import Complex
+
+SIZE, ROOM = 100.0, 9.0  # of the square, and what stays free at its edge, in its own measure
+JOINT, BLOCK = 1.8, 1.7
+FRAMES, SECONDS = 24, 4
+_HEAD = (
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" fill="none" stroke="currentColor" '
+    'stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round">'
+)
+
+
+def picture(scene: Scene) -> str:
+    """Return the picture, "" where a file places no points."""
+    outline = read_outline(scene.mechanism)
+    if outline is None or not outline.names:
+        return ""
+    motion = scene.exact
+    t, rows = np.zeros(1), np.array([scene.start])
+    if len(motion.t) > 1 and all_rows(scene.equations, motion):
+        at = np.linspace(0, len(motion.t) - 1, min(FRAMES, len(motion.t))).round().astype(int)
+        t, rows = motion.t[at], motion.coordinates[at]
+    poses = read_poses(outline, scene.equations)(t, rows)
+    return "".join(_Picture(outline, poses).parts())
+
+
+class _Picture:
+    """Places on the picture, frame by frame."""
+
+    def __init__(self, outline: Outline, poses: Poses) -> None:
+        radii = {wheel.centre: float(abs(poses.at[wheel.contact][0] - poses.at[wheel.centre][0])) for wheel in outline.wheels}
+        self.outline, self.radii, self.lines = outline, radii, [_line(poses, slot) for slot in outline.slots]
+        ends = [place for line in self.lines for place in line]
+        sides = [poses.at[name] + side * radii.get(name, 0.0) for name in outline.names for side in (-1 - 1j, 1 + 1j)]
+        shown = np.array([*sides, *ends])
+        low, high = complex(shown.real.min(), shown.imag.min()), complex(shown.real.max(), shown.imag.max())
+        self.middle, span = (low + high) / 2, high - low
+        self.scale = (SIZE - 2 * ROOM) / (max(span.real, span.imag) or 1.0)
+        self.at = {name: self.put(places) for name, places in poses.at.items()}
+
+    def put(self, places: Complex) -> Complex:
+        """Return places (m) on the picture, whose middle is that of the mechanism."""
+        return np.asarray(((places - self.middle) * self.scale).conjugate() + (1 + 1j) * SIZE / 2)
+
+    def parts(self) -> Iterator[str]:
+        """Yield the lines of the picture."""
+        outline = self.outline
+        yield _HEAD
+        for rail in outline.rails:
+            along = _along(self.at, rail)[0]
+            way = np.real((self.at[rail.rider or rail.at] - self.at[rail.at][0]) / along)
+            ends = [complex(self.at[rail.at][0] + along * end) for end in (way.min() - ROOM / 2, way.max() + ROOM / 2)]
+            yield f'<path stroke-width="0.8" stroke-dasharray="3 1.5" d="{_way(ends)}"/>'
+        for line in self.lines:
+            yield self._path([*map(self.put, line)])
+        for bar in outline.bars:
+            yield self._path([self.at[name] for name in bar.corners], closed=len(bar.corners) > 2)
+        for wheel in outline.wheels:
+            yield self._circle(wheel.centre, self.radii[wheel.centre] * self.scale, "")
+            yield self._path([self.at[wheel.centre], self.at[wheel.contact]])
+        for block in outline.blocks:
+            along = BLOCK * _along(self.at, block)
+            yield self._path([self.at[block.at] + along * corner for corner in (2 + 1j, 2 - 1j, -2 - 1j, -2 + 1j)], closed=True)
+        for name in dict.fromkeys([*(name for bar in outline.bars for name in bar.corners), *outline.hinges]):
+            yield self._circle(name, JOINT, ' fill="currentColor"' if name in outline.hinges else ' fill="Canvas"')
+        for name in outline.hinges:
+            yield f'<path d="M{self.at[name][0].real:.1f} {self.at[name][0].imag:.1f}l-3.5 6h7z" stroke-width="0.8"/>'
+        yield "</svg>"
+
+    def _path(self, places: Sequence[Complex], *, closed: bool = False) -> str:
+        frames = [_way([complex(place[row]) for place in places]) + "z" * closed for row in range(len(places[0]))]
+        return f'<path d="{frames[0]}">{_moving("d", frames)}</path>'
+
+    def _circle(self, name: str, radius: float, fill: str) -> str:
+        x, y = ([f"{value:.1f}" for value in part] for part in (self.at[name].real, self.at[name].imag))
+        return f'<circle cx="{x[0]}" cy="{y[0]}" r="{radius:.1f}"{fill}>{_moving("cx", x)}{_moving("cy", y)}</circle>'
+
+
+def _line(poses: Poses, slot: Slot) -> tuple[Complex, Complex]:
+    """Return the ends of what riders slide on (m), frame by frame."""
+    along = poses.along(slot.base, slot.toward)
+    beside, low, high = poses.line(slot)
+    start = poses.at[slot.at] + 1j * along * beside
+    return np.asarray(start + along * min(low, 0.0)), np.asarray(start + along * max(high, 0.0))
+
+
+def _along(at: Mapping[str, Complex], part: Rail | Block) -> Complex:
+    """Return the direction of a guide or a block on the picture."""
+    way = at[part.toward] - at[part.base]
+    return np.asarray(way / np.where(way == 0, 1, np.abs(way)))
+
+
+def _way(places: list[complex]) -> str:
+    return "M" + "L".join(f"{place.real:.1f} {place.imag:.1f}" for place in places)
+
+
+def _moving(attribute: str, frames: list[str]) -> str:
+    if len(set(frames)) < 2:
+        return ""
+    return f'<animate attributeName="{attribute}" values="{";".join(frames)}" dur="{SECONDS}s" repeatCount="indefinite"/>'

@@ -1,0 +1,63 @@
+"""What is taken away from the desk, a file or several in a zip; and what a table of one's own is worth.
+
+Enters: a `Desk`.  Leaves: an `Answer` with a file, or what `precheck` says.  Used by `bench.py`.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import io
+import mimetypes
+import zipfile
+from typing import Any
+
+from coursework.desk.answering.typed import Desk
+from coursework.desk.job import FORBIDDEN, OK, Answer, told
+from coursework.grading.precheck import precheck
+from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.report.output.formats import PAGES, chosen
+from coursework.report.output.results import Results
+from coursework.report.text.symbols import with_symbols
+
+NO_DATA = 422
+_EPOCH = (1980, 1, 1, 0, 0, 0)  # the same text gives the same bytes
+
+
+def take(desk: Desk) -> Answer:
+    """Return the file of a format, several as one zip.  Raises `InputError` for a format that there is not."""
+    (wanted,) = chosen([str(desk.body["format"])], "run")
+    offered = desk.setup.policy.formats
+    if offered and wanted.suffix not in offered:
+        return told(FORBIDDEN, desk.language, "desk.not_offered")
+    results = Results(desk.run, desk.language)
+    results.compute(pages=PAGES in wanted.serves)
+    files = list(wanted.write(results))
+    if len(files) == 1:
+        name, content = files[0]
+        suffix = name.rpartition(".")[2]
+        kind = mimetypes.guess_type(name)[0] or "application/octet-stream"
+        return Answer(OK, kind, content, f"{desk.name}.{suffix}")
+    return Answer(OK, "application/zip", zipped(dict(files)), f"{desk.name}-{wanted.suffix}.zip")
+
+
+def zipped(files: dict[str, bytes]) -> bytes:
+    """Return files as one zip, the same bytes for the same files."""
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(zipfile.ZipInfo(name, _EPOCH), content, zipfile.ZIP_DEFLATED)
+    return packed.getvalue()
+
+
+def table(desk: Desk) -> dict[str, Any] | Answer:
+    """Return what `precheck` says of one file: read, partly read or unreadable, and why."""
+    try:
+        content = base64.b64decode(str(desk.body["data"]), validate=True)
+    except (binascii.Error, ValueError):
+        return told(NO_DATA, desk.language, "desk.other_kind", name="data")
+    submission = Submission("desk", None, (submitted_file(str(desk.body["name"])[:200], content),))
+    found = precheck(submission, desk.variant, with_symbols)
+    state = "read" if found.fine else "partly" if found.has_table else "unreadable"
+    sentences = [desk.words.written(sentence) for sentence in (*found.sentences, *found.notes)]
+    return {"state": state, "sentences": [with_symbols(sentence, desk.variant.columns) for sentence in sentences]}

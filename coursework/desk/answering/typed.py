@@ -1,0 +1,85 @@
+"""A text as it was typed -> its variant and its run, or its faults where they are.
+
+Enters: the body of a request.  Leaves: `Desk`, which reads the variant once; faults as the browser shows them.
+Used by `bench.py` and what answers beside it.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from coursework.api import make_run, step_of, variant_in
+from coursework.desk.answering.mends import mend_of
+from coursework.desk.inside import TablesOf
+from coursework.desk.job import Setup, fault_entry
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
+from coursework.motion.settings import scheme_for
+from coursework.run import Run
+from coursework.variant.reading.tables import MAX_TABLE_BYTES
+from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import EXACT
+from coursework.words.data_folders import folder
+from coursework.words.errors import MOST_SHOWN, CourseworkError, InputError
+from coursework.words.sentences import Phrases, load_phrases, say
+
+UNNAMED = "variant"
+
+
+class Desk:
+    """One text with what was asked about it."""
+
+    def __init__(self, body: dict[str, Any], language: str, setup: Setup) -> None:
+        self.body, self.language, self.setup = body, language, setup
+        self.text: str = str(body.get("text") or "").replace("\r\n", "\n")
+        self.name: str = str(body.get("name") or UNNAMED)
+
+    @property
+    def words(self) -> Phrases:
+        """Return the words of the language that is asked for."""
+        return load_phrases(self.language)
+
+    @cached_property
+    def tables(self) -> TablesOf:
+        """Return the tables that the text may name: sent with it, of the folder, or of the catalogue."""
+        sent = {name: str(text).encode("utf-8") for name, text in (self.body.get("tables") or {}).items()}
+        own = (Path(self.setup.folder),) if self.setup.folder else ()
+        return TablesOf(sent, (*own, folder("variants")), MAX_TABLE_BYTES)
+
+    @cached_property
+    def variant(self) -> Variant:
+        """Return the variant.  Raises `InputError` with every fault of the text."""
+        return variant_in(self.text, self.name, self.tables)
+
+    @cached_property
+    def run(self) -> Run:
+        """Return the run with the scheme and step of the desk.  Raises `InputError`."""
+        scheme = str(self.body["scheme"]) if self.body.get("scheme") else None
+        if not self.setup.policy.exact and scheme_for(self.variant, scheme) not in SCHEMES:
+            if scheme == EXACT:
+                raise InputError(say("fault.C087", what=PRECISE.name))
+            scheme = DEFAULT_SCHEME.name
+        return make_run(self.variant, scheme, self.step)
+
+    @property
+    def step(self) -> float | None:
+        """Return the step asked for (s), None for that of the file.  Raises `InputError`."""
+        return step_of(str(self.body["step"]), self.variant) if self.body.get("step") else None
+
+
+def faults_of(error: CourseworkError, desk: Desk) -> list[dict[str, Any]]:
+    """Return the faults of a text, each with its place in it (None for what is wrong elsewhere) and what would mend it."""
+    lines, written = desk.text.split("\n"), desk.words.written
+    return [
+        fault_entry(fault.code, fault.said(written), fault.line, fault.column, mend_of(fault, lines))
+        for fault in error.faults[:MOST_SHOWN]
+    ]
+
+
+def remarks_of(desk: Desk) -> list[dict[str, Any]]:
+    """Return what can be computed but looks like a slip of the pen."""
+    return [
+        {"code": remark.code, "line": remark.line, "sentence": desk.words.written(remark.sentence)}
+        for remark in desk.variant.plausibility
+    ]

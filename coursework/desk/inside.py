@@ -1,0 +1,74 @@
+"""Files of one folder and none outside it: names that every system takes, no link followed out, never more than a bound.
+
+Enters: a folder and a name.  Leaves: a path, bytes.  Used by `folder.py`, `config.py` and `typed.py`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+import unicodedata
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from coursework.grading.platforms.names import file_stem
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+MOST_NAMES = 500  # tables of a folder that are named to who asks for another
+_WORD = re.compile(r"[\w-]{1,60}")
+_FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_NONBLOCK", "O_CLOEXEC", "O_BINARY"))
+
+
+def is_name(name: str) -> bool:
+    """Return whether a file may be called so: one word of letters, figures, - and _, and on no system a device."""
+    plain = unicodedata.normalize("NFKC", name)
+    plain = plain if plain[:1].isalnum() else f"x{plain}"
+    return _WORD.fullmatch(name) is not None and (not plain.isascii() or file_stem(plain) == plain)
+
+
+def refused_name(name: str) -> Sentence:
+    """Return what is told of a name that no file may have."""
+    return say("fault.C084", name=name[:60])
+
+
+def read_inside(folder: Path, name: str, most: int) -> bytes | None:
+    """Return at most so many bytes and one more of a file of the folder, None where there is no regular file of this name.
+
+    Raises `OSError` where it cannot be read.
+    """
+    if "/" in name or "\\" in name or "\0" in name or name.startswith("."):
+        return None
+    path = (folder / name).resolve()
+    if path.parent != folder.resolve():
+        return None
+    try:
+        handle = os.open(path, _FLAGS)
+    except (FileNotFoundError, IsADirectoryError):
+        return None
+    with os.fdopen(handle, "rb") as file:
+        return file.read(most + 1) if stat.S_ISREG(os.fstat(handle).st_mode) else None
+
+
+class TablesOf(Mapping[str, bytes]):
+    """The tables that a text may name: those sent with it, then those of some folders, read when looked at."""
+
+    def __init__(self, sent: Mapping[str, bytes], folders: tuple[Path, ...], most: int) -> None:
+        self._sent, self._folders, self._most = sent, folders, most
+
+    def __getitem__(self, name: str) -> bytes:
+        if name in self._sent:
+            return self._sent[name]
+        for folder in self._folders:
+            if (content := read_inside(folder, name, self._most)) is not None:
+                return content
+        raise KeyError(name)
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self._sent
+        own = (path.name for folder in self._folders[:1] for path in sorted(folder.glob("*.csv"))[:MOST_NAMES])
+        yield from (name for name in own if name not in self._sent)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)

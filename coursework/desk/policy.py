@@ -1,0 +1,48 @@
+"""What a department lets its desk offer: a small TOML file.
+
+    equations = false            # nobody writes the equations for the student
+    exact = false                # no table without the scheme's error
+    formats = ["html", "csv"]    # what can be taken away
+    language = "uk"              # whatever the browser says
+
+Enters: a path.  Leaves: `Policy`.  Raises `InputError` with every fault.  Used by `commands/desk.py`.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from coursework.desk.job import Policy
+from coursework.report.output.formats import chosen
+from coursework.variant.toml.source import read_bytes
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, load_phrases, say
+
+
+def read_policy(path: Path) -> Policy:
+    """Return what a file allows.  Raises `InputError`."""
+    try:
+        data = tomllib.loads(read_bytes(path).decode("utf-8-sig"))
+    except ValueError as error:
+        raise InputError([Fault(say("fault.C081", reason=str(error)), str(path))]) from None
+    if faults := list(_faults(data)):
+        raise InputError([Fault(fault, str(path)) for fault in faults])
+    read: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in data.items()}
+    return Policy(**read)
+
+
+def _faults(data: dict[str, Any]) -> Iterator[Any]:
+    known = [field.name for field in fields(Policy)]
+    for key, value in data.items():  # a language or a format that there is not is told by who knows them
+        if key not in known:
+            yield say("fault.C082", key=key, hint=closest(key, known) or say("hint.known", known=", ".join(known)))
+        elif key == "language":
+            load_phrases(str(value))
+        elif key == "formats":
+            chosen([str(one) for one in (value if isinstance(value, list) else [value])], "run")
+        elif not isinstance(value, bool):
+            yield say("fault.C083", key=key, found=str(value)[:40])

@@ -1,0 +1,90 @@
+"""What a browser sends: never more than a bound, never for ever, and of the shape that was agreed.
+
+Enters: a request.  Leaves: bytes, or the body as data.  Raises `Refused`.  Used by `application.py` and `files.py`.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect, Request
+
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+MOST_BYTES, MOST_TABLE_BYTES = 10**6, 6 * 10**6
+PATIENCE = 20.0  # s for a whole body
+TOO_LATE, TOO_LARGE, NO_JSON, OTHER_SHAPE = 408, 413, 400, 422
+TEXT, TEXTS, NAMES, FLAG, NUMBER, PLACE = "text", "texts by name", "texts", "flag", "number", "two numbers"
+OPTIONAL = {
+    "language": TEXT, "scheme": TEXT, "step": TEXT, "tables": TEXTS, "name": TEXT, "study": FLAG, "free": FLAG,
+}  # fmt: skip
+
+
+class Refused(HTTPException):
+    """A request that is not answered: its status and a sentence about it."""
+
+    def __init__(self, status: int, sentence: Sentence, headers: Mapping[str, str] | None = None) -> None:
+        super().__init__(status, headers=headers)
+        self.sentence = sentence
+
+
+async def bytes_of(request: Request, most: int = MOST_BYTES) -> bytes:
+    """Return the bytes of a body.  Raises `Refused` for more than `most` and for a body that takes too long."""
+    length = request.headers.get("content-length", "")
+    if length.isdecimal() and int(length) > most:
+        raise Refused(TOO_LARGE, say("desk.too_large", most=most))
+    content = bytearray()
+    try:
+        async with asyncio.timeout(PATIENCE):
+            async for part in request.stream():
+                content += part
+                if len(content) > most:
+                    raise Refused(TOO_LARGE, say("desk.too_large", most=most))
+    except (TimeoutError, ClientDisconnect):
+        raise Refused(TOO_LATE, say("desk.too_late")) from None
+    return bytes(content)
+
+
+async def body_of(request: Request, needed: Mapping[str, str], most: int = MOST_BYTES) -> dict[str, Any]:
+    """Return a body of JSON that has what is `needed`, perhaps what is optional, and nothing else.  Raises `Refused`."""
+    try:
+        body = json.loads(await bytes_of(request, most))
+    except (ValueError, RecursionError):
+        raise Refused(NO_JSON, say("desk.no_json")) from None
+    known = {**OPTIONAL, **needed}
+    if not isinstance(body, dict):
+        raise Refused(OTHER_SHAPE, say("desk.other_shape", wanted=tuple(needed)))
+    for name in needed.keys() - body.keys() or body.keys() - known.keys():
+        raise Refused(OTHER_SHAPE, say("desk.missing_key" if name in needed else "desk.unknown_key", name=name[:40]))
+    for name, value in body.items():
+        if not (value is None and name not in needed) and not _is(known[name], value):
+            raise Refused(OTHER_SHAPE, say("desk.other_kind", name=name))
+    return body
+
+
+def _is(kind: str, value: Any) -> bool:
+    if kind == TEXT:
+        return isinstance(value, str) and _is_writable(value)
+    if kind == TEXTS:
+        return isinstance(value, dict) and all(_is(TEXT, part) for pair in value.items() for part in pair)
+    if kind == NAMES:
+        return isinstance(value, list) and all(_is(TEXT, part) for part in value)
+    if kind == FLAG:
+        return isinstance(value, bool)
+    if kind == PLACE:
+        return isinstance(value, list) and len(value) == 2 and all(_is(NUMBER, part) for part in value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e12
+
+
+def _is_writable(text: str) -> bool:
+    """Return whether a text has no halves of letters, which JSON can hold and no file."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True

@@ -1,0 +1,72 @@
+"""What the scripts of the shell know from the start: words, schemes, formats, what was opened, what this desk offers.
+
+Enters: a `Plan`'s parts and a language; a name and a folder.  Leaves: plain data.  Raises `InputError` for a name that no file
+may have.  Used by `application.py` and `server.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from coursework.desk.inside import is_name, refused_name
+from coursework.desk.job import Policy
+from coursework.desk.serving.files import Files
+from coursework.desk.serving.folder import SUFFIX, Folder, etag_of
+from coursework.desk.serving.replies import languages
+from coursework.motion.schemes import SCHEMES, title_of
+from coursework.report.output.formats import formats_for
+from coursework.system.version import VERSION
+from coursework.variant.catalogue import names
+from coursework.variant.record.vocabulary import EXACT
+from coursework.words.data_folders import folder as package_folder
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH, load_phrases, say
+
+
+def opened(name: str, folder: Path | None) -> dict[str, Any]:
+    """Return `name`, `text` and `etag`, None for what is not in the folder yet: a file, a variant under this name, or nothing."""
+    stem = name.removesuffix(SUFFIX)
+    if not name or folder is None:
+        return {"name": "", "text": "", "etag": None}
+    if not is_name(stem):
+        raise InputError(refused_name(name))
+    own = Folder(folder).read(stem)
+    if own is not None:
+        return {"name": stem, "text": own.decode("utf-8-sig", "replace"), "etag": etag_of(own)}
+    known = stem.lower() in names()
+    text = (package_folder("variants") / f"{stem.lower()}{SUFFIX}").read_text(encoding="utf-8") if known else ""
+    return {"name": stem, "text": text, "etag": None}
+
+
+def config_of(
+    language: str, root: str, policy: Policy, files: Files | None, opened: Mapping[str, Any]
+) -> dict[str, Any]:  # fmt: skip
+    """Return it; what was opened is read anew where the file is another by now."""
+    phrases = load_phrases(language)
+    now = dict(opened)
+    if files and opened["name"] and (content := files.folder.read(opened["name"])) is not None:
+        now |= {"text": content.decode("utf-8-sig", "replace"), "etag": etag_of(content)}
+    return {
+        **now, "root": root, "mode": "edit" if files else "serve", "version": VERSION, "language": language,
+        "languages": [[each, load_phrases(each).template("desk.language_name")] for each in languages()],
+        "schemes": [[name, phrases.written(title)] for name, title in _schemes(policy)],
+        "formats": [each for each in formats_for("run") if not policy.formats or each in policy.formats],
+        "policy": {"equations": policy.equations, "exact": policy.exact, "language": policy.language},
+        "folder": str(files.folder.path) if files else None, "writable": bool(files and files.folder.is_writable()),
+        "words": shell_words(language),
+    }  # fmt: skip
+
+
+def shell_words(language: str) -> dict[str, str]:
+    """Return the words of the shell, in English where a language has none yet."""
+    own, english = (load_phrases(each).entries.get("desk", {}).get("shell", {}) for each in (language, ENGLISH))
+    return {**english, **own}
+
+
+def _schemes(policy: Policy) -> Iterator[tuple[str, Sentence]]:
+    yield from ((name, title_of(scheme)) for name, scheme in SCHEMES.items())
+    if policy.exact:
+        yield EXACT, say("exact.title")

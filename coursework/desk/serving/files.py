@@ -1,0 +1,124 @@
+"""The routes of files, for a desk on one's own machine.
+
+Enters: requests.  Leaves: the text of a variant and its version, or what is written.  Used by `application.py`.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from pathlib import Path
+
+from starlette.requests import Request
+from starlette.responses import Response, StreamingResponse
+from starlette.routing import Route
+
+from coursework.desk.job import OK, Answer, plain
+from coursework.desk.serving.bodies import MOST_TABLE_BYTES, NO_JSON, OTHER_SHAPE, Refused, bytes_of
+from coursework.desk.serving.changes import events
+from coursework.desk.serving.folder import CONFLICT, NOT_THERE, Folder, Stale, etag_of
+from coursework.desk.serving.replies import language_of, reply
+from coursework.desk.serving.zips import packed, unpacked
+from coursework.words.sentences import load_phrases, say
+
+NEW, NO_VERSION, NO_CONTENT = 201, 428, 204
+TEXT = "text/plain; charset=utf-8"
+
+
+class Files:
+    """What can be asked of the files of a folder."""
+
+    def __init__(self, path: Path) -> None:
+        self.folder = Folder(path)
+        self.folder.clear()
+
+    def routes(self) -> list[Route]:
+        """Return the routes."""
+        one = "/api/file/{name}"
+        return [
+            Route("/api/files", self.listed), Route("/api/events", self.changes), Route("/api/zip", self.packed),
+            Route("/api/zip", self.unpacked, methods=["POST"]), Route(one, self.read), Route(one, self.write, methods=["PUT"]),
+            Route(one, self.delete, methods=["DELETE"]), Route(one, self.change, methods=["POST"]),
+        ]  # fmt: skip
+
+    async def listed(self, request: Request) -> Response:
+        """Return the variants of the folder."""
+        return reply(plain(OK, await asyncio.to_thread(self.folder.listed)))
+
+    async def changes(self, request: Request) -> Response:
+        """Tell what changes in the folder, as long as the browser listens."""
+        return StreamingResponse(events(self.folder), media_type="text/event-stream")
+
+    async def packed(self, request: Request) -> Response:
+        """Return all variants with their tables as one zip."""
+        content = await asyncio.to_thread(packed, self.folder)
+        return reply(Answer(OK, "application/zip", content, f"{self.folder.path.name or 'work'}.zip"))
+
+    async def unpacked(self, request: Request) -> Response:
+        """Write what is in a zip and not yet in the folder."""
+        content = await bytes_of(request, MOST_TABLE_BYTES)
+        words = load_phrases(language_of(request))
+        return reply(plain(OK, await asyncio.to_thread(unpacked, self.folder, content, words)))
+
+    async def read(self, request: Request) -> Response:
+        """Return a text with its version."""
+        content = await asyncio.to_thread(self.folder.read, request.path_params["name"])
+        if content is None:
+            raise Refused(NOT_THERE, say("desk.no_file", name=request.path_params["name"]))
+        return Response(content, media_type=TEXT, headers={"ETag": etag_of(content)})
+
+    async def write(self, request: Request) -> Response:
+        """Write a text over the version that was seen, or a new one."""
+        content = await bytes_of(request)
+        seen = _seen(request)
+        try:
+            is_new = await asyncio.to_thread(self.folder.write, request.path_params["name"], content, seen)
+        except Stale as stale:
+            return _conflict(content, stale)
+        version = etag_of(content)
+        return reply(plain(NEW if is_new else OK, {"etag": version}), {"ETag": version})
+
+    async def delete(self, request: Request) -> Response:
+        """Put a file away, from where it can be brought back."""
+        try:
+            await asyncio.to_thread(self.folder.delete, request.path_params["name"], _seen(request) or "")
+        except Stale as stale:
+            return _conflict(b"", stale)
+        return Response(status_code=NO_CONTENT)
+
+    async def change(self, request: Request) -> Response:
+        """Rename a file, write a copy of it, or bring it back."""
+        try:
+            wish = json.loads(await bytes_of(request))
+        except (ValueError, RecursionError):
+            raise Refused(NO_JSON, say("desk.no_json")) from None
+        name = request.path_params["name"]
+        try:
+            match wish:
+                case {"rename": str(other)}:
+                    await asyncio.to_thread(self.folder.rename, name, other)
+                case {"duplicate": str(other)}:
+                    await asyncio.to_thread(self.folder.duplicate, name, other)
+                case {"restore": True}:
+                    await asyncio.to_thread(self.folder.restore, name)
+                case _:
+                    raise Refused(OTHER_SHAPE, say("desk.other_shape", wanted=("rename", "duplicate", "restore")))
+        except Stale as stale:
+            return _conflict(b"", stale)
+        return Response(status_code=NO_CONTENT)
+
+
+def _seen(request: Request) -> str | None:
+    """Return the version that a change is meant for, None for a new file.  Raises `Refused` where neither is said."""
+    if version := request.headers.get("if-match"):
+        return version.removeprefix("W/")
+    if request.headers.get("if-none-match", "").strip() == "*":
+        return None
+    raise Refused(NO_VERSION, say("desk.no_version"))
+
+
+def _conflict(mine: bytes, stale: Stale) -> Response:
+    theirs = stale.theirs
+    shown = None if theirs is None else theirs.decode("utf-8", "replace")
+    there = None if theirs is None else etag_of(theirs)
+    return reply(plain(CONFLICT, {"mine": mine.decode("utf-8", "replace"), "theirs": shown, "etag": there}))

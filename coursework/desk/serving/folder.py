@@ -1,0 +1,159 @@
+"""The files of the folder in which the desk was opened: variants by name, each written whole, none outside.
+
+Enters: names, bytes, the version last seen.  Leaves: bytes and versions.  Raises `Stale`, `Refused`, `OutputError`.
+Used by `files.py`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+import tomllib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from coursework.desk.inside import is_name, read_inside, refused_name
+from coursework.desk.serving.bodies import MOST_BYTES, TOO_LARGE, Refused
+from coursework.system.frozen import frozen
+from coursework.system.lock import held, refuse_link
+from coursework.system.whole_files import refused, write_bytes
+from coursework.words.data_folders import folder as folder_of_reports
+from coursework.words.sentences import say
+
+SUFFIX = ".toml"
+DELETED = ".deleted"
+NOT_THERE, NO_NAME, CONFLICT = 404, 403, 409
+PATIENCE = 5.0  # s for another desk that is writing into the folder
+LEFT_OVER = 60.0  # s after which what somebody began to write is what a process that was killed left
+MOST_FILES = 2000
+
+
+class Stale(Exception):
+    """The file is another by now: `theirs`, None where there is none."""
+
+    def __init__(self, theirs: bytes | None) -> None:
+        super().__init__()
+        self.theirs = theirs
+
+
+def etag_of(content: bytes) -> str:
+    """Return the version of a file: its SHA-256 in quotes."""
+    return f'"{hashlib.sha256(content).hexdigest()}"'
+
+
+@frozen
+class Folder:
+    """One folder, by its absolute path."""
+
+    path: Path
+
+    def is_writable(self) -> bool:
+        """Return whether files can be written here."""
+        return os.access(self.path, os.W_OK)
+
+    def read(self, name: str, below: str = "") -> bytes | None:
+        """Return the bytes of NAME.toml, None where there is none.  Raises `Refused` for what no file may be called."""
+        if not is_name(name):
+            raise Refused(NO_NAME, refused_name(name))
+        with refused(self._file(name)):
+            content = read_inside(self.path / below if below else self.path, name + SUFFIX, MOST_BYTES)
+        if content is not None and len(content) > MOST_BYTES:
+            raise Refused(TOO_LARGE, say("desk.too_large", most=MOST_BYTES))
+        return content
+
+    def listed(self) -> list[dict[str, Any]]:
+        """Return the names of the variants with their versions, and of those that were deleted and can be brought back."""
+        return [*self._listed(""), *self._listed(DELETED)]
+
+    def write(self, name: str, content: bytes, seen: str | None) -> bool:
+        """Write a file whose version `seen` is still there (None: that is not there); return whether it is new."""
+        with self._at_rest(name, seen):
+            write_bytes(self._file(name), content)
+            self._lay_tables_beside(content)
+        return seen is None
+
+    def delete(self, name: str, seen: str) -> None:
+        """Move a file to where it can be brought back from."""
+        with self._at_rest(name, seen):
+            place = self.path / DELETED
+            refuse_link(place)
+            with refused(place):
+                place.mkdir(exist_ok=True)
+                self._file(name).replace(place / (name + SUFFIX))
+
+    def restore(self, name: str) -> None:
+        """Bring a deleted file back.  Raises `Stale` where another has its name by now."""
+        with self._at_rest(name, None):
+            if self.read(name, DELETED) is None:
+                raise Refused(NOT_THERE, say("desk.no_file", name=name))
+            with refused(self._file(name)):
+                (self.path / DELETED / (name + SUFFIX)).replace(self._file(name))
+
+    def rename(self, name: str, other: str) -> None:
+        """Give a file another name.  Raises `Stale` where there is one of that name."""
+        content = self._present(name)
+        self.write(other, content, None)
+        with self._at_rest(name, etag_of(content)), refused(self._file(name)):
+            self._file(name).unlink()
+
+    def duplicate(self, name: str, other: str) -> None:
+        """Write a copy.  Raises `Stale` where there is a file of that name."""
+        self.write(other, self._present(name), None)
+
+    def clear(self) -> None:
+        """Remove what a process that was killed had begun to write here."""
+        for left in self.path.glob(".coursework-*.part"):
+            if time.time() - left.lstat().st_mtime > LEFT_OVER:
+                left.unlink(missing_ok=True)
+
+    def _present(self, name: str) -> bytes:
+        content = self.read(name)
+        if content is None:
+            raise Refused(NOT_THERE, say("desk.no_file", name=name))
+        return content
+
+    def _file(self, name: str) -> Path:
+        return self.path / (name + SUFFIX)
+
+    @contextmanager
+    def _at_rest(self, name: str, seen: str | None) -> Iterator[None]:
+        """Hold the folder while a file is the one that was seen.  Raises `Stale` where it is another."""
+        self.read(name)
+        with held(self.path, PATIENCE, own=False):
+            there = self.read(name)
+            if (None if there is None else etag_of(there)) != seen:
+                raise Stale(there)
+            yield
+
+    def _listed(self, below: str) -> Iterator[dict[str, Any]]:
+        place = self.path / below if below else self.path
+        for path in sorted(place.glob(f"*{SUFFIX}"))[:MOST_FILES]:
+            if not is_name(path.stem):
+                continue
+            content = read_inside(place, path.name, MOST_BYTES)
+            if content is not None and len(content) <= MOST_BYTES:
+                yield {"name": path.stem, "etag": etag_of(content), "bytes": len(content), "deleted": bool(below)}
+
+    def _lay_tables_beside(self, content: bytes) -> None:
+        """Copy the tables of the catalogue that a text names and the folder does not have: `run` reads them from here."""
+        for name in tables_named(content):
+            source = read_inside(folder_of_reports("variants"), name, MOST_BYTES)
+            if source is not None and not (self.path / name).exists():
+                write_bytes(self.path / name, source)
+
+
+def tables_named(content: bytes) -> list[str]:
+    """Return the files of tables that a text names, none where it is no TOML."""
+    try:
+        data = tomllib.loads(content.decode("utf-8"))
+    except (ValueError, RecursionError):
+        return []
+    laws = [law for section in ("drive", "functions") for law in _entries(data.get(section))]
+    return [str(law["table"]) for law in laws if isinstance(law, dict) and isinstance(law.get("table"), str)]
+
+
+def _entries(section: Any) -> list[Any]:
+    return list(section.values()) if isinstance(section, dict) else []

@@ -1,0 +1,57 @@
+"""How often somebody may ask: so many a second on average, so many at once.
+
+Enters: who asks, and when (s).  Leaves: the seconds to wait, 0 where the request may pass.  Used by `guard.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import OrderedDict
+from dataclasses import dataclass, field
+
+MOST_KNOWN = 20_000  # whoever asked longest ago is forgotten beyond, which only helps him
+
+
+@dataclass(slots=True)
+class Rate:
+    """`rate` a second, `burst` at once, for each who asks."""
+
+    rate: float
+    burst: float
+    _left: OrderedDict[str, tuple[float, float]] = field(default_factory=OrderedDict)
+
+    def wait(self, who: str, now: float) -> int:
+        """Count a request, and return the whole seconds after which one may pass again, 0 for one that may pass now."""
+        left, before = self._left.pop(who, (self.burst, now))
+        left = min(self.burst, left + (now - before) * self.rate)
+        passes = left >= 1
+        self._left[who] = (left - passes, now)
+        if len(self._left) > MOST_KNOWN:
+            self._left.popitem(last=False)
+        return 0 if passes else max(1, math.ceil((1 - left) / self.rate))
+
+
+@dataclass(slots=True)
+class Limits:
+    """The limits of a desk that is open to others: of a browser, and of an address, behind which a whole school may sit."""
+
+    client: Rate = field(default_factory=lambda: Rate(4, 20))
+    address: Rate = field(default_factory=lambda: Rate(60, 300))
+    at_once: int = 2
+    _running: dict[str, int] = field(default_factory=dict)
+
+    def wait(self, client: str, address: str, now: float) -> int:
+        """Return the seconds that a request has to wait, 0 where it may pass."""
+        if self._running.get(client, 0) >= self.at_once:
+            return 1
+        return self.address.wait(address, now) or self.client.wait(client, now)
+
+    def begin(self, client: str) -> None:
+        """Count a request that is being answered."""
+        self._running[client] = self._running.get(client, 0) + 1
+
+    def end(self, client: str) -> None:
+        """Count it no longer."""
+        left = self._running.pop(client, 1) - 1
+        if left > 0:
+            self._running[client] = left

@@ -1,0 +1,60 @@
+"""What goes back to a browser, and in which language; what was raised on the way to an answer is a status and one sentence.
+
+Enters: an `Answer`, or a request, perhaps with an exception.  Leaves: a response; a language that has a words file.
+Used by `guard.py` and the routes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import cache
+from urllib.parse import quote
+
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import Response
+
+from coursework.desk.job import Answer, plain
+from coursework.desk.serving.bodies import Refused
+from coursework.words.data_folders import REPORTS, folder
+from coursework.words.errors import CourseworkError
+from coursework.words.sentences import ENGLISH, load_phrases, say
+
+NOT_WRITTEN = 507
+_CLOSED = {408, 413}  # what is still coming of such a body nobody reads
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """Return the languages that have a words file, English first."""
+    found = (path.name.split(".")[1] for path in folder(REPORTS).glob("words.*.toml"))
+    return tuple(sorted(found, key=lambda language: (language != ENGLISH, language)))
+
+
+def language_of(request: Request, wanted: object = None, before: str = "") -> str:
+    """Return the language that is `wanted` of a request, or asked for in its address, or that of the desk, or of the browser."""
+    accepted = re.findall(r"[a-z]{2}", request.headers.get("accept-language", "").lower())[:20]
+    asked = (wanted, request.query_params.get("language"), before, *accepted)
+    return next((language for language in asked if isinstance(language, str) and language in languages()), ENGLISH)
+
+
+def reply(answer: Answer, headers: Mapping[str, str] | None = None) -> Response:
+    """Return the response that an answer goes back with."""
+    response = Response(answer.body, answer.status, headers, answer.type)
+    if answer.packed:
+        response.headers["Content-Encoding"] = "gzip"
+    if answer.name:
+        response.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(answer.name)}"
+    return response
+
+
+async def refusal(request: Request, error: Exception) -> Response:
+    """Return what is told of a request that cannot be answered."""
+    written = load_phrases(language_of(request)).written
+    if isinstance(error, CourseworkError):
+        return reply(plain(NOT_WRITTEN, {"sentence": " ".join(fault.said(written) for fault in error.faults)}))
+    assert isinstance(error, HTTPException)
+    sentence = error.sentence if isinstance(error, Refused) else say("desk.no_route")
+    headers = {**(error.headers or {}), **({"Connection": "close"} if error.status_code in _CLOSED else {})}
+    return reply(plain(error.status_code, {"sentence": written(sentence)}), headers)

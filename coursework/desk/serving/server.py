@@ -1,0 +1,143 @@
+"""From the words of the command line to a server that answers, until Ctrl-C.
+
+Enters: `Wish`.  Leaves: the address on standard output, then requests answered.  Used by `commands/desk.py`.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import os
+import secrets
+import socket
+import sys
+import threading
+import webbrowser
+from collections.abc import Callable
+from pathlib import Path
+
+import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
+
+from coursework.desk.job import Bounds, Policy
+from coursework.desk.serving.application import Application, Plan
+from coursework.desk.serving.config import opened
+from coursework.desk.serving.guard import Gate
+from coursework.desk.serving.limits import Limits
+from coursework.system.frozen import frozen
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
+
+MOST_WORKERS = 4
+TRIED = 50  # ports from the one that was wished
+LEAVING = 1  # s that a connection has to end by itself
+MOST_CONNECTIONS = 500
+SILENCE = 20.0  # s from the opening of a line to the end of the head of a request
+HERE = "127.0.0.1"
+
+
+class Impatient(H11Protocol):
+    """A line on which no request has come in time is closed: whoever opens many and is silent takes nobody's place."""
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Begin to wait for a request."""
+        super().connection_made(transport)
+        self.loop.call_later(SILENCE, self._look)
+
+    def _look(self) -> None:
+        if self.cycle is None:
+            self.transport.close()
+
+
+@frozen
+class Wish:
+    """What the command line says; `host` "" is this machine alone, `folder` None a desk without files."""
+
+    port: int
+    bounds: Bounds
+    policy: Policy
+    name: str = ""
+    folder: Path | None = None
+    host: str = ""
+    workers: int | None = None
+    root_path: str = ""
+    proxied: bool = False
+    hosts: tuple[str, ...] = ()
+    language: str = ""
+    browser: bool = False
+
+
+def serve(wish: Wish, tell: Callable[[str], None]) -> None:
+    """Answer until Ctrl-C, which becomes `KeyboardInterrupt`; `tell` says what a person should know on standard error."""
+    begin = opened(wish.name, wish.folder)
+    sockets, port = bound(wish.host, wish.port)
+    if wish.port not in {0, port}:
+        tell(say("desk.port_taken", wished=wish.port, port=port))
+    secret = secrets.token_urlsafe(32) if wish.folder else ""
+    named = [wish.host.lower()] if wish.host not in {"", "0.0.0.0", "::"} else []
+    hosts = (*(host.lower() for host in wish.hosts), *(f"{_bracketed(name)}:{port}" for name in named))
+    gate = Gate(port, secret, hosts, wish.root_path, wish.proxied, None if wish.folder else Limits())
+    workers = wish.workers or min(os.cpu_count() or 1, MOST_WORKERS)
+    plan = Plan(gate, wish.bounds, workers, wish.folder, begin, wish.policy, wish.language)
+    shown = HERE if wish.host in {"", "0.0.0.0", "::"} else _bracketed(wish.host)
+    address = f"http://{shown}:{port}{wish.root_path}/" + (f"?secret={secret}" if secret else "")
+    sys.stdout.write(address + "\n")
+    sys.stdout.flush()
+    if wish.host:
+        tell(say("desk.open_to_others", host=wish.host))
+    config = uvicorn.Config(
+        Application(plan).asgi(), lifespan="on", ws="none", http=Impatient, log_level="critical", access_log=False,
+        server_header=False, proxy_headers=False, limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=LEAVING,
+    )  # fmt: skip
+    if wish.browser:
+        threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+    server = uvicorn.Server(config)
+    asyncio.run(server.serve(sockets))
+
+
+def _bracketed(host: str) -> str:
+    return f"[{host}]" if ":" in host else host
+
+
+def bound(host: str, wished: int) -> tuple[list[socket.socket], int]:
+    """Return sockets on this machine alone, of both kinds of addresses, or on a `host`, and their port.
+
+    Where the port that is wished is taken, the next free one; 0 is any.  Raises `InputError`.
+    """
+    for port in range(wished, wished + TRIED) if wished else [0] * TRIED:
+        try:
+            return _listening(host, port)
+        except OSError as error:
+            if error.errno not in {errno.EADDRINUSE, errno.EACCES}:
+                raise InputError(say("fault.C086", host=host or HERE, reason=error.strerror or str(error))) from None
+    raise InputError(say("fault.C085", wished=wished, last=wished + TRIED - 1))
+
+
+def _listening(host: str, port: int) -> tuple[list[socket.socket], int]:
+    first = _socket(host or HERE, port)
+    port = first.getsockname()[1]
+    if host:
+        return [first], port
+    try:
+        return [first, _socket("::1", port)], port
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            first.close()
+            raise
+        return [first], port  # a machine without the newer addresses
+
+
+def _socket(host: str, port: int) -> socket.socket:
+    family, *_, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
+    listening = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        if os.name == "posix":  # on Windows it would let two servers have one port
+            listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        if family == socket.AF_INET6:
+            listening.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+        listening.bind(address)
+        listening.listen(socket.SOMAXCONN)
+    except OSError:
+        listening.close()
+        raise
+    return listening

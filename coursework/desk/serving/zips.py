@@ -1,0 +1,78 @@
+"""All the work of a folder as one zip, and back on another computer.
+
+Enters: a `Folder`, bytes of a zip.  Leaves: bytes; what was written and what was left aside.  Used by `files.py`.
+"""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Iterator
+from typing import Any
+
+from coursework.desk.inside import is_name, read_inside
+from coursework.desk.serving.bodies import MOST_BYTES, Refused
+from coursework.desk.serving.folder import SUFFIX, Folder, Stale, tables_named
+from coursework.system.whole_files import write_bytes
+from coursework.words.sentences import Phrases, say
+
+MOST_FILES = 500
+NO_ZIP = 422
+
+
+def packed(folder: Folder) -> bytes:
+    """Return every variant of a folder with the tables that it names."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, file in _work(folder):
+            archive.writestr(name, file)
+    return content.getvalue()
+
+
+def _work(folder: Folder) -> Iterator[tuple[str, bytes]]:
+    tables: set[str] = set()
+    for each in folder.listed():
+        if not each["deleted"] and (text := folder.read(each["name"])) is not None:
+            tables |= {*tables_named(text)}
+            yield each["name"] + SUFFIX, text
+    for name in sorted(tables):
+        if (table := read_inside(folder.path, name, MOST_BYTES)) is not None:
+            yield name, table
+
+
+def unpacked(folder: Folder, content: bytes, words: Phrases) -> dict[str, Any]:
+    """Write what is in a zip, nothing over what is there; return `written` and `skipped` (name, sentence).  Raises `Refused`."""
+    found: dict[str, Any] = {"written": [], "skipped": []}
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            inside = {entry.filename.rpartition("/")[2]: entry for entry in archive.infolist()[:MOST_FILES] if not entry.is_dir()}
+            for name, entry in sorted(inside.items()):
+                with archive.open(entry) as file:
+                    why = _taken_back(folder, name, file.read(MOST_BYTES + 1))
+                if why is None:
+                    found["written"].append(name)
+                else:
+                    found["skipped"].append({"name": name[:100], "sentence": words.written(why)})
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, OSError, ValueError):
+        raise Refused(NO_ZIP, say("desk.no_zip")) from None
+    return found
+
+
+def _taken_back(folder: Folder, name: str, content: bytes) -> str | None:
+    """Write one file, and return why it was not written, None where it was or is there already."""
+    stem, _, suffix = name.rpartition(".")
+    if not is_name(stem) or suffix not in {"toml", "csv"}:
+        return say("desk.zip_other", name=name[:100])
+    if len(content) > MOST_BYTES:
+        return say("desk.too_large", most=MOST_BYTES)
+    there = read_inside(folder.path, name, MOST_BYTES)
+    if there is not None:
+        return None if there == content else say("desk.zip_there", name=name)
+    if suffix == "csv":
+        write_bytes(folder.path / name, content)
+        return None
+    try:
+        folder.write(stem, content, None)
+    except Stale:
+        return say("desk.zip_there", name=name)
+    return None

@@ -1,0 +1,139 @@
+"""How a submission would be read and whether it contradicts itself, in sentences; no number of the key is shown.
+
+Enters: bytes of files, a variant.  Leaves: `Prechecked`.  Used by `commands/precheck.py` and the desk.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from coursework.grading.marking.key import Key, key_of
+from coursework.grading.marking.student_table import student_of
+from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.clockwise import turned_back
+from coursework.grading.marking.table.points import true_steps
+from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.student_work import FileEntry, StudentWork
+from coursework.grading.reading.submission import Submission, note
+from coursework.grading.reading.table.units import AS_READ
+from coursework.system.frozen import frozen
+from coursework.variant.record.variant import Variant
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+Named = Callable[[str], str]
+Told = Callable[[Sentence], None]
+
+
+@frozen
+class Prechecked:
+    """`fine`: every part could be marked; `has_table`: one was read; what is told, and notes on what was read."""
+
+    fine: bool
+    has_table: bool
+    sentences: tuple[Sentence, ...]
+    notes: tuple[str, ...]
+
+
+def precheck(submission: Submission, variant: Variant, named: Callable[[str, tuple[str, ...]], str]) -> Prechecked:
+    """Return what a student may know before handing in; `named` writes the names in a text as its reader knows them."""
+    key = key_of(variant)
+    grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
+    work = read_submission(submission, Expected(grid, key.variant))
+    told: list[Sentence] = [say("screen.file", name=entry.name, kind=_kinds(entry), bytes=entry.bytes) for entry in work.files]
+
+    def known(text: str) -> str:
+        return named(text, key.names)
+
+    fine = _table(key, work, known, told.append)
+    fine &= _equations(work, told.append)
+    return Prechecked(fine, work.table is not None, tuple(told), tuple(note.text for note in work.notes))
+
+
+def _kinds(entry: FileEntry) -> Sentence:
+    return joined([say(f"screen.kind.{kind}") for kind in entry.kinds], "join.comma")
+
+
+def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
+    if work.table is None:
+        reason = work.trouble.text if work.trouble else ""
+        told(say("screen.table_not_read", reason=reason))
+        return False
+    table = work.table
+    reading = table.reading
+    known = {"file": reading.file, "encoding": reading.encoding, "separator": reading.separator, "decimal": reading.decimal}
+    told(say("screen.turned" if reading.transposed else "screen.not_turned", **known))
+    for column in table.columns:
+        heading = "screen.column_by_head" if column.by == "header" else "screen.column_by_place"
+        told(
+            say(
+                heading,
+                name=f"{named(column.name):<8}",
+                at=column.at,
+                unit=AS_READ.get(column.unit, column.unit),
+                decimals=column.decimals,
+            )
+        )
+    missing = [name for name in key.names if table.column(name) is None]
+    if missing:
+        told(say("screen.missing_columns", missing=named(", ".join(missing))))
+    told(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
+    student = student_of(key, table)
+    if (back := turned_back(key, student)) is not None:
+        told(note("clockwise").text)
+    cells = mark_cells(key, back or student)
+    coarse = int(cells.too_coarse.sum())
+    if coarse:
+        told(say("screen.coarse_cells", coarse=coarse))
+    _steps(key, cells, named, told)
+    return not missing and not coarse and all(table.rows_present) and not cells.missing.any()
+
+
+def _steps(key: Key, cells: Cells, named: Named, told: Told) -> None:
+    """Say the first row whose angles do not follow from the row before by Euler's rule."""
+    m = len(key.coordinates)
+    values = cells.student.values
+    speaks = np.isfinite(values[1:, :m]) & np.isfinite(values[:-1, :m]) & np.isfinite(values[:-1, m : 2 * m])
+    against = speaks & ~true_steps(key, cells)
+    if not against.any():
+        told(say("screen.steps_follow"))
+        return
+    row = int(np.argmax(against.any(axis=1)))
+    place = int(np.argmax(against[row]))
+    name, rate = (named(name) for name in (key.names[place], key.velocities[place]))
+    before, speed = values[row, place], values[row, m + place]
+    after, found = before + key.step * speed, values[row + 1, place]
+    told(
+        say(
+            "screen.row_not_followed",
+            row=row + 2,
+            name=name,
+            last=row + 1,
+            rate=rate,
+            before=float(before),
+            step=key.step,
+            speed=float(speed),
+            after=float(after),
+            found=float(found),
+        )
+    )
+
+
+def _equations(work: StudentWork, told: Told) -> bool:
+    if work.equations is None:
+        told(say("screen.no_equations"))
+        return True
+    unread = [line for line in work.equations if line.left is None]
+    told(say("screen.equations_read", count=len(work.equations), unread=len(unread)))
+    for line in work.equations:
+        kind, known = "place" if line.place else "line", {"line": line.line, "place": line.where}
+        if line.left is None:
+            told(say(f"screen.{kind}", why=line.fault.message if line.fault else say("screen.not_equation"), **known))
+        elif line.repaired:
+            told(say(f"screen.{kind}_read_as", repaired=line.repaired, **known))
+        else:
+            told(say(f"screen.{kind}_read", text=line.text, **known))
+    return not unread

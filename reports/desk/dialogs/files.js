@@ -1,0 +1,109 @@
+// Files: open, rename, duplicate, delete and bring back.
+
+import { make } from "../elements.js";
+import { keptNames } from "../work/store.js";
+import { say } from "../words.js";
+import { askLine, openDialog, refusedName } from "./dialog.js";
+
+/** @import { Entry } from "../types" */
+/** @import { Desk } from "../commands.js" */
+
+/** @param {Desk} desk */
+export async function openFiles({ works, saving, view }) {
+  const told = make("output", { className: "told" });
+  const list = make("ul", { className: "files" });
+  const { dialog } = openDialog(document.body, say("files"), [list, told]);
+
+  /** @param {() => Promise<unknown>} act */
+  async function done(act) {
+    told.textContent = "";
+    try {
+      await act();
+    } catch (error) {
+      told.textContent = error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message;
+    }
+    await fill();
+  }
+  /** @param {string} name */
+  async function open(name) {
+    const there = await works.read(name);
+    if (!there) return;
+    dialog.close();
+    saving.begin(name, there.text, there.etag);
+    view.focus();
+  }
+  /**
+   * @param {string} name
+   * @param {string} verb
+   * @param {(other: string) => Promise<void>} act
+   */
+  async function otherName(name, verb, act) {
+    const other = await askLine({ title: `${verb}: ${name}`, label: say("name"), value: name, verb, refuses: refusedName });
+    if (other && other !== name) await done(() => act(other));
+  }
+  async function fill() {
+    const entries = await works.list(),
+      known = new Set(entries.map((one) => one.name));
+    // What was typed under a name and never saved is in this browser alone.
+    const drafts = keptNames("draft.").filter((name) => !known.has(name));
+    list.replaceChildren(...entries.map(entry), ...drafts.map(draft));
+    if (!list.children.length) list.replaceChildren(make("li", {}, say("no_files")));
+  }
+  /** @param {string} name */
+  const draft = (name) =>
+    make(
+      "li",
+      { "data-name": name },
+      make(
+        "button",
+        {
+          type: "button",
+          className: "name",
+          onclick: () => (dialog.close(), name !== saving.name && saving.begin(name, "", null), view.focus()),
+        },
+        name || say("unnamed"),
+      ),
+      make("span", {}, say("state_new")),
+    );
+  /** @param {Entry} entry */
+  function entry({ name, etag, deleted }) {
+    const mine = !deleted && name === saving.name;
+    /**
+     * @param {string} key
+     * @param {() => unknown} act
+     */
+    const button = (key, act) =>
+      make(
+        "button",
+        { type: "button", "data-act": key, "aria-label": `${say(key)}: ${name}`, onclick: () => void act() },
+        say(key),
+      );
+    if (deleted)
+      return make(
+        "li",
+        { className: "deleted", "data-name": name },
+        make("span", {}, name),
+        button("restore", () => done(() => works.restore(name))),
+      );
+    return make(
+      "li",
+      { "data-name": name, ...(mine && { "aria-current": "true" }) },
+      make("button", { type: "button", className: "name", onclick: () => void open(name) }, name),
+      button("rename", () =>
+        otherName(name, say("rename"), async (other) => {
+          if (mine && saving.unsaved) await saving.save();
+          await works.rename(name, other);
+          if (mine) await open(other);
+        }),
+      ),
+      button("duplicate", () => otherName(name, say("duplicate"), (other) => works.duplicate(name, other))),
+      button("remove", () =>
+        done(async () => {
+          await works.remove(name, etag);
+          if (mine) saving.begin(name, view.state.doc.toString(), null);
+        }),
+      ),
+    );
+  }
+  await fill();
+}

@@ -1,0 +1,72 @@
+// A mechanism from pieces: a crank, groups, each with a picture; what is chosen is hung on a point that the text has.
+
+import { make, moving, picture } from "../elements.js";
+import { post } from "../requests.js";
+import { declaredIn } from "../text/declared.js";
+import { edited } from "../text/verdicts.js";
+import { say } from "../words.js";
+import { openDialog } from "./dialog.js";
+
+/** @import { Piece } from "../types" */
+/** @import { Desk } from "../commands.js" */
+
+/**
+ * @param {Piece} piece
+ * @param {() => void} chosen
+ */
+export const pieceCard = (piece, chosen) =>
+  make(
+    "button",
+    { type: "button", className: "card", "data-piece": piece.kind, onclick: chosen },
+    moving(piece.svg, piece.title),
+    make("b", {}, piece.kind),
+    make("span", {}, piece.title),
+  );
+
+/**
+ * Ask on which points a piece hangs, and append its lines.
+ * @param {Piece} piece
+ * @param {Desk} desk
+ */
+export function hangPiece(piece, desk) {
+  const { doc } = desk.view.state,
+    text = doc.toString(),
+    points = [...declaredIn(text).points];
+  const fields = piece.asks.map(({ key, means }) => {
+    const select = make("select", { id: `desk-on-${key}` }, ...points.map((name) => make("option", {}, name)));
+    return { label: make("label", { for: select.id }, means), select };
+  });
+  // What came last into the text is what one builds on.
+  for (const [k, { select }] of fields.entries()) select.selectedIndex = Math.max(0, points.length - fields.length + k);
+  const why = make("output", {});
+  const form = make(
+    "form",
+    { className: "line" },
+    ...fields.flatMap(({ label, select }) => [label, select]),
+    make("button", { className: "main" }, say("add_piece")),
+    why,
+  );
+  const { dialog } = openDialog(document.body, piece.title, [
+    make("div", { className: "piece" }, picture(piece.svg, piece.title)),
+    form,
+  ]);
+  form.addEventListener("submit", async (event) => {
+    event.preventDefault();
+    try {
+      const found = await post("/api/piece", {
+        ...desk.given(),
+        text,
+        kind: piece.kind,
+        on: fields.map(({ select }) => select.value),
+      });
+      why.textContent = found.sentence ?? found.faults?.[0]?.sentence ?? "";
+      if (why.textContent) return;
+      dialog.close();
+      const from = edited(desk.view, doc, found, "input.desk");
+      if (from !== null) desk.view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
+      desk.view.focus();
+    } catch (error) {
+      why.textContent = /** @type {Error} */ (error).message;
+    }
+  });
+}

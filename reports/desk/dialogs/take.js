@@ -1,0 +1,93 @@
+// Give me: the page, the paper, the table, the text, in every format there is; all my work as one zip, and that opened again.
+
+import { download, make } from "../elements.js";
+import { request } from "../requests.js";
+import { say } from "../words.js";
+import { zipped } from "../work/zip.js";
+import { openDialog } from "./dialog.js";
+
+/** @import { Desk } from "../commands.js" */
+
+/**
+ * @param {HTMLElement} host
+ * @param {Desk} desk
+ */
+export function openTake(host, { config, works, view, given, saving }) {
+  const told = make("output", { className: "told" });
+  const name = () => saving.name || say("unnamed");
+  /**
+   * @param {string} text
+   * @param {string} key
+   * @param {() => Promise<void>} act
+   */
+  const button = (text, key, act) =>
+    make(
+      "button",
+      {
+        type: "button",
+        "data-format": key,
+        onclick: async () => {
+          told.textContent = say("waiting");
+          try {
+            await act();
+            told.textContent = "";
+          } catch (error) {
+            told.textContent = error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message;
+          }
+        },
+      },
+      text,
+    );
+
+  /** @param {string} format */
+  async function take(format) {
+    const json = { ...given(), text: view.state.doc.toString() };
+    const response = await request("POST", `/api/take/${format}`, { json });
+    const named = /filename="?([^";]+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1];
+    download(await response.blob(), named ?? `${name()}.${format}`);
+  }
+  const formats = (config.policy.formats ?? config.formats).filter((format) => config.formats.includes(format));
+  const file = make("input", {
+    type: "file",
+    className: "unseen",
+    accept: ".zip,.toml,.csv",
+    id: "desk-open",
+    onchange: async () => {
+      const chosen = file.files?.[0];
+      if (!chosen) return;
+      told.textContent = "";
+      try {
+        // A text or a table alone comes the way of a zip.
+        const packed = chosen.name.endsWith(".zip") ? chosen : zipped({ [chosen.name]: await chosen.text() });
+        const { written, skipped } = await works.unzip(packed);
+        const lines = [
+          say("opened", { names: written.join(", ") || "–" }),
+          ...skipped.map((each) => `${each.name}: ${each.sentence}`),
+        ];
+        told.replaceChildren(...lines.map((line) => make("p", {}, line)));
+      } catch (error) {
+        told.textContent =
+          /** @type {Error} */ (error).message === "no zip" ? say("no_zip") : /** @type {Error} */ (error).message;
+      }
+    },
+  });
+  openDialog(host, say("take_title", { name: name() }), [
+    make(
+      "p",
+      { className: "row" },
+      ...formats.map((format) => button(say(`format_${format}`), format, () => take(format))),
+      button(say("format_toml"), "toml", async () =>
+        download(new Blob([view.state.doc.toString()], { type: "application/toml" }), `${name()}.toml`),
+      ),
+      button(say("format_print"), "print", async () => print()),
+    ),
+    make("h3", {}, say("all_work")),
+    make(
+      "p",
+      { className: "row" },
+      button(say("zip"), "zip", async () => download(await works.zip(), "coursework.zip")),
+      make("label", { className: "file" }, say("unzip"), file),
+    ),
+    told,
+  ]);
+}

@@ -1,0 +1,116 @@
+// Faults: underlined where they are, listed below with a link to the place and a mend; remarks in another colour.
+
+import { EditorView, setDiagnostics } from "../editor/codemirror.js";
+import { make } from "../elements.js";
+import { say } from "../words.js";
+import { extent, offset } from "./places.js";
+
+/** @import { ChangeDesc, Text } from "@codemirror/state" */
+/** @import { Answer, Edit, Fault, PlacedFault as Told, Remark } from "../types" */
+
+/**
+ * @param {Text} doc The text that was asked about.
+ * @param {ChangeDesc} since What was changed in it since.
+ * @param {Fault | Remark} fault
+ * @returns {Told}
+ */
+function placed(doc, since, fault) {
+  const { from, to } = extent(doc, fault.line, fault.column);
+  /** @type {Edit | null} */
+  const mend = "mend" in fault ? fault.mend : null;
+  const mended = mend && {
+    from: since.mapPos(offset(doc, mend.line, mend.column), 1),
+    to: since.mapPos(offset(doc, mend.end_line, mend.end_column), -1),
+    insert: mend.text,
+  };
+  const start = since.mapPos(from, 1);
+  return {
+    from: start,
+    to: Math.max(start, since.mapPos(to, -1)),
+    line: fault.line ?? 1,
+    column: fault.column ?? 1,
+    sentence: fault.sentence,
+    mend: mended && mended.from <= mended.to ? mended : null,
+  };
+}
+
+/**
+ * @param {EditorView} view
+ * @param {Told} fault
+ */
+function mendIt(view, { mend }) {
+  if (!mend) return;
+  view.dispatch({
+    changes: mend,
+    selection: { anchor: mend.from + mend.insert.length },
+    userEvent: "input.mend",
+    scrollIntoView: true,
+  });
+  view.focus();
+}
+
+/**
+ * @param {EditorView} view
+ * @param {Told} fault
+ */
+function goTo(view, { from, to }) {
+  const end = view.state.doc.length;
+  view.dispatch({
+    selection: { anchor: Math.min(from, end), head: Math.min(to, end) },
+    effects: EditorView.scrollIntoView(Math.min(from, end), { y: "center" }),
+  });
+  view.focus();
+}
+
+/**
+ * @param {EditorView} view
+ * @param {HTMLElement} list
+ * @param {Answer} answer
+ * @param {Text} doc
+ * @param {ChangeDesc} since
+ */
+export function showFaults(view, list, answer, doc, since) {
+  const faults = answer.faults.map((fault) => placed(doc, since, fault));
+  const remarks = (answer.remarks ?? []).map((remark) => placed(doc, since, remark));
+  const name = () => say("mend");
+  /** @param {"error" | "info"} severity */
+  const marked = (severity) => (/** @type {Told} */ fault) => ({
+    from: fault.from,
+    to: fault.to,
+    severity,
+    message: fault.sentence,
+    actions: fault.mend ? [{ name: name(), apply: () => mendIt(view, fault) }] : [],
+  });
+  // What an empty text lacks is how to begin, no slip.
+  const nothing = !doc.toString().trim();
+  list.classList.toggle("beginning", nothing);
+  const marks = nothing ? [] : [...faults.map(marked("error")), ...remarks.map(marked("info"))];
+  view.dispatch(setDiagnostics(view.state, marks));
+  list.replaceChildren(
+    ...faults.map((fault) => line(view, fault, "fault")),
+    ...remarks.map((remark) => line(view, remark, "remark")),
+  );
+}
+
+/**
+ * @param {EditorView} view
+ * @param {Told} fault
+ * @param {string} kind
+ */
+function line(view, fault, kind) {
+  const place = say("place", { line: fault.line, column: fault.column });
+  const go = make(
+    "button",
+    { type: "button", className: "go", onclick: () => goTo(view, fault) },
+    make("b", {}, place),
+    ` ${fault.sentence}`,
+  );
+  const mend =
+    fault.mend &&
+    make(
+      "button",
+      { type: "button", className: "mend", onclick: () => mendIt(view, fault) },
+      say("mend_to", { text: fault.mend.insert.trim() || say("nothing") }),
+    );
+  return make("li", { className: kind, "data-line": fault.line, "data-column": fault.column }, go, mend);
+}

@@ -1,0 +1,78 @@
+"""The desk: what a page costs each time a datum has another value, and what a desk costs that nobody asks."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import re
+import time
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from coursework.desk.answering import bench
+from coursework.desk.job import Bounds, Job, Policy, Setup
+from coursework.words.data_folders import folder
+from tests.benchmarks import test_march as march
+from tests.benchmarks.timer import ratio
+from tests.desk.server import Server, running
+
+# A page against 20 000 Euler steps of variant 31 by a loop written by hand: about 25 ms on a calm core.
+MOST = {"31": 7.0, "jansen": 24.0}  # 5.4 and 19 measured
+SAVED = 0.7  # a page that waits with what stands behind the graphs against one with all its sections: 0.52 measured
+QUIET, TICKS = 2.0, 2  # s without a request, and the hundredths of a second of a processor that they may cost
+MEBIBYTES = 300  # that server and process hold together
+NUMBERS = itertools.count(1)  # no page of before is asked for again
+_DATUM = re.compile(r'"(0\.\d+) m"')
+
+
+def pages(name: str, *, study: bool):
+    """Return what answers one text after the other, each with another length."""
+    text = (folder("variants") / f"{name}.toml").read_text(encoding="utf-8")
+    setup = Setup(Bounds(60, 1024), Policy())
+
+    def page() -> None:
+        other = _DATUM.sub(lambda found: f'"{found[1]}{next(NUMBERS):04} m"', text, count=1)
+        assert bench.answer(Job("page", {"text": other, "study": study}, packed=True), setup).packed
+
+    page()
+    return page
+
+
+@pytest.fixture(autouse=True)
+def unwatched(monkeypatch):
+    monkeypatch.setattr(bench, "watched", lambda *_: contextlib.nullcontext())
+
+
+def cost(name: str) -> float:
+    """Return the processor time of a page against 20 000 steps of a loop by hand."""
+    bare = partial(march.by_hand, march.STEPS, 0.48 / march.STEPS)
+    return ratio(pages(name, study=False), bare, most=MOST[name], repeats=3)
+
+
+@pytest.mark.parametrize("name", MOST)
+def test_a_page_for_another_number_costs_a_short_loop(name):
+    assert cost(name) <= MOST[name]
+
+
+def test_what_nobody_looks_at_is_not_paid_for():
+    assert ratio(pages("31", study=False), pages("31", study=True), most=SAVED, repeats=4) <= SAVED
+
+
+def spent_by(server: Server) -> int:
+    """Return the hundredths of a second of processor time that the desk has had."""
+    stats = [Path(f"/proc/{one}/stat").read_text().rpartition(")")[2].split() for one in (server.process.pid, *server.workers())]
+    return sum(int(stat[11]) + int(stat[12]) for stat in stats)
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="a system that does not say what another process costs")
+def test_a_desk_that_nobody_asks_costs_nothing(tmp_path):
+    text = (folder("variants") / "31.toml").read_text(encoding="utf-8")
+    with running("edit", "--no-browser", folder=tmp_path) as server:
+        assert server.ask("POST", "/api/page", {"text": text})[0] == 200
+        before = spent_by(server)
+        time.sleep(QUIET)
+        assert spent_by(server) - before <= TICKS
+        held = [Path(f"/proc/{one}/statm").read_text().split()[1] for one in (server.process.pid, *server.workers())]
+        assert sum(map(int, held)) * 4096 <= MEBIBYTES * 2**20

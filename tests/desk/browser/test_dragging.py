@@ -1,0 +1,66 @@
+"""The drawing is an instrument: a joint dragged by mouse or arrow keys moves numbers of the text; one undo takes it back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+pytestmark = pytest.mark.browser
+
+
+def numbers(text: str) -> dict[str, str]:
+    """Return what stands behind each name of the data and the start."""
+    lines = [line.partition("=") for line in text.partition("[drive]")[0].splitlines() + text.splitlines() if "=" in line]
+    return {name.strip(): value.partition("#")[0].strip() for name, _, value in lines}
+
+
+def moved(before: str, after: str) -> set[str]:
+    one, other = numbers(before), numbers(after)
+    return {name for name in one if one[name] != other[name]}
+
+
+def test_a_joint_is_dragged_and_the_text_follows(desk: Callable[..., Any]) -> None:
+    one, _ = desk()
+    page, before = one.page, one.text
+    ring = page.frame_locator("#desk-page").locator("[data-joint=M]")
+    ring.scroll_into_view_if_needed()
+    box = ring.bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for step in range(1, 4):
+        page.mouse.move(x + 5 * step, y + 7 * step)
+    page.mouse.up()
+    one.until(lambda: moved(before, one.text) == {"phi1", "phi2", "phi3"})
+    one.rest("changed")
+    page.focus("#desk-text .cm-content")
+    page.keyboard.press("Control+z")
+    one.rest("changed")
+    assert one.text == before
+
+
+@pytest.mark.long
+def test_a_joint_is_moved_by_keyboard_and_says_why_it_stays(desk: Callable[..., Any]) -> None:
+    one, _ = desk()
+    page, before = one.page, one.text
+    ring = page.frame_locator("#desk-page").locator("[data-joint=M]")
+    # The joint keeps the focus while the page is made anew under it.
+    ring.focus()
+    asked = one.asked["POST api/drag"]
+    page.keyboard.press("ArrowUp")
+    one.until(lambda: moved(before, one.text) == {"phi1", "phi2", "phi3"})
+    one.rest("changed")
+    assert one.asked["POST api/drag"] == asked + 1
+    assert one.report.evaluate("document.activeElement.dataset.joint") == "M"
+    # What nothing frees says why.
+    page.frame_locator("#desk-page").locator("[data-joint=D]").focus()
+    page.keyboard.press("ArrowUp")
+    page.frame_locator("#desk-page").locator("#drag-why:not(:empty)").wait_for()
+    # With Alt the lengths follow.
+    page.frame_locator("#desk-page").locator("[data-joint=A]").focus()
+    page.keyboard.press("Alt+ArrowUp")
+    one.until(lambda: moved(before, one.text) & {"r1", "r2", "r3"})
+    assert page.locator(".desk-moved").count() > 0
+    assert one.said == []

@@ -1,0 +1,59 @@
+"""A slip is underlined where it is and listed with the sentence of `check`; a mend is one click."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+pytestmark = pytest.mark.browser
+# What is typed over what, and a word of the sentence that follows.
+SLIPS = (
+    ('"0.953 m"', '"0.953 kg"', "length"),
+    ("cos(phi3) - r3", "cos(ph3) - r3", "phi3"),
+    ('format = 1', 'format = 7', "format"),
+    ('[given]', '[givn]', "given"),
+    ('"0.847 m"', '"0.847 m', ""),
+    ('rate = "w1" }', 'rate = "w1"', ""),
+    ('"0.02 s"', '"-0.02 s"', "0"),
+    ('r2    =', 'r1    =', "r1"),
+    ('w4 = "1/s"', 'w4 = "1/q"', ""),
+    ('holds  = ["C.y"]', 'holds  = ["Q.y"]', "Q"),
+    ('hinges = ["D"]', 'hinges = ["X"]', "X"),
+    ('"table", "plots"', '"tabel", "plots"', "table"),
+)  # fmt: skip
+
+
+def slipped(one: Any, before: str, after: str, word: str) -> None:
+    line = one.text[: one.text.index(before)].count("\n") + 1
+    one.replace(before, after)
+    one.rest("faulty")
+    found = one.faults()
+    assert any(at == line and word in sentence for at, _, sentence in found), (after, found)
+    assert one.page.locator(".cm-lintRange-error").count() > 0
+    assert one.report.evaluate("document.querySelectorAll('main > section').length") > 5  # the last good page stays
+    one.page.keyboard.press("Control+z")
+    one.rest("changed")
+    assert one.faults() == []
+
+
+@pytest.mark.long
+def test_twelve_slips_are_underlined(desk: Callable[..., Any]) -> None:
+    one, _ = desk()
+    for slip in SLIPS:
+        slipped(one, *slip)
+    assert one.said == []
+
+
+def test_a_slip_is_underlined_and_a_mend_is_one_click(desk: Callable[..., Any]) -> None:
+    one, _ = desk()
+    before = one.text
+    slipped(one, *SLIPS[-1])
+    one.replace("cos(phi3) - r3", "cos(ph3) - r3")
+    one.rest("faulty")
+    one.page.click("#desk-faults .go")
+    assert one.page.evaluate("getSelection().toString()") == "ph3"
+    one.page.click("#desk-faults .mend")
+    one.rest("changed")
+    assert one.text == before

@@ -1,0 +1,81 @@
+"""The desk on a wide screen, a narrower one and a phone, light and dark, with faults, notices and dialogs open: nothing cut,
+covered, pale or beyond the keyboard.
+
+The judge is the one of the report's pages; axe-core looks too where `tests/javascript` has fetched it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytestmark = pytest.mark.browser
+TESTS = Path(__file__).parents[2]
+AXE = TESTS / "javascript" / "node_modules" / "axe-core" / "axe.min.js"
+WIDE, BETWEEN, PHONE = (1400, 900), (1000, 900), (390, 844)
+RULES = "{iframes: false}"
+ASKED = f"axe.run(document, {RULES}).then(({{violations}}) => violations.map(one => [one.id, one.nodes[0].html]))"
+DIALOGS = {"#desk-new": ".card svg", "#desk-take": "[data-format]", "#desk-table": ".drop", "#desk-files": ".files li"}
+
+
+def complaints(one: Any, size: tuple[int, int]) -> list[Any]:
+    """Return what a person would complain about in one window, with both colours of a screen."""
+    page = one.page
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    found = [*page.evaluate("judge.layout()"), *page.evaluate("judge.access()")]
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        found += page.evaluate("judge.contrast()")
+        found += page.evaluate(ASKED) if AXE.exists() else []
+    return found
+
+
+def looked_at(desk: Callable[..., Any]) -> Any:
+    """A desk whose page may be asked by scripts of the tests."""
+    one, _ = desk(bypass_csp=True)
+    for path in (TESTS / "report" / "pages" / "screen.js", *([AXE] if AXE.exists() else [])):
+        one.page.add_script_tag(path=path)
+    return one
+
+
+@pytest.mark.parametrize("size", [*(pytest.param(size, marks=pytest.mark.long) for size in (WIDE, BETWEEN)), PHONE])
+def test_a_desk_at_rest_and_with_faults_is_read(size: tuple[int, int], desk: Callable[..., Any]) -> None:
+    one = looked_at(desk)
+    assert complaints(one, size) == []
+    one.replace("cos(phi3) - r3", "cos(ph3) - r3")
+    one.rest("faulty")
+    assert complaints(one, size) == []
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("size", [WIDE, PHONE])
+@pytest.mark.parametrize("opener", DIALOGS)
+def test_a_dialog_is_read(opener: str, size: tuple[int, int], desk: Callable[..., Any]) -> None:
+    one = looked_at(desk)
+    one.page.click(opener)
+    one.page.wait_for_selector(DIALOGS[opener])
+    assert complaints(one, size) == []
+    one.page.keyboard.press("Escape")
+    one.page.wait_for_selector("dialog", state="detached")
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("language", ["ru", "uk", "zh"])
+def test_another_language_keeps_the_text_and_its_undo(language: str, desk: Callable[..., Any]) -> None:
+    one = looked_at(desk)
+    before = one.text
+    english = one.page.inner_text("#desk-bar")
+    one.replace('"0.953 m"', '"0.954 m"')
+    one.page.select_option("#desk-language", language)
+    one.page.wait_for_selector(f"html[lang={language}]")
+    one.rest("changed")
+    assert one.report.evaluate("document.documentElement.lang") == language
+    words = set(one.page.inner_text("#desk-bar").split()) & set(english.split())
+    assert "Save" not in words
+    assert complaints(one, WIDE) == []
+    one.page.focus("#desk-text .cm-content")
+    one.page.keyboard.press("Control+z")
+    assert one.text == before

@@ -1,0 +1,156 @@
+"""What the desk says of a text: the very report of `run`, the very sentences of `check`."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from coursework.api import solve
+from coursework.desk.answering import variant_page
+from coursework.desk.job import Policy
+from coursework.equations.reduction import structure
+from coursework.equations.reduction.equations import differentiate
+from coursework.report.output.results import Results
+from coursework.report.pages.html import render_html
+from coursework.variant.reading.reader import parse_variant
+from tests.command import call
+from tests.desk.desks import TEXT, VARIANTS, desk
+
+
+@pytest.fixture
+def client(tmp_path: Path):
+    with desk(tmp_path) as opened:
+        yield opened
+
+
+def test_the_page_is_the_report_of_run(client):
+    answer = client.post("/api/page", json={"text": TEXT, "name": "31"})
+    run = solve(parse_variant(TEXT, "31"))
+    results = Results(run)
+    results.compute(pages=True)
+    found = answer.json()
+    assert (answer.status_code, found["faults"]) == (200, [])
+    assert found["summary"] == run.summary
+    assert found["page"] == render_html(results.model)
+
+
+def test_what_comes_into_view_later_is_left_out_until_it_is_asked_for(client):
+    found = client.post("/api/page", json={"text": TEXT, "study": False}).json()
+    whole = client.post("/api/page", json={"text": TEXT}).json()
+    assert found["later"] == ["graph_check", "conclusion", "checks", "accuracy", "method"]
+    assert whole["later"] == []
+    lean, full = (re.findall(r'<section id="(\w+)">\s*(.*?)</section>', one["page"], re.S) for one in (found, whole))
+    heads = [[(name, re.search("<h2>.*?</h2>", text)[0]) for name, text in parts] for parts in (lean, full)]
+    assert heads[0] == heads[1]
+    assert [name for name, text in lean if re.fullmatch(r"<h2>.*?</h2>\s*", text)] == found["later"]
+
+
+def test_a_page_is_written_again_where_something_on_it_is_another(client, monkeypatch):
+    written = []
+    monkeypatch.setattr(variant_page, "render_html", lambda model: written.append(model) or render_html(model))
+    text, other = TEXT.replace("0.953 m", "0.9531 m"), TEXT.replace("0.953 m", "0.9532 m")
+    pages = [
+        client.post("/api/page", json={"text": one, **more}).json()["page"]
+        for one, more in (
+            (text, {}),
+            (text + "# a remark\n", {}),
+            (other, {}),
+            (text, {}),
+            (text, {"language": "ru"}),
+            (text, {"step": "h/2"}),
+        )
+    ]
+    assert len(written) == 4
+    assert pages[0] == pages[1] == pages[3]
+    assert len(set(pages)) == 4
+
+
+def test_scheme_and_step_are_those_of_the_command_line(client):
+    found = client.post("/api/page", json={"text": TEXT, "scheme": "rk4", "step": "h/2", "language": "ru"}).json()
+    assert 'lang="ru"' in found["page"]
+    assert "Рунге" in found["page"]
+    (fault,) = client.post("/api/check", json={"text": TEXT, "scheme": "rk5"}).json()["faults"]
+    assert (fault["code"], fault["line"], fault["mend"]) == ("C003", None, None)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "code", "mended"),
+    [
+        ('start = "3.37 rad"', 'start = "3.37 rd"', "V109", "rad"),
+        ("cos(phi2)", "cos(ph2)", "V053", "phi2"),
+        ("[coordinates]", "[coordinate]", "V01", "coordinates"),
+        ("0.953 m", "0.953 kg", "V105", None),
+        ("[given]", "[given", "V", None),
+    ],
+)
+def test_faults_are_those_of_check_at_their_place(client, folder, right, wrong, code, mended):
+    text = TEXT.replace(right, wrong, 1)
+    assert text != TEXT
+    Path("own.toml").write_text(text, encoding="utf-8")
+    told = call("check", "own").output
+    found = client.post("/api/check", json={"text": text, "name": "own"}).json()
+    assert found["summary"] is None
+    assert "page" not in found
+    assert found["faults"][0]["code"].startswith(code)
+    for each in found["faults"]:
+        assert f"{each['code']} own.toml:{each['line']}" in told
+        assert each["sentence"] in told
+    if mended:
+        mend = next(fault["mend"] for fault in found["faults"] if fault["mend"])
+        line = text.split("\n")[mend["line"] - 1]
+        assert line[: mend["column"] - 1] + mend["text"] + line[mend["end_column"] - 1 :] in TEXT.split("\n")
+
+
+def test_a_faulty_text_has_no_page(client):
+    found = client.post("/api/page", json={"text": ""}).json()
+    assert (found["page"], found["summary"], len(found["faults"]) > 0) == (None, None, True)
+
+
+def test_tables_are_those_sent_then_those_of_the_folder_then_the_catalogues(client, tmp_path):
+    name = next(path.stem for path in sorted(VARIANTS.glob("*.toml")) if "table = " in path.read_text(encoding="utf-8"))
+    text = (VARIANTS / f"{name}.toml").read_text(encoding="utf-8")
+    table = text.partition('table = "')[2].partition('"')[0]
+    assert client.post("/api/check", json={"text": text}).json()["faults"] == []
+    (tmp_path / table).write_text("1,2\n", encoding="utf-8")
+    assert client.post("/api/check", json={"text": text}).json()["faults"]
+    whole = (VARIANTS / table).read_text(encoding="utf-8")
+    assert client.post("/api/check", json={"text": text, "tables": {table: whole}}).json()["faults"] == []
+
+
+def test_a_department_may_keep_the_exact_motion_to_itself():
+    with desk(policy=Policy(exact=False)) as client:
+        (fault,) = client.post("/api/check", json={"text": TEXT, "scheme": "exact"}).json()["faults"]
+        assert fault["code"] == "C087"
+        chain = (VARIANTS / "v101.toml").read_text(encoding="utf-8")
+        assert client.post("/api/check", json={"text": chain}).json()["faults"] == []
+
+
+@pytest.mark.parametrize(
+    ("body", "status"),
+    [
+        (b"{", 400), (b"[" * 100_000, 400), (b"\xff", 400), (b"[]", 422), (b"{}", 422), (b'{"text": 5}', 422),
+        (b'{"text": "", "tables": []}', 422), (b'{"text": "", "tables": {"a": 1}}', 422), (b'{"text": "\\ud800"}', 422),
+        (b'{"text": "", "txt": ""}', 422), (b'{"text": null}', 422), (b'{"text": "", "step": 0.02}', 422),
+        (b'{"text": "' + b"x" * 10**6 + b'"}', 413), (b'{"text": "", "step": null}', 200),
+    ],
+)  # fmt: skip
+def test_other_shapes_are_refused_with_their_status(client, body, status):
+    answer = client.post("/api/page", content=body)
+    assert answer.status_code == status
+    assert status == 200 or answer.json()["sentence"].endswith(".")
+
+
+def test_other_numbers_compile_no_structure_again(client, monkeypatch):
+    made = []
+    monkeypatch.setattr(structure, "differentiate", lambda mechanism: made.append(mechanism) or differentiate(mechanism))
+    structure.forget_structures()
+    for number in range(3):
+        for name in ("31", "v101"):
+            text = (VARIANTS / f"{name}.toml").read_text(encoding="utf-8").replace("4.5 m/s", f"4.{number} m/s")
+            assert client.post("/api/check", json={"text": text + f"\n# {number}\n"}).json()["faults"] == []
+    assert len(made) == 2
+    scenes = [solve(parse_variant(TEXT.replace("0.953 m", f"0.95{number} m"))).scene for number in range(2)]
+    assert scenes[0].solutions is scenes[1].solutions
+    assert structure.MOST_KEPT >= 32

@@ -1,0 +1,70 @@
+"""`coursework edit` and `coursework serve` before they serve: what is missing or wrong is one sentence."""
+
+from __future__ import annotations
+
+from importlib import util
+from pathlib import Path
+
+import pytest
+
+from coursework.commands import desk as command
+from coursework.desk.policy import read_policy
+from coursework.desk.serving.config import opened
+from coursework.words.errors import InputError
+from tests.command import call
+from tests.desk.desks import TEXT
+from tests.test_imports_of_a_run import imported
+
+
+@pytest.mark.parametrize("words", [("edit",), ("serve",)])
+def test_a_missing_extra_is_told_with_the_line_that_installs_it(folder, monkeypatch, words):
+    find = util.find_spec
+    monkeypatch.setattr(command, "find_spec", lambda name: None if name == "uvicorn" else find(name))
+    result = call(*words)
+    assert result.exit_code == 2
+    assert "-m pip install" in result.output
+    assert "[desk]" in result.output
+
+
+@pytest.mark.parametrize("name", ["../x", "a/b", "CON", ".toml", "a b"])
+def test_a_name_that_no_file_may_have(folder, name):
+    result = call("edit", name, "--no-browser", "--port", "0")
+    assert result.exit_code == 2
+    assert "C084" in result.output
+
+
+def test_a_name_is_found_in_the_folder_then_in_the_catalogue_then_it_is_new(folder):
+    assert opened("31", folder) == {"name": "31", "text": TEXT, "etag": None}
+    assert opened("mine", folder) == {"name": "mine", "text": "", "etag": None}
+    assert opened("", folder) == {"name": "", "text": "", "etag": None}
+    Path("31.toml").write_text("own", encoding="utf-8")
+    own = opened("31.toml", folder)
+    assert (own["name"], own["text"], bool(own["etag"])) == ("31", "own", True)
+
+
+def test_a_policy_says_what_is_offered(folder):
+    Path("p.toml").write_text('equations = false\nexact = false\nformats = ["html"]\nlanguage = "uk"\n', encoding="utf-8")
+    policy = read_policy(Path("p.toml"))
+    assert (policy.equations, policy.exact, policy.formats, policy.language) == (False, False, ("html",), "uk")
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("equations = 1", "C083"), ("equation = true", "C082"), ("x", "C081"), ('formats = ["doc"]', "C015"),
+        ('language = "de"', "L002"),
+    ],
+)  # fmt: skip
+def test_a_wrong_policy_is_told(folder, text, code):
+    Path("p.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as wrong:
+        read_policy(Path("p.toml"))
+    assert [fault.code for fault in wrong.value.faults] == [code]
+    assert call("serve", "--policy", "p.toml").exit_code == 2
+
+
+def test_the_server_loads_no_mathematics_and_a_run_no_server(folder):
+    serving = imported("import coursework.desk.serving.server", folder)
+    assert not serving & {"sympy", "pydantic", "pandas", "matplotlib", "typst"}
+    running = imported("import coursework.commands.run", folder)
+    assert not running & {"starlette", "uvicorn", "watchfiles", "asyncio", "coursework.desk"}

@@ -1,0 +1,119 @@
+"""A joint dragged: the text follows, the mechanism stays one, and what does not move says why."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from coursework.api import solve
+from coursework.desk.answering.drag import _places
+from coursework.desk.job import Policy
+from coursework.variant.reading.reader import parse_variant
+from tests.desk.desks import TEXT, VARIANTS, desk
+from tests.sample import sampled
+
+
+@pytest.fixture(scope="module")
+def client(tmp_path_factory):
+    with desk(tmp_path_factory.mktemp("drag")) as opened:
+        yield opened
+
+
+def text_of(name: str) -> str:
+    return (VARIANTS / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def drag(client, text: str, joint: str, by: complex, **more) -> dict:
+    place = _places(parse_variant(text))[joint] + by
+    return client.post("/api/drag", json={"text": text, "joint": joint, "place": [place.real, place.imag], **more}).json()
+
+
+def test_start_values_follow_and_lengths_stay(client):
+    found = drag(client, TEXT, "M", 0.1 + 0.05j)
+    before, after = parse_variant(TEXT), parse_variant(found["text"])
+    assert found["near"]
+    assert after.values == before.values
+    assert abs(_places(after)["M"] - complex(*found["reached"])) < 2e-3
+    assert abs(_places(after)["M"] - (_places(before)["M"] + 0.1 + 0.05j)) < 5e-3
+    lines = found["text"].split("\n")
+    marked = [lines[one["line"] - 1][one["column"] - 1 : one["end_column"] - 1] for one in found["ranges"]]
+    assert all(re.fullmatch(r"\d\.\d{3} rad", value) for value in marked)
+    assert re.sub(r"\d\.\d+ rad", "", found["text"]) == re.sub(r"\d\.\d+ rad", "", TEXT)  # remarks, order and the rest stay
+
+
+def test_with_alt_lengths_follow_with_the_digits_they_have(client):
+    found = drag(client, TEXT, "M", 0.1 + 0.05j, free=True)
+    before, after = parse_variant(TEXT), parse_variant(found["text"])
+    assert [one.start for one in after.coordinates] == [one.start for one in before.coordinates]
+    changed = [one for one, old in zip(after.given, before.given, strict=True) if one.value != old.value]
+    assert {one.name for one in changed} == {"r1", "r2", "r3"}
+    assert all(re.fullmatch(r"\d\.\d{3}", one.text) for one in changed)
+
+
+@pytest.mark.parametrize(("name", "joint"), [("jansen", "F"), ("example-1", "C"), ("v102", "C"), ("watt", "E")])
+@pytest.mark.parametrize("free", [False, True])
+def test_a_closed_chain_stays_closed(client, name, joint, free):
+    text = text_of(name)
+    size = max(map(abs, _places(parse_variant(text)).values()))
+    found = drag(client, text, joint, 0.05 * size, free=free)
+    run = solve(parse_variant(found["text"]))  # raises where it does not close
+    assert run.scene.stop is None or found["text"] != text
+
+
+def test_what_cannot_be_reached_is_shown_as_the_nearest_that_can(client):
+    found = drag(client, TEXT, "A", 5.0)
+    assert not found["near"]
+    hand = _places(parse_variant(TEXT))["A"] + 5.0
+    assert abs(complex(*found["reached"]) - 0.953 * hand / abs(hand)) < 5e-3  # stretched from D towards the hand
+
+
+@pytest.mark.parametrize(("joint", "key"), [("D", "start value"), ("Q", "no point")])
+def test_what_nothing_moves_says_why(client, joint, key):
+    found = client.post("/api/drag", json={"text": TEXT, "joint": joint, "place": [1, 1]}).json()
+    assert key in found["sentence"]
+    assert (found["text"], found["ranges"]) == (TEXT, [])
+
+
+def test_other_shapes_are_refused(client):
+    for place in (["a", 1], [1], 1, [1, 1e300], [True, 1], None):
+        assert client.post("/api/drag", json={"text": TEXT, "joint": "M", "place": place}).status_code == 422
+
+
+WRITTEN = ["31", "cardan", "epicyclic", "robot-arm", "v101", "v102", "v104", "v105", "v107", "v108", "v110", "v112"]
+
+
+def bare(text: str) -> str:
+    return re.sub(r"\[\[constraint\]\].*?(?=\n\[(?!\[con)|\n# ---|\Z)", "", text, flags=re.S)
+
+
+@pytest.mark.parametrize("name", sampled(WRITTEN))
+def test_equations_that_are_written_for_a_student_are_right_and_enough(client, name):
+    text = text_of(name)
+    assert client.post("/api/equations", json={"text": text}).json()["text"] == text  # none is lacking
+    found = client.post("/api/equations", json={"text": bare(text), "language": "ru"}).json()
+    told = client.post("/api/check", json={"text": found["text"]}).json()
+    assert told["faults"] == []
+    assert len(told["equations"]) == found["number"] == len(parse_variant(text).sought)
+    assert all(one["right"] for one in told["equations"])
+    assert re.search('because += ".*[а-я]', found["text"])
+
+
+def test_one_equation_is_added_to_those_of_a_student(client):
+    one = TEXT.index("[[constraint]]", TEXT.index('name     = "16"'))
+    text = TEXT[:one] + TEXT[TEXT.index("# --- geometry") :]
+    found = client.post("/api/equations", json={"text": text}).json()
+    assert found["number"] == 1
+    assert found["text"].count("[[constraint]]") == 4
+    assert client.post("/api/check", json={"text": found["text"]}).json()["faults"] == []
+
+
+def test_a_wrong_sign_is_a_fault_where_it_stands(client):
+    wrong = TEXT.replace("VMy - 2*r3*w3*cos(phi3) -", "VMy + 2*r3*w3*cos(phi3) -")
+    (fault, *_) = client.post("/api/check", json={"text": wrong}).json()["faults"]
+    assert wrong.split("\n")[fault["line"] - 1].startswith("equation") or "constraint" in wrong.split("\n")[fault["line"] - 1]
+
+
+def test_a_department_may_not_write_them():
+    with desk(policy=Policy(equations=False)) as client:
+        assert client.post("/api/equations", json={"text": TEXT}).status_code == 403
