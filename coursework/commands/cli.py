@@ -1,19 +1,13 @@
 """The command line: options -> one library call -> exit status.  Progress and colours live here only.
 
-Used by `__main__.py`.
-
-Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input is wrong or the output cannot be written;
-3 a fault of the tool; 130 interrupted.
+Used by `__main__.py`.  The exit status is told in `program.py`.
 Only click is imported at start; everything else inside the command that needs it.
 """
 
 from __future__ import annotations
 
-import atexit
-import gc
-import sys
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import click
 
@@ -32,70 +26,7 @@ from coursework.commands.options import (
     spoken,
     templates,
 )
-from coursework.system.standard_streams import patient_streams
-from coursework.words.errors import CourseworkError
-
-PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
-
-# Nearly all that a run makes lives until its end: to look through it for garbage takes a tenth of a run, and as much again at
-# the end, which gives everything back at once.
-gc.set_threshold(200_000, 50, 100)
-atexit.register(gc.freeze)
-
-
-class Program(click.Group):
-    """The commands, each of which returns its exit status; whatever one raises becomes a sentence and a status here."""
-
-    def main(self, *args: Any, **options: Any) -> NoReturn:
-        """Run one command line and end the process with its status."""
-        options["standalone_mode"] = False
-        with patient_streams() as output:
-            status = self._status(*args, **options)
-            if output is not None and output.lost:
-                click.echo(output.lost, err=True)
-                status = max(status, WRONG_INPUT)
-        sys.exit(status)
-
-    def invoke(self, ctx: click.Context) -> Any:
-        """Run a command; an interrupt is told in one sentence."""
-        try:
-            return super().invoke(ctx)
-        except KeyboardInterrupt:
-            _tell("screen.interrupted")
-            return INTERRUPTED
-
-    def _status(self, *args: Any, **options: Any) -> int:
-        """Return the exit status; a traceback is kept only for our own faults."""
-        try:
-            return int(super().main(*args, **options) or PASSED)
-        except CourseworkError as error:
-            from coursework.commands.screen import tell_faults
-
-            tell_faults(error)
-            return WRONG_INPUT
-        except click.ClickException as error:
-            from coursework.commands.misuse import tell_misuse
-
-            tell_misuse(error, list(args[0] if args and args[0] else options.get("args") or sys.argv[1:]))
-            return WRONG_INPUT
-        except (click.Abort, KeyboardInterrupt):
-            return INTERRUPTED
-        except MemoryError:
-            _tell("screen.memory")
-            return WRONG_INPUT
-        except Exception:
-            import traceback
-
-            traceback.print_exc()
-            _tell("screen.our_fault")
-            return OUR_FAULT
-
-
-def _tell(key: str) -> None:
-    from coursework.commands.screen import tell
-    from coursework.words.sentences import say
-
-    tell(say(key), err=True)
+from coursework.commands.program import PASSED, Program
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})

@@ -66,7 +66,7 @@ def run_variant(
 
             for line in effect_lines(read, run.of(FORCES) if run.asks(FORCES) else None):
                 tell(line)
-        used, left = run.blocks_evaluated()
+        used, left = _blocks_evaluated(run)
         title = run.scheme_title
         tell(
             say_count("screen.evaluations", run.tableau.slopes, title=title) if run.tableau else say("screen.scheme", title=title)
@@ -85,6 +85,13 @@ def run_variant(
         for name, seconds in ledger.seconds.items():
             tell(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
     return run.status(strict)
+
+
+def _blocks_evaluated(run: Run) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""
+    needed = run.scene.rates.blocks
+    named = [f"({', '.join(block.unknowns)})" for block in run.reduction.blocks]
+    return tuple(named[place] for place in needed), tuple(name for place, name in enumerate(named) if place not in needed)
 
 
 def tell_stop(run: Run, consequence: Sentence) -> int:

@@ -99,17 +99,17 @@ class SceneRun:
     @property
     def summary(self) -> str:
         """Return the findings in two or three sentences, "" where no checks were asked for."""
-        from coursework.results.checks.summary import summary
-
-        return summary(self.checks, is_motion=self.tableau is None) if self.asks(CHECKS) else ""
+        return self._summed(lambda finding: finding.code)
 
     @property
     def named_summary(self) -> str:
         """Return the same with the names of checks in place of their codes."""
+        return self._summed(lambda finding: finding.title)
+
+    def _summed(self, named: Callable[[Finding], str]) -> str:
         from coursework.results.checks.summary import summary
 
-        named = summary(self.checks, is_motion=self.tableau is None, named=lambda finding: finding.title)
-        return named if self.asks(CHECKS) else ""
+        return summary(self.checks, is_motion=self.tableau is None, named=named) if self.asks(CHECKS) else ""
 
     @property
     def stop(self) -> Stop | None:
@@ -230,16 +230,15 @@ class SceneRun:
     @property
     def section_tables(self) -> dict[str, ExtraTable]:
         """Return the tables of what has a section of its own, by the names of their files."""
-        records = ((one, one.shows) for one in quantities_for(self.asked).values())
-        own = ((one, shows.table) for one, shows in records if isinstance(shows, OwnSection))
+        own = ((one, one.shows.table) for one in quantities_for(self.asked).values() if isinstance(one.shows, OwnSection))
         return {one.name: table(self.results, self.of(one)) for one, table in own if table is not None}
 
     @property
     def listings(self) -> tuple[Listing, ...]:
         """Return the files in which drawings that were asked for keep their numbers."""
-        records = ((one, one.shows) for one in quantities_for(self.asked).values())
-        kept = [(one, shows) for one, shows in records if isinstance(shows, (OwnFigure, OwnSection))]
-        return tuple(shows.listing(self.of(one)) for one, shows in kept if shows.listing is not None)
+        shown = ((one, one.shows) for one in quantities_for(self.asked).values())
+        kept = ((one, shows.listing) for one, shows in shown if isinstance(shows, (OwnFigure, OwnSection)))
+        return tuple(listing(self.of(one)) for one, listing in kept if listing is not None)
 
     def _own_figures(self) -> Iterator[tuple[str, Quantity[Any], OwnFigure[Any]]]:
         for name, one in quantities_for(self.asked).items():
@@ -288,13 +287,6 @@ class SceneRun:
         asked = [one.name for one in quantities_for(self.asked).values() if pages or not one.only_pages]
         plan = make_plan(all_needs(type(self.scene)), [*asked, *more])
         return replace(plan, needed_by={**plan.needed_by, **{name: say("plan.pages") for name in more if name not in asked}})
-
-    def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""
-        needed = self.scene.rates.blocks
-        named = [", ".join(block.unknowns) for block in self.reduction.blocks]
-        left = tuple(f"({name})" for place, name in enumerate(named) if place not in needed)
-        return tuple(f"({named[place]})" for place in needed), left
 
     @property
     def versions(self) -> dict[str, str]:
