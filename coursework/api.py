@@ -6,35 +6,45 @@ Used by `commands/` and `grading/marking/`.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coursework.motion.schemes import SEMI_IMPLICIT
-from coursework.motion.settings import Settings, scheme_for
+from coursework.motion.settings import Settings, scheme_for, stepping
 from coursework.run import Run
 from coursework.scene.exact_scene import scene_of
-from coursework.scene.quantities import TABLE, known_quantities, quantities_for
-from coursework.variant.catalogue import load
+from coursework.scene.quantities import TABLE, known_quantities, no_quantity, quantities_for
+from coursework.variant.catalogue import load, variant_from
+from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.judging.bounds import timed
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import Fault, InputError
+from coursework.words.errors import CourseworkWarning, Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import closest, say
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import pandas as pd
 
+    from coursework.results.accuracy.step_search import StepChoice
+
+Given = Variant | str | Path | int
+PRECISIONS = ("double", "single")
+
 
 def solve(
-    variant: Variant | str | Path,
+    variant: Given,
     scheme: str | None = None,
-    step: float | None = None,
-    end: float | None = None,
+    step: float | str | None = None,
+    end: float | str | None = None,
     *,
     quantities: Iterable[str] | None = None,
     project: int = 0,
     gain: float = 0.0,
+    error: float | None = None,
+    precision: str = "double",
     student: str | None = None,
     group: str | None = None,
     date: str | None = None,
@@ -42,13 +52,15 @@ def solve(
     institution: str | None = None,
     blank: bool = False,
 ) -> Run:
-    """Return a run of a variant.
+    """Return a run of a variant: its name, a path, or what `load` and `parse_variant` return.
 
     `scheme` one of `SCHEMES` or "exact", the motion without a scheme's error (where None that of the file, else "exact" for a
-    chain of groups and "euler" for all others); `step` and `end` in s (those of the file where None); `quantities` asked for
-    (those of the file where None; names of columns restrict the table to them); `project` Newton corrections a step; `gain` of
-    Baumgarte's correction in 1/s; `student` to `institution` stand in the title block; a `blank` sheet of the
-    graph-analytical check leaves the construction to the student.  Raises `InputError`.
+    chain of groups and "euler" for all others); `step` in s, "20 ms", "h/18" (h the step of the file), or "auto" with `error`
+    (rad or m), the largest one wished for; `end` in s or with a unit (step and end of the file where None); `quantities` asked
+    for (those of the file where None; names of columns restrict the table to them); `project` Newton corrections a step;
+    `gain` of Baumgarte's correction in 1/s; `precision` "single" where round-off is asked about, see `Run.round_off`;
+    `student` to `institution` stand in the title block; a `blank` sheet of the graph-analytical check leaves the construction
+    to the student.  Warns with `CourseworkWarning` of what looks like a slip; raises `InputError`.
 
     >>> import coursework
     >>> run = coursework.solve("31", scheme="rk4", quantities=["table"])
@@ -58,37 +70,67 @@ def solve(
     [2.87, 2.9255, 2.9806]
     >>> coursework.solve("31", quantities=["phi3", "w3"]).table.columns.tolist()
     ['phi3', 'w3']
+    >>> coursework.solve("31", step=coursework.solve("31").advice.step).passed
+    True
     """
-    chosen = variant_of(variant) if isinstance(variant, (str, Path)) else variant
-    chosen = timed(chosen, step, end)
+    run = make_run(
+        variant, scheme, step, end, quantities=quantities, project=project, gain=gain, error=error, precision=precision,
+        student=student, group=group, date=date, teacher=teacher, institution=institution, blank=blank,
+    )  # fmt: skip
+    for remark in run.remarks if end is not None else run.slips:
+        warnings.warn(remark, CourseworkWarning, stacklevel=2)
+    return run
+
+
+def make_run(
+    variant: Given, scheme: str | None = None, step: float | str | None = None, end: float | str | None = None, *,
+    quantities: Iterable[str] | None = None, project: int = 0, gain: float = 0.0, error: float | None = None,
+    precision: str = "double", blank: bool = False, **title: str | None,
+) -> Run:  # fmt: skip
+    """Return what `solve` returns, and warn of nothing: the command line says itself what looks like a slip."""
+    for name, text in title.items():
+        if not (text is None or isinstance(text, str)):
+            raise InputError(say("fault.D032", name=name, found=repr(text)))
+    for name, number in (("gain", gain), ("error", error)):
+        if number is not None and (isinstance(number, bool) or not isinstance(number, (int, float))):
+            raise InputError(say("fault.D025", name=name, found=repr(number)))
+    if precision not in PRECISIONS:
+        raise InputError(say("fault.D034", found=repr(precision)))
+    chosen = variant_from(variant, _asked_in_vain)
+    if step == "auto":
+        scheme = stepping(chosen, scheme)
+        step = step_choice(make_run(chosen, scheme, end=end, quantities=(TABLE.name,)), error).step
+    elif error is not None:
+        raise InputError(say("fault.C029"))
+    chosen = timed(chosen, step_of(step, chosen), seconds(end))
     asked, columns = _sorted(chosen, quantities)
+    corrections = int(project) if isinstance(project, bool) else project  # as a flag, one
     order = max((one.order for one in quantities_for(asked).values()), default=1)
-    settings = Settings(scheme_for(chosen, scheme), project, gain, columns, order=order).checked(chosen.time.step, _also(chosen))
-    return Run(scene_of(chosen, settings), asked, student, group, date, teacher=teacher, institution=institution, blank=blank)
+    settings = Settings(scheme_for(chosen, scheme), corrections, gain, columns, order=order).checked(
+        chosen.time.step, _also(chosen)
+    )
+    return Run(scene_of(chosen, settings), asked, blank=blank, precision=precision, **title)  # type: ignore[arg-type]
 
 
 def exact(
-    variant: Variant | str | Path, step: float | None = None, end: float | None = None, *, quantities: Iterable[str] | None = None
+    variant: Given, step: float | str | None = None, end: float | str | None = None, *, quantities: Iterable[str] | None = None
 ) -> pd.DataFrame:
     """Return the table of the exact motion (index t), with the same columns as `solve(variant).table`.
 
-    `step` and `end` in s; `quantities` as in `solve`.  Raises `InputError`.
+    `step`, `end` and `quantities` as in `solve`.  Warns with `CourseworkWarning` where the motion ends early; raises
+    `InputError`.
 
     >>> import coursework
     >>> exact, table = coursework.exact("31"), coursework.solve("31").table
     >>> exact.shape == table.shape, round(float((table["phi3"] - exact["phi3"]).abs().max()), 3)  # Euler's error, rad
     (True, 0.152)
     """
-    import pandas as pd
-
-    run = solve(variant, step=step, end=end, quantities=quantities)
-    motion = run.exact
-    names, rows = run.columns_of(run.scene.over(motion))
-    table = pd.DataFrame(rows, index=pd.Index(motion.t, name="t"), columns=list(names))
-    if not run.settings.columns:
-        return table
+    run = make_run(variant, step=step, end=end, quantities=quantities)
+    if (stop := run.scene.stop) is not None:
+        warnings.warn(stop.sentence, CourseworkWarning, stacklevel=2)
+    table = run.framed(run.scene.over(run.scene.exact))
     rates = run.scene.rates
-    return table[[*rates.coordinates, *rates.velocities]]
+    return table[[*rates.coordinates, *rates.velocities]] if run.settings.columns else table
 
 
 def _also(variant: Variant) -> tuple[str, ...]:
@@ -101,6 +143,50 @@ def variant_of(path_or_name: str | Path) -> Variant:
     return load(path_or_name, _asked_in_vain)
 
 
+def step_of(step: float | str | None, variant: Variant) -> float | None:
+    """Return a step in seconds: a number, a text with a unit, or h/N, a whole part of the step h of the file."""
+    if not isinstance(step, str):
+        return step
+    head, slash, parts = step.partition("/")
+    if slash and head.strip() == "h" and parts.strip().isdecimal() and int(parts) > 0:
+        return variant.time.step / int(parts)
+    found = seconds(step)
+    if isinstance(found, str):
+        raise InputError(say("fault.C031", text=step))
+    return found
+
+
+def seconds(time: float | str | None) -> float | str | None:
+    """Return a time in seconds; a text that is none as it is, so that it is told by whoever takes it."""
+    if not isinstance(time, str):
+        return time
+    with suppress(UnitFault):
+        found = read(time, "s")
+        return found.value if found.si in {"s", ""} else time
+    with suppress(ValueError):  # nan and infinity are told as what they are
+        return float(time)
+    return time
+
+
+def step_choice(run: Run, error: float | None) -> StepChoice:
+    """Return the largest step with which a run stays within an error (rad or m), and what it costs.
+
+    Raises `InputError` for an error that cannot be had, and for a motion that stops.
+    """
+    if error is None:
+        raise InputError(say("fault.C030"))
+    if (stop := run.scene.stop) is not None:
+        raise stop.refusal
+    from coursework.results.accuracy.step_rules import step_rules
+    from coursework.results.accuracy.step_search import choose_step
+
+    scene = run.scene
+    return choose_step(
+        scene.rates, run.scheme, scene.begin, run.step, scene.variant.time.end, error,
+        step_rules(scene.equations, scene.search), lambda scheme, step: scene.rerun(scheme, step) is not None,
+    )  # fmt: skip
+
+
 def _asked_in_vain(variant: Variant) -> list[Fault]:
     known = {*known_quantities(), *variant.columns}
     return [
@@ -110,13 +196,7 @@ def _asked_in_vain(variant: Variant) -> list[Fault]:
 
 def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Split what is asked for into quantities and columns of the table.  Raises `InputError` for what cannot be had."""
-    if isinstance(quantities, str):
-        quantities = (quantities,)
-    listed = (
-        tuple(quantities)
-        if quantities is not None
-        else variant.ask or tuple(name for name, one in known_quantities().items() if one.usual)
-    )
+    listed = _listed(variant, quantities)
     columns = tuple(name for name in listed if name in variant.columns)
     asked = tuple(name for name in listed if name not in columns)
     faults = [_in_file(why, variant, name, quantities is None) for name in asked if (why := _cannot_ask(variant, name))]
@@ -130,13 +210,23 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
     return asked or (TABLE.name,), columns
 
 
+def _listed(variant: Variant, quantities: Iterable[str] | None) -> tuple[str, ...]:
+    if quantities is None:
+        return variant.ask or tuple(name for name, one in known_quantities().items() if one.usual)
+    listed = (quantities,) if isinstance(quantities, str) else tuple(quantities) if isinstance(quantities, Iterable) else (None,)
+    if not all(isinstance(name, str) for name in listed):
+        raise InputError(say("fault.D033", found=repr(quantities)))
+    return listed
+
+
 def _cannot_ask(variant: Variant, name: str) -> Sentence | None:
     """Return why a quantity cannot be had of a variant, None where it can."""
     records = known_quantities()
     if name in records:
         return records[name].refuses(variant)
-    hint = closest(name, [*records, *variant.columns])
-    return say("fault.C002", name=name, hint=hint, known=", ".join(records))
+    if name.partition(".")[0] in {point for point, _ in variant.points} and "." in name:
+        return say("fault.D029", name=name, known=variant.columns)
+    return no_quantity(name, variant.columns)
 
 
 def _in_file(message: Sentence, variant: Variant, name: str, is_in_file: bool) -> Fault:

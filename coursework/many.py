@@ -9,10 +9,12 @@ near zero, a step that is too wide, …) is solved alone, as `solve` does it, an
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+import tempfile
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -27,53 +29,102 @@ from coursework.scene.model.rows import rows_of
 from coursework.scene.model.sets import prepare
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array, Flags
-from coursework.variant.catalogue import load
+from coursework.variant.catalogue import variant_from
 from coursework.variant.judging.bounds import timed
-from coursework.variant.record.variant import Variant
-from coursework.words.errors import CourseworkError, InputError
+from coursework.variant.record.variant import Variant, no_column
+from coursework.words.errors import CourseworkError, InputError, visible
 from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
     import pandas as pd
 
+Template = Variant | Model | str | Path | int
+# Values of more bytes than this are kept in a file of the system's folder for such, which leaves with them.
+MOST_KEPT = 2**28
 # Sets that are computed together: their columns stay in the processor's cache.
 TOGETHER = 2048
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+class Feasibility(NamedTuple):
+    """Whether a whole motion is possible, and `why` not; false where it is not, and two values where two are wanted."""
+
+    possible: bool
+    why: str
+
+    def __bool__(self) -> bool:
+        return self.possible
+
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Solutions:
     """The tables of n sets: `t` (rows,) in s, `values` (n, rows, columns), nan after a motion has stopped.
 
-    `columns` as in `Run.table`; `stops` (n) says why a motion ended early, None where it did not.
+    `columns` as in `Run.table`, in rad, m, rad/s and m/s; `stops` (n) says why a motion ended early, None where it did not;
+    `name` of the template and its `sets` of data.  `len`, `[i]` and a loop give tables.
 
     >>> import coursework
     >>> solutions = coursework.solve_many("31", {"p": [12.0, 13.08]})
-    >>> solutions.values.shape, solutions.columns[:3], len(solutions.table(0))
-    ((2, 25, 7), ('phi1', 'phi2', 'phi3'), 25)
+    >>> solutions
+    <Solutions of 31: 2 sets of 25 rows, phi1, phi2, phi3, w1, w2, w3, w4>
+    >>> solutions.data["p"].tolist(), len(solutions[0]), len(solutions.to_frame())
+    ([12.0, 13.08], 25, 50)
     """
 
     t: Array
     columns: tuple[str, ...]
     values: Array
     stops: tuple[Stop | None, ...]
+    name: str
+    sets: Data
+
+    def __len__(self) -> int:
+        return len(self.stops)
+
+    def __getitem__(self, index: int) -> pd.DataFrame:
+        return self.table(index)
+
+    def __iter__(self) -> Iterator[pd.DataFrame]:
+        return map(self.table, range(len(self)))
+
+    @property
+    def data(self) -> pd.DataFrame:
+        """Return the data of every set, one row each: given names in SI, then the changed start coordinates."""
+        import pandas as pd
+
+        return pd.DataFrame(dict(self.sets.given), index=pd.RangeIndex(len(self), name="set"))
 
     def table(self, index: int) -> pd.DataFrame:
         """Return the table of one set (index t), as `solve` gives it: only the rows it has."""
         import pandas as pd
 
+        from coursework.takeaway.frames import time_index
+
         rows = self.values[index]
         kept = ~np.isnan(rows).any(axis=1)
-        return pd.DataFrame(rows[kept], index=pd.Index(self.t[kept], name="t"), columns=list(self.columns))
+        return pd.DataFrame(rows[kept], index=time_index(self.t[kept]), columns=list(self.columns))
+
+    def to_frame(self) -> pd.DataFrame:
+        """Return all tables below each other, index (set, t)."""
+        import pandas as pd
+
+        return pd.concat(dict(enumerate(self)), names=["set"])
+
+    def __repr__(self) -> str:
+        return f"<Solutions of {visible(self.name)}: {len(self)} sets of {len(self.t)} rows, {', '.join(self.columns)}>"
+
+    def _repr_html_(self) -> str:
+        return self.to_frame().to_html(max_rows=20)
 
 
 def solve_many(
-    variant: Variant | Model | str | Path, data: Any, scheme: str | None = None, step: float | None = None,
-    end: float | None = None,
+    variant: Template, data: Any, scheme: str | None = None, step: float | None = None, end: float | None = None, *,
+    quantities: Iterable[str] | None = None,
 ) -> Solutions:  # fmt: skip
     """Return the tables of many sets of data; each is what `solve(variant.with_data(…))` gives, to 1e-12.
 
     `data`: a mapping or a frame; keys are given names and coordinates (their start), values numbers in SI, texts with a unit,
-    or one for all sets.  `scheme` as in `solve`; `step` and `end` in s, the same for all sets; those of the file where None.
+    or one for all sets.  `scheme` as in `solve`; `step` and `end` in s, the same for all sets; those of the file where None;
+    `quantities` are the columns to keep, all where None.  What takes more than `MOST_KEPT` bytes lies in a file without a name.
     Raises `InputError` for data that do not fit, and for a set that `solve` refuses, by its number.
 
     >>> import coursework
@@ -89,14 +140,15 @@ def solve_many(
     steps, h = template.time.steps, template.time.step
     times: Array = np.arange(steps + 1).astype(np.float64) * h
     names = (*model.coordinates, *model.velocities)
-    values = np.full((sets.count, len(times), len(names)), np.nan)
+    kept = _kept(names, quantities)
+    values = _room((sets.count, len(times), len(kept)))
     stops: list[Stop | None] = [None] * sets.count
     for part, chunk in _chunks(sets):
         prepared = prepare(model, chunk, template.time.end)
         doubtful = ~prepared.sure | (prepared.frequency * h >= np.pi * (1 - 1e-12))
         if chosen in SCHEMES:
             found, good = rows_of(model, prepared, SCHEMES[chosen], times)
-            values[part] = found
+            values[part] = found[..., kept]
             doubtful |= ~good
         else:
             doubtful[:] = True
@@ -104,29 +156,30 @@ def solve_many(
             index = part.start + place
             motion = _alone(template, sets, index, chosen)
             values[index] = np.nan
-            values[index, : len(motion.t)] = motion.rows
+            values[index, : len(motion.t)] = motion.rows[:, kept]
             stops[index] = motion.stop
     for rows in (times, values):
         rows.flags.writeable = False
-    return Solutions(times, names, values, tuple(stops))
+    return Solutions(times, tuple(names[place] for place in kept), values, tuple(stops), model.variant.name, sets)
 
 
-def feasible(variant: Variant | str | Path) -> tuple[bool, str]:
+def feasible(variant: Variant | str | Path | int) -> Feasibility:
     """Return whether the whole motion of a variant is possible, and if not why: through its table and through a period.
 
     >>> import coursework
-    >>> coursework.feasible("31")
-    (True, '')
+    >>> found = coursework.feasible(coursework.load("31").with_data({"alpha": 0.02}))
+    >>> bool(found), found.why[:40]
+    (False, 'At t = 0.116889 s, between rows 6 and 7,')
     """
-    chosen = load(variant) if isinstance(variant, (str, Path)) else variant
+    chosen = variant_from(variant)
     scene = Scene(chosen.timed(None, chosen.time.whole), Settings())
     try:
-        return (True, "") if scene.stop is None else (False, scene.stop.sentence)
+        return Feasibility(True, "") if scene.stop is None else Feasibility(False, scene.stop.sentence)
     except CourseworkError as error:
-        return False, str(error)
+        return Feasibility(False, str(error))
 
 
-def feasible_many(variant: Variant | Model | str | Path, data: Any) -> tuple[Flags, tuple[str, ...]]:
+def feasible_many(variant: Template, data: Any) -> tuple[Flags, tuple[str, ...]]:
     """Return for which sets of data (n,) the whole motion is possible, and for each of the others why it is not.
 
     >>> import coursework
@@ -150,7 +203,27 @@ def feasible_many(variant: Variant | Model | str | Path, data: Any) -> tuple[Fla
     return possible, tuple(reasons)
 
 
-def _model(variant: Variant | Model | str | Path) -> Model:
+def _kept(names: tuple[str, ...], quantities: Iterable[str] | None) -> list[int]:
+    """Return the places of the columns to keep.  Raises `InputError` for what is no column."""
+    wanted = list(names) if quantities is None else [quantities] if isinstance(quantities, str) else list(quantities)
+    for name in wanted:
+        if name not in names:
+            raise no_column(name, names)
+    return [names.index(name) for name in wanted]
+
+
+def _room(shape: tuple[int, ...]) -> Array:
+    """Return room for values, all nan: in memory, or in a file where they take more than `MOST_KEPT`."""
+    if 8 * math.prod(shape) <= MOST_KEPT:
+        return np.full(shape, np.nan)
+    with tempfile.TemporaryFile() as file:
+        values: Array = np.memmap(file, dtype=float, shape=shape)
+    for first in range(0, shape[0], TOGETHER):
+        values[first : first + TOGETHER] = np.nan
+    return values
+
+
+def _model(variant: Template) -> Model:
     return variant if isinstance(variant, Model) else compile_model(variant)
 
 

@@ -1,4 +1,4 @@
-"""A run as a person holds it: its table as a pandas frame, what a notebook shows of it.
+"""A run as a person holds it: its table as a pandas frame, its points, its plots, what a notebook shows of it.
 
 Enters: a `Scene` and the names asked for, from `api.py`.  Leaves: `Run`.
 Used by `api.py` and `commands/`; the floors below make pages and files of the `SceneRun` that it is.
@@ -6,37 +6,152 @@ Used by `api.py` and `commands/`; the floors below make pages and files of the `
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
+from coursework.motion.settings import stepping
+from coursework.scene.motion_results import MotionResults
+from coursework.scene.quantities import Quantity, known_quantities, no_quantity
 from coursework.scene.scene_run import SceneRun
+from coursework.system.frozen import frozen
 from coursework.system.on_demand import Plan
-from coursework.words.errors import visible
+from coursework.variant.record.variant import changed
+from coursework.words.errors import CourseworkError, InputError, visible
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import pandas as pd
 
+    from coursework.results.accuracy.round_off import RoundOffRow
+    from coursework.takeaway.findings import Findings
+    from coursework.takeaway.frames import ExactRows
+    from coursework.takeaway.study import Study
 
-@dataclass(frozen=True, slots=True, repr=False)
+
+_SAME_TIME = 1e-6  # of a step
+
+
+@frozen
+class Advice:
+    """What would do where a table is coarse: a `step` (s), or a `scheme` at the same step; None where none was found."""
+
+    step: float | None
+    scheme: str | None
+    sentence: str
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Run(SceneRun):
     """A run: `scene` (variant, settings and the way to the motion), the names `asked` for, computed when looked at.
 
     `table` is a pandas frame (index t); `checks` the judged facts; `stop` why the motion ended early, or None; `of(QUANTITY)`
-    anything that can be asked for.  `timed` replaces the study of accuracy by one with seconds.
+    anything that can be asked for, by its record or its name.  `timed` replaces the study of accuracy by one with seconds.
 
     >>> import coursework
     >>> run = coursework.solve("31", scheme="rk4", quantities=["table", "checks"])
     >>> run.table.shape, run.stop, run.passed
     ((25, 7), None, True)
+    >>> run.points["B"].acceleration.shape  # m/s², x and y
+    (25, 2)
     """
+
+    precision: str = "double"
+
+    def framed(self, results: MotionResults) -> pd.DataFrame:
+        """Return the columns of a motion as a frame: index t (s), units, variant and scheme in `attrs`."""
+        import pandas as pd
+
+        from coursework.takeaway.frames import time_index
+
+        motion, (names, rows) = results.motion, self.columns_of(results)
+        table = pd.DataFrame(rows, index=time_index(motion.t), columns=list(names))
+        table.attrs = {"variant": self.variant.name, "scheme": motion.scheme, "units": self.units_of(results)}
+        return table
 
     @property
     def table(self) -> pd.DataFrame:
-        """Return the results table: index t (s), columns as in the file, then accelerations and points if asked for."""
+        """Return the results table: index t (s), columns as in the file, then accelerations and points if asked for.
+
+        Angles are in rad, slides in m, rates in rad/s and m/s; `table.attrs["units"]` has the unit of each column.
+        """
+        return self.framed(self.results)
+
+    @property
+    def points(self) -> pd.DataFrame:
+        """Return the points of the rows: columns (point, quantity, axis) in m, m/s, m/s²; `.points["B"].velocity` is (n, 2)."""
+        from coursework.takeaway.frames import point_frame
+
+        return point_frame(self.scene, self.motion)
+
+    @cached_property
+    def exact(self) -> ExactRows:
+        """Return the motion without the scheme's error on the same rows, `.at(t)` between them, `.points` its points."""
+        from coursework.takeaway.frames import exact_rows
+
+        return exact_rows(self.scene, self.scene.exact)
+
+    @cached_property
+    def checks(self) -> Findings:
+        """Return what each check has found."""
+        from coursework.takeaway.findings import Findings
+
+        return Findings(super().checks)
+
+    @property
+    def accuracy(self) -> Study | None:
+        """Return the study of accuracy against cost, None where it was not asked for."""
+        from coursework.takeaway.study import study_of
+
+        study = super().accuracy
+        return None if study is None else study_of(study, self)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Return what looks like a slip in the file, and where the last row stands that is not the end asked for."""
+        end = self.variant.time.end
+        return (*self.slips, *([str(say("remark.last_row", last=self.end, end=end))] if self.end != end else []))
+
+    @property
+    def slips(self) -> tuple[str, ...]:
+        """Return what looks like a slip of the pen in the file."""
+        return tuple(str(remark.sentence) for remark in self.variant.plausibility)
+
+    @property
+    def advice(self) -> Advice:
+        """Return which step or scheme would do where the table is coarse."""
+        coarse = [check for check in self.results.checks if check.option]
+        if not coarse:
+            return Advice(None, None, "")
+        first = coarse[0]
+        return Advice(first.step, first.scheme or None, str(first.advised))
+
+    @property
+    def round_off(self) -> pd.DataFrame:
+        """Return what round-off does: index steps, largest error (rad or m) in double, in single, in single with t += h."""
         import pandas as pd
 
-        names, rows = self.columns()
-        return pd.DataFrame(rows, index=pd.Index(self.motion.t, name="t"), columns=list(names))
+        rows = list(self.round_off_rows())
+        listed = {name: [getattr(row, name) for row in rows] for name in ("double", "single", "running")}
+        return pd.DataFrame(listed, index=pd.Index([row.steps for row in rows], name="steps"))
+
+    def round_off_rows(self) -> Iterator[RoundOffRow]:
+        """Yield the rows of `round_off` as they are found.  Raises `InputError` for a motion that stops."""
+        from coursework.results.accuracy.round_off import round_off_curve
+
+        if self.stop is not None:
+            raise self.stop.refusal
+        scheme, end = stepping(self.variant, self.scheme), self.scene.exact.coordinates[-1]
+        return round_off_curve(self.scene.rates, scheme, self.scene.start, self.step, len(self.motion.t) - 1, end)
+
+    @property
+    def end(self) -> float:
+        """Return the time of the last row asked for (s); a motion that stops ends before it."""
+        time = self.variant.time
+        last = time.steps * time.step
+        return time.end if abs(last - time.end) < _SAME_TIME * time.step else float(f"{last:.12g}")
 
     @property
     def passed(self) -> bool:
@@ -48,13 +163,61 @@ class Run(SceneRun):
         """Return what is computed for the asked quantities and what is left out."""
         return self.plan_with()
 
+    def of(self, quantity: Quantity[Any] | str) -> Any:
+        """Return a quantity of the rows, by its record or by its name.  Raises `InputError` for a name that is none."""
+        if isinstance(quantity, str):
+            if quantity not in known_quantities():
+                raise InputError(no_quantity(quantity))
+            quantity = known_quantities()[quantity]
+        return super().of(quantity)
+
+    def compute(self) -> Run:
+        """Return the run with everything asked for computed: a pool sends it back whole."""
+        for name in self.asked:
+            self.of(name)
+        return self
+
+    def plot(self, *names: str, exact: bool = False, ax: Any = None) -> Any:
+        """Return Axes with columns against time; with `exact` the motion itself as a line beside the rows.
+
+        One Axes where all names (those of the velocities where none is given) have one unit, else an array, one a unit.
+        Drawn into `ax` where it is given.  Raises `InputError` for a name that the table does not have.
+
+        >>> import coursework
+        >>> axes = coursework.solve("31").plot("w3", exact=True)
+        >>> axes.get_ylabel(), [line.get_label() for line in axes.lines]
+        ('ω₃, rad/s', ['explicit Euler', 'exact motion'])
+        """
+        from coursework.takeaway.plots import plot_run
+
+        return plot_run(self, names, exact, ax)
+
     def __repr__(self) -> str:
-        names = ", ".join((*self.asked, *self.settings.columns))
-        return (
-            f"<Run of {visible(self.variant.name)}: {self.scheme}, h = {self.step:g} s, 0 to {self.end:g} s, asked for {names}>"
-        )
+        ends = f"0 to {self.end:g} s"
+        with suppress(CourseworkError, ArithmeticError, ValueError):
+            if (stop := self.scene.stop) is not None:
+                ends = f"stops at {stop.time:.4g} s"
+        name = f"{visible(self.variant.name)}{changed(self.variant.set_values)}"
+        return f"<Run of {name}: {self.scheme}, h = {self.step:g} s, {ends}>"
 
     def _repr_html_(self) -> str:
         from coursework.report.pages import notebook_html
 
         return notebook_html(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {one.name: getattr(self, one.name) for one in fields(self)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            object.__setattr__(self, name, value)
+
+    def _made_of(self) -> tuple[object, ...]:
+        others = (getattr(self, one.name) for one in fields(self) if one.name != "scene")
+        return (self.scene.variant, self.scene.settings, *others)
+
+    def __eq__(self, other: object) -> bool:
+        return self._made_of() == other._made_of() if isinstance(other, Run) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((self.variant.name, self.settings, self.asked))

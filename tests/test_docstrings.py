@@ -28,6 +28,15 @@ PUBLIC = {
 
 
 @pytest.mark.parametrize("name", PUBLIC)
+def test_examples_run_when_pasted_alone(name):
+    """What a reader pastes into an empty interpreter finds every name it uses."""
+    runner = doctest.DocTestRunner(verbose=False, optionflags=doctest.NORMALIZE_WHITESPACE)
+    for example in doctest.DocTestFinder().find(PUBLIC[name], name, globs={}):
+        example.globs = {"__name__": "__main__"}
+        assert not runner.run(example).failed
+
+
+@pytest.mark.parametrize("name", PUBLIC)
 def test_what_is_public_shows_how_it_is_used(name):
     """A function is called in its example; a class is one that the user makes, or has from a function."""
     thing = PUBLIC[name]

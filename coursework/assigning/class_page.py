@@ -13,16 +13,12 @@ from coursework.assigning.handout import Handout, difficulty_text
 from coursework.assigning.page_words import Plain, symbol_runs
 from coursework.assigning.ranges import MEASURES, Range
 from coursework.assigning.variants import Assignment
+from coursework.report.graphs.strips import strip
 from coursework.report.text.words import Words
-from coursework.system.frozen import frozen
 from coursework.variant.formula.units import read
 from coursework.words.templates import clean, filled
 
 LONGEST = 120
-WIDTH, HEIGHT = 640.0, 46.0
-LEFT, RIGHT, BASE = 12.0, 628.0, 30.0  # of the axis
-MARK = 3.0  # radius of a mark; marks that would touch are stacked
-HIGHEST = 90.0  # of a stack; in a higher one the marks overlap
 
 
 def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, words: Words) -> str:
@@ -40,7 +36,6 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         refused=words("assigned.refused", reasons=words("assign.refused.join").join(refused)) if refused else "",
         difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES] if accepted else [],
         data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],
-        axis={"width": WIDTH, "left": LEFT, "right": RIGHT, "mark": MARK, "foot": HEIGHT - BASE},
         columns=[_column(one, accepted, assignment, words) for one in ranges],
         measures=[(words(f"assigned.{name}"), words.unit(MEASURES[name])) for name in MEASURES],
         students=[_student(handout, words) for handout in handouts],
@@ -55,7 +50,10 @@ def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, wo
     banded = name in assignment.ranges.difficulty.numbers
     low, high = assignment.acceptance.band(name) if banded else (min(values), max(values))
     ends = tuple(words.amount(words.numbers.scalar(value), MEASURES[name]) for value in (min(low, *values), max(high, *values)))
-    return {"title": words(f"assigned.{name}"), "strip": strip(values, low, high, centre, (ends[0], ends[1]))}
+    return {
+        "title": words(f"assigned.{name}"),
+        "strip": strip(values, low, high, centre, (ends[0], ends[1]), words.numbers.scalar(centre)),
+    }
 
 
 def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
@@ -63,7 +61,14 @@ def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, wor
     values = [read(each.values[one.path]).value for each in accepted]
     every = sorted((read(one.text(place)).value, one.text(place)) for place in _ends(one))
     (low, first), (high, last) = every[0], every[-1]
-    told = strip(values, low, high, (low + high) / 2, (_dressed(first, words), _dressed(last, words)))
+    told = strip(
+        values,
+        low,
+        high,
+        (low + high) / 2,
+        (_dressed(first, words), _dressed(last, words)),
+        words.numbers.scalar((low + high) / 2),
+    )
     return {"symbol": _head(one, assignment, words), "strip": told}
 
 
@@ -108,42 +113,3 @@ def _equal(accepted: Sequence[Accepted]) -> list[list[str]]:
             clean(one.id, LONGEST)
         )
     return [students for students in alike.values() if len(students) > 1]
-
-
-@frozen
-class Strip:
-    """One number of the class: its band and centre as places on the axis, a mark (x, y) a student, the ends in words."""
-
-    band: tuple[str, str]
-    centre: str
-    marks: tuple[tuple[str, str], ...]
-    first: str
-    last: str
-    height: str
-
-
-def strip(values: Sequence[float], low: float, high: float, centre: float, ends: tuple[str, str]) -> Strip:
-    """Return the strip of `values` over an axis that holds the band from `low` to `high` and every value.
-
-    Marks are stacked where they would touch, in the order of the values, so that equal classes give equal pictures.
-    """
-    least, most = min([low, *values]), max([high, *values])
-    span = (most - least) or 1.0
-
-    def x(value: float) -> float:
-        return LEFT + (RIGHT - LEFT) * (value - least) / span if most > least else (LEFT + RIGHT) / 2
-
-    tops: list[list[float]] = []
-    placed: list[tuple[float, int]] = []
-    for value in sorted(values):
-        at = x(value)
-        level = next((k for k, row in enumerate(tops) if at - row[-1] >= 2 * MARK), len(tops))
-        if level == len(tops):
-            tops.append([])
-        tops[level].append(at)
-        placed.append((at, level))
-    pitch = min(2 * MARK, HIGHEST / max(1, len(tops)))
-    height = HEIGHT + pitch * max(0, len(tops) - 2)
-    base = height - (HEIGHT - BASE)
-    marks = tuple((f"{at:.1f}", f"{base - MARK - pitch * level:.1f}") for at, level in placed)
-    return Strip((f"{x(low):.1f}", f"{x(high) - x(low):.1f}"), f"{x(centre):.1f}", marks, *ends, f"{height:.0f}")

@@ -12,6 +12,8 @@ from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, symbol_runs
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.output.tables import timed_csv
+from coursework.report.sections.construction import READING_HEADS, reading_row
+from coursework.report.text.readable import least_width
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import named
@@ -69,16 +71,19 @@ def _check(handout: Handout, words: Words) -> Plain | None:
     if check is None:
         return None
     variant, numbers = handout.variant, words.numbers
-    decimals = handout.least_decimals + 1
+
+    def rich(text: str) -> list[dict[str, str]]:
+        return lettered(variant, clean(words.written(text)))
+
     heading = words("key.check", row=check.row, time=words.amount(numbers.plain(check.time), "s"))
+    drawing = check.drawing(words.written)
     return {
         "heading": lettered(variant, heading),
-        "svg": check.drawing(words.written).svg,
+        "svg": drawing.svg,
+        "least": least_width(drawing.svg, drawing.width),
         "says": words("key.drawn"),
-        "heads": [words(f"key.{key}") for key in ("quantity", "measured", "tabled")],
-        "rows": [
-            [lettered(variant, name), *(words.amount(numbers.fixed(value, decimals), unit) for value in (measured, tabled))]
-            for name, measured, tabled, _, unit in check.rows
-        ],
-        "notes": [lettered(variant, clean(words.written(note))) for note in check.notes],
+        "heads": [words(f"graph.{key}") for key in READING_HEADS],
+        "rows": [reading_row(words, one, rich, rich) for one in check.readings],
+        "note": lettered(variant, words("graph.table")),
+        "notes": [rich(note) for note in check.notes],
     }

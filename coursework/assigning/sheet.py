@@ -13,7 +13,9 @@ from coursework.assigning.page_words import Plain, datum, drives, lettered, math
 from coursework.assigning.senses import sense_rows
 from coursework.grading.marking.rubric import PARTS, Answer, Rubric
 from coursework.report.formulas.svg import Drawn, draw
+from coursework.report.graphs.figures import scale_on_paper
 from coursework.report.text.parts import Runs
+from coursework.report.text.readable import least_width
 from coursework.report.text.words import Words
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import OutputError
@@ -32,7 +34,6 @@ def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plai
         "language": words.phrases.language,
         "labels": {"start": lettered(variant, words("sheet.start"))} | {key: words(f"sheet.{key}") for key in
                    ("kind", "student", "id", "deadline", "data", "drive", "do", "hand_in", "senses")},
-        "lead": words("sheet.digits") + words("join.sentences"),
         "title": clean(variant.in_language(words.phrases.language).title, LONGEST),
         "name": clean(handout.student.name, LONGEST),
         "id": clean(handout.student.id, LONGEST),
@@ -72,9 +73,16 @@ def _drawing(handout: Handout, words: Words) -> Plain | None:
     drawing = handout.mechanism
     if drawing is None:
         return None
-    caption = lettered(handout.variant, words.written(drawing.caption))
+    caption = scale_on_paper(words, lettered(handout.variant, words.written(drawing.caption)))
     size = {"width": round(drawing.width, 4), "height": round(drawing.height, 4)}
-    return {"svg": drawing.svg, "alt": words.written(drawing.alt), "caption": caption, **size}
+    size |= {"least": least_width(drawing.svg, drawing.width)}
+    return {
+        "svg": drawing.svg,
+        "alt": words.written(drawing.alt),
+        "caption": caption,
+        "least": least_width(drawing.svg, drawing.width),
+        **size,
+    }
 
 
 def data_rows(handout: Handout, words: Words) -> list[list[object]]:
@@ -122,7 +130,7 @@ def _parts(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
     """Return what is handed in: first what the program marks, then what a person does."""
     variant = handout.variant
     told = {
-        "table": words("sheet.part.table", rows=variant.time.steps + 1, decimals=handout.least_decimals),
+        "table": words("sheet.part.table", rows=variant.time.steps + 1),
         "equations": words("sheet.part.equations", count=len(variant.sought)),
     }
     if rubric.answers:

@@ -12,14 +12,15 @@ from pathlib import Path
 
 import click
 
-from coursework.api import solve, variant_of
+from coursework.api import make_run, variant_of
 from coursework.commands.screen import in_language, refuse_motor, tell, tell_own_file, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
 from coursework.results.accuracy.problem import Problem
 from coursework.results.accuracy.record import AccuracyStudy
-from coursework.results.accuracy.study import make_study, time_of
+from coursework.results.accuracy.study import make_study
+from coursework.results.accuracy.timing import timed_once
 from coursework.run import Run
 from coursework.system.file_set import working_folder
 from coursework.words.errors import InputError
@@ -32,7 +33,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     tell_own_file(variant)
     read = variant_of(variant)
     refuse_motor(read)
-    run = solve(read, quantities=("accuracy",))
+    run = make_run(read, quantities=("accuracy",))
     if run.stop is not None:
         tell(say("screen.nothing_to_study", sentence=run.stop.sentence))
         return 1
@@ -64,7 +65,7 @@ def timed_study(run: Run) -> AccuracyStudy:
     problem = Problem(scene.rates, scene.start, time.step, len(run.exact.t) - 1, scene.closure, units)
     command = [sys.executable, "-c", "import numpy"]
     overhead = (
-        (say("study.imports"), time_of(lambda: subprocess.run(command, check=True))),
+        (say("study.imports"), timed_once(lambda: subprocess.run(command, check=True))[1]),
         (
             say("study.reduction"),
             sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates")),

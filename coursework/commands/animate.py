@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from coursework.api import solve, variant_of
+from coursework.api import make_run, variant_of
 from coursework.commands.screen import tell, tell_own_file
 from coursework.system.whole_files import write_bytes
 from coursework.words.sentences import load_phrases, say
@@ -21,8 +21,8 @@ def animate_variant(variant: str, out: Path | None, scheme: str | None, language
 
     tell_own_file(variant)
     read = variant_of(variant)
-    run = solve(read, scheme, quantities=("table",))
-    finer = solve(read, scheme, step=run.step / FRAMES_A_ROW, quantities=("table",))
+    run = make_run(read, scheme, quantities=("table",))
+    finer = make_run(read, scheme, step=run.step / FRAMES_A_ROW, quantities=("table",))
     path = out or Path(f"{read.name}.gif")
     picture = moving_picture(run, finer.exact, load_phrases(language))
     write_bytes(path, picture)

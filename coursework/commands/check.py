@@ -5,7 +5,7 @@ Used by `cli.py`.
 
 from __future__ import annotations
 
-from coursework.api import solve, variant_of
+from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
@@ -19,7 +19,7 @@ from coursework.words.sentences import say, say_count
 def check_variant(variant: str) -> int:
     """Return 0 where the whole motion is possible, 1 where it stops."""
     tell_own_file(variant)
-    run = solve(variant_of(variant))
+    run = make_run(variant_of(variant))
     chosen = run.variant
     tell(f"{title_of(chosen)}  ({chosen.name}, {chosen.path})")
     tell_remarks(run)

@@ -25,6 +25,7 @@ from coursework.grading.batch.written import write_gradebook
 from coursework.grading.collecting.sources import Source, collect_one
 from coursework.grading.marking.late import LATE, UNKNOWN
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
+from coursework.grading.platforms.autograder import created_at
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.downloads import canvas_owner
 from coursework.grading.platforms.roster import read_roster
@@ -120,7 +121,9 @@ def _one(
     check_rubric(rubric, chosen)
     submission = collect_one(source)
     with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
-        outcome = worker.answer(Task(submission, content, handed_in=_handed_in_alone(submission) if rubric.late else ""))
+        outcome = worker.answer(
+            Task(submission, content, handed_in=_handed_in_alone(source, submission, results) if rubric.late else "")
+        )
     autograder_results(outcome.grade, results, out / "results.json", language)
     return 0
 
@@ -130,8 +133,10 @@ def _time_is_unknown(grade: Mapping[str, Any]) -> bool:
     return grade.get("late") is None and any(note["code"] == "late" for note in grade["notes"])
 
 
-def _handed_in_alone(submission: Submission) -> str:
-    """Return what is known of when one submission was handed in: that Canvas calls one of its files late, or nothing."""
+def _handed_in_alone(source: Path, submission: Submission, platform: str) -> str:
+    """Return what is known of when one submission was handed in: what Gradescope says, or that Canvas calls a file of it late."""
+    if platform == "gradescope" and (time := created_at(source)):
+        return time
     owners = [canvas_owner(file.name) for file in submission.files]
     return LATE if any(owner and owner.late for owner in owners) else UNKNOWN
 

@@ -16,10 +16,12 @@ from coursework.grading.collecting.sources import collect_files
 from coursework.grading.marking.key import Key, key_of
 from coursework.grading.marking.student_table import student_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import FileEntry, StudentWork
+from coursework.grading.reading.submission import note
 from coursework.grading.reading.table.units import AS_READ
 from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
@@ -73,7 +75,10 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
     if missing:
         tell(say("screen.missing_columns", missing=with_symbols(", ".join(missing), key.names)))
     tell(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
-    cells = mark_cells(key, student_of(key, table))
+    student = student_of(key, table)
+    if (back := turned_back(key, student)) is not None:
+        tell(note("clockwise").text)
+    cells = mark_cells(key, back or student)
     coarse = int(cells.too_coarse.sum())
     if coarse:
         tell(say("screen.coarse_cells", coarse=coarse))

@@ -10,10 +10,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursework.api import solve, variant_of
+from coursework.api import make_run, step_choice, variant_of
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
 from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_own_file, tell_unprinted
-from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
+from coursework.motion.settings import stepping
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
@@ -23,9 +23,6 @@ from coursework.system.budget import Ended
 from coursework.system.file_set import files_of, working_folder
 from coursework.system.on_demand import under_way
 from coursework.variant.reading.set_values import with_set
-from coursework.variant.record.variant import Variant
-from coursework.variant.record.vocabulary import EXACT
-from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
@@ -44,20 +41,23 @@ def run_variant(
         refuse_motor(read)
     if precision == "single":
         with under_way("round_off"):
-            status = tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
+            status = tell_round_off(
+                make_run(read, stepping(read, scheme), step if step != "auto" else None, end, quantities=("table",))
+            )
         if not (formats or out):
             return status
-    if error is not None and step != "auto":
-        raise InputError(say("fault.C029"))
-    h = step_of(step, read)
+    h: float | str | None = step
     if step == "auto":
-        scheme = _stepping(read, scheme)
-        found = solve(read, scheme, end=end, quantities=("table",))
+        scheme = stepping(read, scheme)
+        found = make_run(read, scheme, end=end, quantities=("table",))
         if found.scene.stop is not None:
             return tell_stop(found, say("screen.no_step"))
         with under_way("step_search"):
-            h = auto_step(found, error)
-    run = make_run(read, step=h, end=end, scheme=scheme, **options)
+            choice = step_choice(found, error)
+        for sentence in choice.sentences:
+            tell(sentence)
+        h, error = choice.step, None
+    run = make_run(read, scheme, h, end, error=error, **{**options, "quantities": options["quantities"] or None})
     if plan:
         for line in Results(run, language, live).plan(any(PAGES in each.serves for each in wanted)).lines():
             tell(line)
@@ -87,23 +87,6 @@ def run_variant(
     return run.status(strict)
 
 
-def make_run(
-    read: Variant, *, step: float | None, end: float | None, scheme: str | None, quantities: tuple[str, ...], project: bool,
-    gain: float, blank: bool, **title: str | None,
-) -> Run:  # fmt: skip
-    """Return the run that the options of the command line ask for; `title` goes to the title block."""
-    return solve(
-        read, scheme, step, end, quantities=quantities or None, project=int(project), gain=gain, blank=blank, **title,
-    )  # fmt: skip
-
-
-def _stepping(variant: Variant, scheme: str | None) -> str:
-    """Return the scheme whose step or precision is asked about.  Raises `InputError` for the exact motion, which has neither."""
-    if scheme == EXACT:
-        raise InputError(say("fault.C007", scheme=PRECISE.name))
-    return scheme or (variant.time.scheme if variant.time.scheme in SCHEMES else DEFAULT_SCHEME.name)
-
-
 def tell_stop(run: Run, consequence: Sentence) -> int:
     """Say why a motion stops and what therefore cannot be had; return the exit status of a stopped motion."""
     assert run.stop is not None
@@ -111,35 +94,14 @@ def tell_stop(run: Run, consequence: Sentence) -> int:
     return 1
 
 
-def auto_step(run: Run, error: float | None) -> float:
-    """Return the step for `--step auto --error WISH`, and say what it costs."""
-    if error is None:
-        raise InputError(say("fault.C030"))
-    from coursework.results.accuracy.step_rules import step_rules
-    from coursework.results.accuracy.step_search import choose_step
-
-    scene = run.scene
-    choice = choose_step(
-        scene.rates, run.scheme, scene.begin, run.step, run.end, error,
-        step_rules(scene.equations, scene.search), lambda scheme, step: scene.rerun(scheme, step) is not None,
-    )  # fmt: skip
-    for sentence in choice.sentences:
-        tell(sentence)
-    return choice.step
-
-
 def tell_round_off(run: Run) -> int:
     """Print the V-curve of single precision."""
-    from coursework.results.accuracy.round_off import round_off_curve
-
     if run.stop is not None:
         return tell_stop(run, say("screen.no_error"))
     tell(say("screen.largest_error"))
     tell(f"{'steps':>8} {'double':>12} {'single':>12} {'single, t += h':>15}")
-    rows = len(run.motion.t) - 1
-    exact = run.exact.coordinates[-1]
     curve = []
-    for row in round_off_curve(run.scene.rates, run.scheme, run.scene.start, run.step, rows, exact):
+    for row in run.round_off_rows():
         curve.append(row)
         tell(f"{row.steps:>8} {row.double:>12.2e} {row.single:>12.2e} {row.running:>15.2e}")
     best, spoilt = min(curve, key=lambda row: row.single), min(curve, key=lambda row: row.running)
@@ -147,20 +109,6 @@ def tell_round_off(run: Run) -> int:
     counts = {"best": best.steps, "spoilt": spoilt.steps, "most": curve[-1].steps}
     tell(say("screen.round_off", **counts, least=best.single, running=spoilt.running, worse=worse))
     return 0
-
-
-def step_of(text: str | None, variant: Variant) -> float | None:
-    """Return a step in seconds: a number, or h/N, a whole part of the step h of the file."""
-    if text in {None, "auto"}:
-        return None
-    assert text is not None
-    head, slash, parts = text.partition("/")
-    if slash and head.strip() == "h" and parts.strip().isdecimal() and int(parts) > 0:
-        return variant.time.step / int(parts)
-    try:
-        return float(text.removesuffix("s").strip())
-    except ValueError:
-        raise InputError(say("fault.C031", text=text)) from None
 
 
 def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, live: bool) -> list[str]:

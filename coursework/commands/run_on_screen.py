@@ -16,7 +16,6 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 LEFT_OF_ZERO = 1e-12  # of the largest entry of a column: what round-off leaves of a zero, told as 0 on the screen
-NOT_PASSED = {"COARSE", "FAIL", "ERROR"}
 INDENT = "    "
 
 
@@ -62,7 +61,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     tell_remarks(run)
     advice: dict[str, None] = {}  # in the order of the checks, each once
     for finding in findings:
-        if (finding.verdict in NOT_PASSED or finding.unjudged) and finding.code != "STOP":
+        if finding.says_more:
             fact, *further = _parted(finding)
             advice |= dict.fromkeys(further)
             mark = say(f"checks.mark.{finding.verdict}")
@@ -167,5 +166,5 @@ def tell_checks(run: Run) -> None:
     if any(isinstance(check.unit, Sentence) and check.unit.key == OF_THE_SCALE for check in run.checks):
         tell_wrapped(say("screen.scale"))
     for check in run.checks:
-        if (check.verdict in NOT_PASSED or check.unjudged) and check.code != "STOP":
+        if check.says_more:
             tell(say("screen.check", code=check.code if speaks_english() else check.title, sentence=check.sentence))

@@ -17,8 +17,8 @@ from typing import Any, get_args
 
 import click
 
-from coursework.api import variant_of
-from coursework.commands.run import make_run, run_variant, step_of
+from coursework.api import make_run, variant_of
+from coursework.commands.run import run_variant
 from coursework.commands.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.templates import with_templates
 from coursework.report.output.formats import PAGES, chosen
@@ -120,7 +120,7 @@ class RunTask:
         options = dict(self.options)
         strict, live = options.pop("strict"), options.pop("live")
         read = with_set(variant_of(item.variant), options.pop("set_values"), options.pop("check_row"))
-        run = make_run(read, **{**options, "step": step_of(options["step"], read)})
+        run = make_run(read, **{**options, "quantities": options["quantities"] or None})
         results = Results(run, self.language, live)
         results.compute(self.combined or any(PAGES in each.serves for each in formats))
         unfinished = hidden / item.folder

@@ -33,7 +33,7 @@ from coursework.system.angles import dot
 from coursework.variant.formula.tree import Formula, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
-from coursework.words.sentences import joined, say
+from coursework.words.sentences import joined, say, say_count
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
@@ -222,6 +222,6 @@ def _driven_words(outline: Outline, variant: Variant) -> str:
     turned = tuple(rate for rate, _ in outline.cranks)
     others = tuple(rate for rate in variant.given_rates if rate not in turned)
     told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []
-    told += [say("drawing.mechanism.turned", rates=turned)] if turned else []
+    told += [say_count("drawing.mechanism.turned", len(turned), rates=turned)] if turned else []
     told += [say("drawing.mechanism.given", rates=others)] if others else []
     return joined(told) if told else say("drawing.mechanism.free")

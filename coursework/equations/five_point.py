@@ -39,6 +39,7 @@ def derivative(nodes: ArrayLike, values: ArrayLike) -> Array:
     Raises `ValueError` for fewer than five nodes, nodes that do not grow or are not equally spaced, lengths
     that differ, and entries that are not finite numbers.
 
+    >>> from coursework.procedures import derivative
     >>> derivative([0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.25, 1.0, 2.25, 4.0]).round(9).tolist()
     [0.0, 1.0, 2.0, 3.0, 4.0]
     """
@@ -58,6 +59,7 @@ def five_point_derivative(values: Array, step: float) -> Array:
 def second_derivative(nodes: ArrayLike, values: ArrayLike) -> Array:
     """Return d2y/dx2 (n,) by applying `derivative` twice; the error is of order h^4, near the ends h^3.
 
+    >>> from coursework.procedures import second_derivative
     >>> second_derivative([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 8.0, 27.0, 64.0]).round(9).tolist()
     [0.0, 6.0, 12.0, 18.0, 24.0]
     """
@@ -67,6 +69,7 @@ def second_derivative(nodes: ArrayLike, values: ArrayLike) -> Array:
 def rounding_error(digit: float) -> float:
     """Return the standard deviation digit/sqrt(12) of a table rounded to multiples of `digit` (the unit of its values).
 
+    >>> from coursework.procedures import rounding_error
     >>> round(rounding_error(0.0001), 8)
     2.887e-05
     """
@@ -78,6 +81,7 @@ def noise(sigma: float, spacing: float) -> float:
 
     `sigma` that of the values (unit of y), `spacing` h (unit of x).
 
+    >>> from coursework.procedures import noise
     >>> round(noise(1e-4, spacing=0.1), 6)
     0.00095
     """
@@ -87,6 +91,7 @@ def noise(sigma: float, spacing: float) -> float:
 def truncation(fifth: float, spacing: float) -> float:
     """Return h^4 |f5|/30, the error of the central formula; `fifth` the size of the fifth derivative, `spacing` h.
 
+    >>> from coursework.procedures import truncation
     >>> round(truncation(24.0, spacing=0.1), 9)
     8e-05
     """
@@ -102,6 +107,8 @@ def best_spacing(sigma: float, fifth: float) -> float:
 
     A length printed with four decimals, 0.5 + 0.05 sin(2 pi t) m: nodes closer than 0.053 s add more noise than they help.
 
+    >>> import math
+    >>> from coursework.procedures import best_spacing, rounding_error
     >>> round(best_spacing(rounding_error(1e-4), 0.05 * (2 * math.pi) ** 5), 3)
     0.053
     """

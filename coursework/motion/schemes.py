@@ -20,8 +20,10 @@ from typing import Any
 import numpy as np
 
 from coursework.system.frozen import frozen
+from coursework.variant.record.vocabulary import scheme_names
+from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import load_phrases, say
+from coursework.words.sentences import closest, load_phrases, say
 
 Slopes = Callable[[Any, Any], Any]
 Tree = tuple[Any, ...]  # the trees that grow from a root; () is a single vertex
@@ -228,6 +230,18 @@ PRECISE = RK4
 def scheme_named(name: str) -> Scheme | None:
     """Return the scheme of a name, None for the exact motion, which no tableau makes."""
     return SEMI_IMPLICIT if name == SEMI_IMPLICIT.name else SCHEMES.get(name)
+
+
+def scheme_of(name: str, also: tuple[str, ...] = ()) -> Scheme:
+    """Return a scheme by its name; `also` are others that a scene knows.  Raises `InputError` for a name that is none.
+
+    >>> scheme_of("rk4").slopes
+    4
+    """
+    if name not in SCHEMES:
+        known = (*scheme_names(), *also)
+        raise InputError(say("fault.C003", scheme=name, hint=closest(str(name), known), known=", ".join(known)))
+    return SCHEMES[name]
 
 
 def title_of(scheme: Scheme) -> Sentence:

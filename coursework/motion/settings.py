@@ -7,13 +7,14 @@ Used by `api.py`, `exact_scene.py`, `many.py`, `assigning/`, `checks/` and `mode
 from __future__ import annotations
 
 from coursework.motion.geometry.chain import is_chain
-from coursework.motion.integration.integrate import refuse_gain
-from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.integration.integrate import Correction, refuse_gain
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, scheme_of
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
-from coursework.variant.record.vocabulary import EXACT, scheme_names
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import InputError
-from coursework.words.sentences import closest, say
+from coursework.words.sentences import say
 
 MOST_CORRECTIONS = 20  # Newton's method has settled long before
 
@@ -22,6 +23,13 @@ def scheme_for(variant: Variant, scheme: str | None = None) -> str:
     """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
     by_forces = variant.forces is not None and variant.forces.motor is not None
     return scheme or variant.time.scheme or (EXACT if is_chain(variant) and not by_forces else DEFAULT_SCHEME.name)
+
+
+def stepping(variant: Variant, scheme: str | None) -> str:
+    """Return the scheme whose step or precision is asked about.  Raises `InputError` for the exact motion, which has neither."""
+    if scheme == EXACT:
+        raise InputError(say("fault.C007", scheme=PRECISE.name))
+    return scheme or (variant.time.scheme if variant.time.scheme in SCHEMES else DEFAULT_SCHEME.name)
 
 
 @frozen
@@ -42,9 +50,8 @@ class Settings:
 
         Raises `InputError` for a scheme that does not exist and gains that grow the error.
         """
-        names = (*scheme_names(), *also)
-        if self.scheme not in names:
-            raise InputError(say("fault.C003", scheme=self.scheme, hint=closest(self.scheme, names), known=", ".join(names)))
+        if self.scheme not in (EXACT, *also):
+            scheme_of(self.scheme, also)
         if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
             raise InputError(say("fault.C004", most_corrections=MOST_CORRECTIONS, project=self.project))
         if self.scheme == EXACT and (self.project or self.gain):
@@ -54,3 +61,13 @@ class Settings:
         if self.gain and self.project:
             raise InputError(say("fault.C005"))
         return self
+
+    def correction(self, closure: Closure | None) -> Correction | None:
+        """Return what keeps the positions closed, None where nothing does.  Raises `InputError` where it cannot be had."""
+        if not (self.project or self.gain):
+            return None
+        if closure is None or not closure.complete:
+            raise InputError(say("fault.C016"))
+        if self.columns:
+            raise InputError(say("fault.C017"))
+        return Correction(closure, self.project, self.gain)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -32,6 +32,13 @@ Named = tuple[tuple[str, ...], Array]
 MOST_EXTENDED = 2001
 
 
+# What another process can read; drawings and evidence hold programs, which are made again there.
+PLAIN = {
+    "scene", "motion", "ledger", "by_scheme", "accelerations", "points", "point_accelerations", "checks", "accuracy",
+    "analogs", "invariants", "table", "plots", "extended_precision",
+}  # fmt: skip
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionResults:
     """`motion` and the `scene` it is a motion of; what is asked of it is kept here and nowhere else."""
@@ -39,6 +46,12 @@ class MotionResults:
     scene: WayToMotion
     motion: Motion
     ledger: Ledger
+
+    def __repr__(self) -> str:
+        return f"<MotionResults of {self.motion!r}>"
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name in PLAIN}
 
     def charged(self, error: Exception) -> Exception | None:
         """Return the fault of the formula that has no value somewhere on the way, None where every one has."""

@@ -9,8 +9,8 @@ Heavy imports stand inside.  Steps on the way that nobody may ask for are proper
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
@@ -22,7 +22,7 @@ from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnT
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
     from coursework.drawing.check_sheet.graph_check import GraphCheck
@@ -167,7 +167,7 @@ def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
     from coursework.results.kinematics.extra import ExtraTable
 
     names, unit_of = results.motion.velocity_names, results.scene.variant.unit_of
-    units = tuple(f"{unit_of(name)}²".replace("/s²", "/s²") for name in names)
+    units = tuple(unit_of(f"d{name}") for name in names)
     turning = np.abs(results.motion.velocities[:, [unit_of(name) == "rad/s" for name in names]]).max(initial=0.0)
     # A velocity changes as fast as the links turn; what adds up to nothing leaves its round-off.
     sizes = tuple(np.abs(results.motion.velocities).max(axis=0, initial=0.0) * turning)
@@ -178,23 +178,18 @@ def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
     from coursework.results.kinematics.extra import ExtraTable
 
     names, rows = named
-    units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
+    units = tuple(map(results.scene.variant.unit_of, names))
     return ExtraTable(say("extra.points"), names, units, rows)
 
 
 def _moving(table: ExtraTable) -> ExtraTable:
     """Return the columns of the points that move: a page of zeros for a fixed pivot helps nobody."""
-    from coursework.results.kinematics.extra import ExtraTable
-
     points = [name.partition(".")[0] for name in table.names]
-    moving = {
-        point
-        for point, name, column in zip(points, table.names, table.rows.T, strict=True)
-        if ".v" in name and np.any(column)
-    }  # fmt: skip
+    columns = zip(points, table.names, table.rows.T, strict=True)
+    moving = {point for point, name, column in columns if ".v" in name and np.any(column)}
     kept = [index for index, point in enumerate(points) if point in moving]
     names, units = (tuple(texts[index] for index in kept) for texts in (table.names, table.units))
-    return ExtraTable(table.title, names, units, table.rows[:, kept])
+    return replace(table, names=names, units=units, rows=table.rows[:, kept])
 
 
 def _refuse_no_points(variant: Variant) -> Sentence | None:
@@ -264,6 +259,12 @@ QUANTITIES: tuple[Quantity[Any], ...] = (
 def known_quantities() -> dict[str, Quantity[Any]]:
     """Return the records by the name to ask for."""
     return {quantity.name: quantity for quantity in QUANTITIES}
+
+
+def no_quantity(name: str, columns: Iterable[str] = ()) -> Sentence:
+    """Return that there is no quantity of a name, and which there are."""
+    known = list(known_quantities())
+    return say("fault.C002", name=name, hint=closest(name, [*known, *columns]), known=", ".join(known))
 
 
 def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:

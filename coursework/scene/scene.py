@@ -8,16 +8,39 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
-from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.motion import AT_EVENT, Motion
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.on_demand import Ledger
+from coursework.variant.record.variant import changed
+from coursework.words.errors import visible
+
+# What another process can read, in the order in which it was made.
+PLAIN = {
+    "variant", "settings", "ledger", "start", "stop", "phases", "motion", "exact", "exact_accelerations", "extremes",
+    "one_period", "scheme_rows", "results",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Scene(WayToMotion):
     """A variant and how it is to be run, with the results of its rows."""
+
+    def __repr__(self) -> str:
+        name = f"{visible(self.variant.name)}{changed(self.variant.set_values)}"
+        return f"<{type(self).__name__} of {name}: {self.settings.scheme}, h = {self.variant.time.step:g} s>"
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what travels to another process: what was computed as numbers and words; programs are made again there."""
+        return {name: value for name, value in vars(self).items() if name in PLAIN}
+
+    @property
+    def last_time(self) -> float:
+        """Return until when the motion is known (s): the end asked for, or shortly before it stops."""
+        end = self.variant.time.end
+        return end if self.stop is None else min(end, self.stop.time * (1 - AT_EVENT))
 
     def over(self, motion: Motion) -> MotionResults:
         """Return what follows from a motion, any motion of this scene's mechanism, with a ledger of its own."""

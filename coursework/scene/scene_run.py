@@ -108,11 +108,6 @@ class SceneRun:
         """Return why the motion ended before its time."""
         return self.motion.stop
 
-    @property
-    def phases(self) -> str:
-        """Return with which phases of the drive a motion that stops would be possible, "" where nothing can be said."""
-        return self.scene.phases
-
     def status(self, strict: bool = False) -> int:
         """Return the exit status: 3 where the tool could not judge, 1 for a stop or a FAIL (`strict`: a COARSE too), else 0."""
         verdicts = {check.verdict for check in self.checks} if self.asks(CHECKS) else set()
@@ -141,8 +136,12 @@ class SceneRun:
     @property
     def units(self) -> dict[str, str]:
         """Return the unit of each column of the results table, t and those beside it included."""
-        units = {name: self.variant.unit_of(name) for name in ("t", *self.motion.names)}
-        for *_, table in self._beside(self.results):
+        return self.units_of(self.results)
+
+    def units_of(self, results: MotionResults) -> dict[str, str]:
+        """Return the units of the same columns of any motion of the scene."""
+        units = {name: self.variant.unit_of(name) for name in ("t", *results.motion.names)}
+        for *_, table in self._beside(results):
             units |= dict(zip(table.names, table.units, strict=True))
         return units
 

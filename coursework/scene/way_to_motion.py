@@ -23,12 +23,12 @@ from coursework.equations.reduction.solution import Solution
 from coursework.equations.reduction.solution import solutions as solve_blocks
 from coursework.equations.reduction.structure import Structure, structure_of
 from coursework.mechanism.mechanism import Mechanism
-from coursework.motion.geometry.agreement import require_agreement
 from coursework.motion.geometry.chain import chain_positions, is_chain
 from coursework.motion.geometry.closure import Closure, compile_closure, require_start
 from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.motion.geometry.oscillation import fastest
 from coursework.motion.geometry.start import start_values
+from coursework.motion.geometry.unseen_signs import judged
 from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
 from coursework.motion.integration.integrate import Correction, left_by_scheme, march
@@ -89,8 +89,7 @@ class WayToMotion:
         """The position equations, if the file has any; checked against start and written equations."""
         closure = compile_closure(self.equations, self.start)
         require_start(closure)
-        found = require_agreement(self.equations, closure)
-        return replace(closure, agreed=found.agreed, unjudged=found.unjudged) if closure is not None else None
+        return judged(self.equations, closure)
 
     @computed("equations", "start")
     def reduction(self) -> Reduction:
@@ -181,14 +180,7 @@ class WayToMotion:
     @property
     def correction(self) -> Correction | None:
         """What keeps the positions closed, None where nothing does.  Raises `InputError` where it cannot be had."""
-        settings = self.settings
-        if not (settings.project or settings.gain):
-            return None
-        if self.closure is None or not self.closure.complete:
-            raise InputError(say("fault.C016"))
-        if settings.columns:
-            raise InputError(say("fault.C017"))
-        return Correction(self.closure, settings.project, settings.gain)
+        return self.settings.correction(self.closure)
 
     @property
     def begin(self) -> list[float]:
@@ -225,7 +217,7 @@ class WayToMotion:
             last = min(last, rows_before(stop.time, time.step) - 1)
         if last < 0:
             return no_rows(self.every_rate)
-        return self._exact_at(np.arange(last + 1).astype(np.float64) * time.step)
+        return self.exact_at(np.arange(last + 1).astype(np.float64) * time.step)
 
     @computed("equations", "reduction", "exact", "search")
     def exact_accelerations(self) -> Array:
@@ -255,14 +247,15 @@ class WayToMotion:
         """The exact motion at `12 * PLACES + 1` equal times over a period; up to the last row where there is none or it stops."""
         last, period = float(self.exact.t[-1]) if len(self.exact.t) else 0.0, self.variant.time.period
         end = last if period is None or (self.stop is not None and last < period) else period
-        return self._exact_at(np.linspace(0.0, end, 12 * PLACES + 1)) if end > 0 else self.exact
+        return self.exact_at(np.linspace(0.0, end, 12 * PLACES + 1)) if end > 0 else self.exact
 
     @property
     def every_rate(self) -> Rates:
         """The rates of all coordinates, whatever columns are asked for."""
         return self.passing(compile_rates(self.equations, self.reduction) if self.settings.columns else self.rates)
 
-    def _exact_at(self, times: Array) -> Motion:
+    def exact_at(self, times: Array) -> Motion:
+        """Return the exact motion at times (s) that grow from 0, no row where it cannot be had."""
         equations, every, count = self.equations, self.every_rate, len(self.reduction.blocks)
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         with suppress(OutOfReach):
@@ -292,9 +285,8 @@ class WayToMotion:
             positions += [(t, position) for *position, t in error.ahead]
         if kept is not None and kept.coordinates.shape[1] == len(variant.coordinates):
             positions += zip(kept.t.tolist(), kept.coordinates.tolist(), strict=True)
-        names = [coordinate.name for coordinate in variant.coordinates]
         for t, position in () if fault else positions:
-            fault = fault or without_value(variant, t, dict(zip(names, position, strict=False)))
+            fault = fault or without_value(variant, t, dict(zip(variant.columns, position, strict=False)))
         if not fault and in_formula(error):
             fault = Fault(say("fault.V527"), variant.file, variant.nearest_line("drive"))
         return InputError([fault]) if fault else None

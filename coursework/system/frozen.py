@@ -1,6 +1,6 @@
-"""`@frozen`: what `@dataclass(frozen=True, slots=True)` makes, in a fifth of the time.
+"""`@frozen`, and `@caching` without slots, `@changing` not frozen: what `@dataclass` makes, in a fifth of the time.
 
-Enters: a class with annotations.  Leaves: a data class with slots whose fields nobody sets again.  Used by every floor above.
+Enters: a class with annotations.  Leaves: a data class.  Used by every floor above.
 
 The standard decorator compiles six methods a class: for the 160 classes of a table, longer than NumPy takes to load.
 Here all classes share them but `__init__`.
@@ -9,7 +9,7 @@ Here all classes share them but `__init__`.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
+from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
 from operator import attrgetter
 from reprlib import recursive_repr
 from typing import Any, NoReturn, TypeVar, dataclass_transform
@@ -20,27 +20,51 @@ Kind = TypeVar("Kind")
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen(kind: type[Kind]) -> type[Kind]:
     """Return the frozen data class of a class; methods of its own stand."""
+    return _made(kind, {"__setattr__": _refuse, "__delattr__": _refuse})
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def caching(kind: type[Kind]) -> type[Kind]:
+    """Return the frozen data class of a class with room for the cached properties of its objects: no slots."""
+    return _made(kind, {"__setattr__": _refuse, "__delattr__": _refuse}, slots=False)
+
+
+@dataclass_transform(field_specifiers=(field,))
+def changing(kind: type[Kind]) -> type[Kind]:
+    """Return what `@dataclass(slots=True)` makes of a class."""
+    return _made(kind, {"__hash__": None})
+
+
+def _made(kind: type[Kind], own: dict[str, Any], *, slots: bool = True) -> type[Kind]:
     kind.__doc__ = kind.__doc__ or kind.__name__  # else the standard one makes a text of the signature
-    made: Any = dataclass(init=False, repr=False, eq=False, slots=True)(kind)
-    known = fields(made)
-    equal, number = _compared(tuple(one.name for one in known if one.compare))
-    methods = {
-        "__init__": _init(made, known), "__repr__": _repr, "__eq__": equal, "__hash__": number, "__setattr__": _refuse,
-        "__delattr__": _refuse, "__getstate__": _state, "__setstate__": _restore,
-    }  # fmt: skip
-    for name, method in methods.items():
+    made: Any = dataclass(init=False, repr=False, eq=False, slots=slots)(kind)
+    equal, number = _compared(tuple(one.name for one in fields(made) if one.compare))
+    methods = {"__init__": _first_init(made), "__repr__": _repr, "__eq__": equal, "__hash__": number}
+    if slots:
+        methods |= {"__getstate__": _state, "__setstate__": _restore}
+    for name, method in (methods | own).items():
         if vars(kind).get(name) is None:  # Python itself sets __hash__ to None beside an own __eq__
             setattr(made, name, method)
     result: type[Kind] = made
     return result
 
 
-def _init(made: Any, known: tuple[Field[Any], ...]) -> Callable[..., None]:
+def _first_init(made: Any) -> Callable[..., None]:
+    """Return what makes the `__init__` of a class with its first object: of half the classes of a run there is none."""
+
+    def __init__(self: Any, *values: Any, **named: Any) -> None:
+        made.__init__ = _init(made)
+        made.__init__(self, *values, **named)
+
+    return __init__
+
+
+def _init(made: Any) -> Callable[..., None]:
     """Return what sets the fields, in the order of the class."""
     scope: dict[str, Any] = {"MISSING": MISSING}
     heads: list[str] = []
-    lines: list[str] = []
-    for place, one in enumerate(known):
+    lines: list[str] = [] if "__slots__" in vars(made) else ["    kept = self.__dict__"]
+    for place, one in enumerate(fields(made)):
         value, default = one.name, f"default{place}"
         if one.default_factory is not MISSING:
             scope[default], default = one.default_factory, "MISSING"
@@ -55,8 +79,11 @@ def _init(made: Any, known: tuple[Field[Any], ...]) -> Callable[..., None]:
             value = f"default{place}" if default != "MISSING" else f"default{place}()"
         else:
             continue
-        scope[f"set{place}"] = getattr(made, one.name).__set__
-        lines.append(f"    set{place}(self, {value})")
+        if "__slots__" in vars(made):
+            scope[f"set{place}"] = getattr(made, one.name).__set__
+            lines.append(f"    set{place}(self, {value})")
+        else:
+            lines.append(f"    kept[{one.name!r}] = {value}")
     if hasattr(made, "__post_init__"):
         lines.append("    self.__post_init__()")
     exec(f"def __init__(self, {', '.join(heads)}):\n" + ("\n".join(lines) or "    pass"), scope)  # names of fields only

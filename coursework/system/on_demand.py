@@ -9,14 +9,14 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from graphlib import TopologicalSorter
 from typing import Any, Generic, Protocol, TypeVar, overload
 
 import numpy as np
 
-from coursework.system.frozen import frozen
-from coursework.words.errors import Unplaced
+from coursework.system.frozen import changing, frozen
+from coursework.words.errors import InputError, Unplaced
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -35,7 +35,7 @@ def under_way(name: str) -> Iterator[None]:
         UNDER_WAY.pop()
 
 
-@dataclass(slots=True)
+@changing
 class Ledger:
     """What was computed: `calls` and own `seconds` (without those of what it needed) of each quantity."""
 
@@ -91,6 +91,8 @@ class Computed(Generic[T]):
         if self.name not in kept:
             try:
                 kept[self.name] = owner.ledger.call(self.name, self.compute, owner)
+            except InputError:
+                raise
             except (ArithmeticError, ValueError, Unplaced) as error:
                 if (told := owner.charged(error)) is None:
                     raise

@@ -36,7 +36,12 @@ def _natural(name: str) -> list[tuple[bool, int | str]]:
 
 
 def names() -> list[str]:
-    """Return the names of the catalogue's variants, numbers in their order."""
+    """Return the names of the catalogue's variants, numbers in their order.
+
+    >>> import coursework
+    >>> coursework.names()[:3]
+    ['31', 'andrews', 'cardan']
+    """
     return sorted((path.stem for path in folder("variants").glob("*.toml")), key=_natural)
 
 
@@ -50,7 +55,7 @@ def entries(language: str = ENGLISH) -> list[Entry]:
     return listed
 
 
-def find(path_or_name: str | Path) -> Path:
+def find(path_or_name: str | Path | int) -> Path:
     """Return the file of a name in the catalogue, of a path, or of a path without its ending .toml.
 
     A file of the current folder stands before a variant of the catalogue with its name.
@@ -83,7 +88,18 @@ def own_file(path_or_name: str | Path) -> Path | None:
     return path if is_other else None
 
 
-def load(path_or_name: str | Path, judge: Judge | None = None) -> Variant:
+def variant_from(given: object, judge: Judge | None = None) -> Variant:
+    """Return a variant as it is, or that of a name, a path or a number.  Raises `TypeError` for anything else."""
+    from coursework.variant.record.variant import Variant
+
+    if isinstance(given, Variant):
+        return given
+    if isinstance(given, bool) or not isinstance(given, (str, Path, int)):
+        raise TypeError(say("fault.D024", found=type(given).__name__))
+    return load(given, judge)
+
+
+def load(path_or_name: str | Path | int, judge: Judge | None = None) -> Variant:
     """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault, each with its line.
 
     `judge` adds what a floor above knows to be wrong with a file that has faults.

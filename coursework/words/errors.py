@@ -84,7 +84,20 @@ class CourseworkError(Exception):
         return "\n".join([*shown, *([f"… +{rest}"] if rest > 0 else [])])
 
 
-class InputError(CourseworkError):
+class CourseworkWarning(UserWarning):
+    """Something that looks like a slip of the pen, or a motion that ends early, told to whoever computes from Python.
+
+    >>> import warnings
+    >>> import coursework
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     warnings.simplefilter("always")
+    ...     run = coursework.solve(coursework.load("31").with_data({"r1": 950.0}))
+    >>> told[0].category.__name__, run.remarks == (str(told[0].message),)
+    ('CourseworkWarning', True)
+    """
+
+
+class InputError(CourseworkError, ValueError):
     """The input cannot be used; carries every fault found.
 
     >>> import coursework

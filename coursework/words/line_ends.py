@@ -1,7 +1,7 @@
 """Where a line of a page on the screen may not end: in a number with its unit, in a short equation, quotient or label.
 
 Enters: sentences, as runs or with gaps.  Leaves: their runs in groups, those of one group on one line.
-Used by `templates.py` and `report/live/page.py`.
+Used by `words/page_runs.py` and `report/live/page.py`.
 """
 
 from __future__ import annotations
@@ -46,6 +46,7 @@ _TOGETHER = tuple(
         rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
     )
 )
+_JOINTS = re.compile(rf"[{_GAP}/-]")  # in every piece that is kept there is one; a cell of a table seldom has any
 _WORTH_A_LOOK = re.compile(r"[=≈<>≤≥+−·×/%{]|\d|\w-\w|cos|sin|tan|tg")
 
 
@@ -100,7 +101,7 @@ def _inside(place: int, places: list[tuple[int, int]]) -> bool:
 
 def _together(text: str) -> list[tuple[int, int]]:
     """Return the places that no line may break, in order; none over another, none longer than `LONGEST`."""
-    if not _WORTH_A_LOOK.search(text):
+    if not _JOINTS.search(text) or not _WORTH_A_LOOK.search(text):
         return []
     text = without_chinese(text, _APART)
     kept: list[tuple[int, int]] = []

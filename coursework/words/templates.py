@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursework.words.custom_templates import line_in_templates, templates_in_use
 from coursework.words.data_folders import folder
 from coursework.words.errors import CourseworkError, Fault, InputError
-from coursework.words.line_ends import line_groups
 from coursework.words.scripts import HAN_HERE, is_chinese, made_for
 from coursework.words.sentences import say
 
@@ -28,6 +27,7 @@ _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
 _UNBROKEN = rf"[^\s{HAN_HERE}]{{25,}}"
 _SHORT = 24  # characters, below which no word needs a place to break
 _PIECE = re.compile(r"\S{1,12}")
+_BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,])\s*|(?<=:)\s+""", re.DOTALL)  # of a stylesheet
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
@@ -60,15 +60,27 @@ def failing_piece(name: str, line: int, error: str) -> Fault:
 def _template(place: Path, name: str) -> Template:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+    from coursework.words.page_runs import said, said_cell, said_text
+
     looks = Environment(
         loader=FileSystemLoader(place, encoding="utf-8"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
+        optimized=False,  # a page is filled once, seldom twice
     )
-    looks.filters["line_groups"] = line_groups
+    looks.globals.update(said=said, said_text=said_text, said_cell=said_cell, look=partial(_look, place))
     return looks.get_template(name)
+
+
+@lru_cache
+def _look(place: Path, *names: str) -> str:
+    """Return look.css and further stylesheets, without the remarks and margins that only their reader needs."""
+    from markupsafe import Markup
+
+    texts = ((place / f"{name}.css").read_text(encoding="utf-8") for name in ("look", *names))
+    return Markup(_BARE.sub(lambda found: found[1] or found[2] or "", "".join(texts)))
 
 
 def unreadable(piece: Path) -> Fault | None:

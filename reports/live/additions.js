@@ -12,6 +12,7 @@ const additions = {
   // After the motion has changed: its traces, and the scale of the arrows.
   renew() {
     this.fastest = 0;
+    tell("live-scale", "");
     const { traces } = drawing.layers;
     traces.replaceChildren();
     if (!drawing.first) return;
@@ -21,6 +22,7 @@ const additions = {
         for (const name of data.shown_points) this.fastest = Math.max(this.fastest, Math.hypot(X(speeds, name), Y(speeds, name)) || 0);
       }
     }
+    if (this.fastest > 0) tell("live-scale", say("arrows", { speed: plain(this.fastest, 3) }));
     if (!this.on.traces) return;
     const parts = Math.min(600, 8 * motion.count);
     for (const true_ of [true, false]) {
@@ -53,9 +55,11 @@ const additions = {
   arrow(layer, x, y, dx, dy) {
     const size = Math.hypot(dx, dy);
     if (size < 2) return;
-    const ux = dx / size, uy = dy / size, head = Math.min(8, size);
+    // A short one has no head.
+    const ux = dx / size, uy = dy / size, head = size < 8 ? 0 : 8;
     const tip = [x + dx, y + dy], neck = [tip[0] - head * ux, tip[1] - head * uy];
     svg("path", { d: `M${f1(x)} ${f1(y)}L${f1(neck[0])} ${f1(neck[1])}` }, layer);
+    if (!head) return;
     const side = [0.35 * head * uy, -0.35 * head * ux];
     const wing = (sign) => `${f1(neck[0] + sign * side[0])} ${f1(neck[1] + sign * side[1])}`;
     svg("path", { d: `M${f1(tip[0])} ${f1(tip[1])}L${wing(1)}L${wing(-1)}Z`, class: "live-filled" }, layer);
@@ -76,8 +80,11 @@ const additions = {
     for (const name of bar.points) {
       svg("path", { d: `M${f1(x)} ${f1(y)}L${drawing.put(place, name).map(f1).join(" ")}`, class: "live-ray" }, layer);
     }
-    const text = svg("text", { x: f1(x + 7), y: f1(y + 14) }, layer);
-    text.textContent = say("centre", { link: bar.name });
+    // On the side away from the link.
+    const [px, py] = drawing.put(place, a), [qx, qy] = drawing.put(place, b), wx = 2 * x - px - qx, wy = 2 * y - py - qy;
+    const off = 12 / (Math.hypot(wx, wy) || 1), at = { x: f1(x + off * wx), y: f1(y + off * wy + 5) };
+    const text = svg("text", { ...at, "text-anchor": wx < 0 ? "end" : "start" }, layer);
+    symbolic(text, `${data.centre}_${bar.name}`);
   },
 };
 

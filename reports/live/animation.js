@@ -7,6 +7,8 @@ let now = 0, playing = false, begun = 0, asked = 0, frames = 0;
 // Show the time t (s), what is written of it too or not; the scrub stands at the row, counted from 0 with a fraction.
 const show = (t, inWords = true) => {
   now = Math.min(Math.max(t, 0), motion.duration);
+  // Nothing is marked before the first move.
+  if (now > 0) document.documentElement.classList.add("live-moved");
   const row = motion.h > 0 ? now / motion.h : 0, nearest = Math.round(row) + 1;
   light(nearest, playing);
   change(live, "data-row", nearest);
@@ -14,8 +16,10 @@ const show = (t, inWords = true) => {
   cursors.place(now, playing);
   const places_ = drawing.draw(now);
   if (!inWords) return;
-  const between = playing || Math.abs(row - nearest + 1) > 1e-6;
-  const told = say("clock", { row: nearest, t: fixed(now, decimalsOf(motion.h) + (between ? 1 : 0)) });
+  const between = Math.abs(row - nearest + 1) > 1e-6, first = Math.floor(row) + 1;
+  const told = say(between ? "clock_between" : "clock", {
+    row: between ? first : nearest, next: first + 1, t: fixed(now, decimalsOf(motion.h) + (playing || between ? 1 : 0)),
+  });
   scrub.setAttribute("aria-valuetext", told);
   tell("live-clock", told);
   const { right, ghost } = places_ ?? {};
@@ -88,6 +92,7 @@ for (const name of Object.keys(additions.on)) {
   });
 }
 addEventListener("resize", () => {
+  stops();
   drawing.refit();
   show(now);
 });
@@ -102,4 +107,5 @@ addEventListener("DOMContentLoaded", () => {
   furnish();
   cursors.find();
   show(now);
+  stops();
 });

@@ -40,6 +40,7 @@ const laboratory = {
     input.min = slider.low;
     input.max = slider.high;
     input.value = data.given[tried.datum];
+    byId("lab-file").firstElementChild.value = input.value;
   },
   move(change) {
     Object.assign(tried, change);
@@ -97,9 +98,8 @@ const laboratory = {
     byId("lab-datum").setAttribute("aria-valuetext", text);
   },
   tellFound() {
-    const { worst, rows, dead } = motion, name = data.coordinates[worst.place], angle = data.units[name] === "rad";
-    const none = worst.value < ROUND_OFF, size = none ? 0 : worst.value;
-    const error = angle ? `${shown((size * 180) / Math.PI, 3)}°` : `${shown(size * 1000, 3)} ${data.words.mm}`;
+    const { worst, rows, dead } = motion, name = data.coordinates[worst.place];
+    const none = worst.value < ROUND_OFF, error = this.amount(worst);
     // Where the links do not close there is no error.
     const known = Number.isFinite(worst.value);
     tell("lab-error", known ? error : "–", known ? String(worst.value) : "");
@@ -112,12 +112,22 @@ const laboratory = {
     tell("lab-lost", !motion.truth ? data.words.open : rows.lost ? say("lost", { row: rows.n, h: plain(motion.h, 4) }) : "");
     tell("lab-ratio", this.ratio());
   },
+  // Errors of other data are those of another mechanism: both are told.
+  otherDatum() {
+    const file = plain(data.given[tried.datum] / data.sliders[tried.datum].size, 4), { worst, first } = motion;
+    return say("other_datum", { name: label(tried.datum), value: byId("lab-value").textContent, file, error: this.amount(worst), first: this.amount(first) });
+  },
+  amount({ value, place }) {
+    const size = value < ROUND_OFF ? 0 : value, angle = data.units[data.coordinates[place]] === "rad";
+    return angle ? `${shown((size * 180) / Math.PI, 3)}°` : `${shown(size * 1000, 3)} ${data.words.mm}`;
+  },
   // "k times the error for n times the work", against the table of the page.
   ratio() {
     const { first, worst, rows } = motion;
-    const error = worst.value / first.error, work = rows.evaluations / first.evaluations;
+    const error = worst.value / first.value, work = rows.evaluations / first.evaluations;
+    if (tried.value !== null && data.own) return Number.isFinite(error) ? this.otherDatum() : "";
     if (!tried.halvings && tried.scheme === data.scheme && tried.value === null) return data.own ? data.words.same : "";
-    if (!Number.isFinite(error) || !Number.isFinite(work) || Math.min(first.error, worst.value) < ROUND_OFF) return "";
+    if (!Number.isFinite(error) || !Number.isFinite(work) || Math.min(first.value, worst.value) < ROUND_OFF) return "";
     if (error < 0.1) return say("less", { error: shown(Number((1 / error).toPrecision(2)), 2), work: plain(work, 2) });
     return say("more", { error: plain(error, 2), work: plain(work, 2) });
   },

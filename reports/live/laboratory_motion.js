@@ -109,7 +109,7 @@ const motion = {
     if (truth) this.made = this.wanted;
     this.drawn = this.wanted;
     this.worst = truth ? largestError(this.rows, truth) : { value: NaN, place: 0, row: 1 };
-    this.first ??= { error: this.worst.value, evaluations: this.rows.evaluations };
+    this.first ??= { ...this.worst, evaluations: this.rows.evaluations };
   },
   // March once more, with what is tried now or another scheme: what the stop-watch times.
   *again(into = this.timed, h = this.h, truth = this.truth, scheme = tried.scheme) {

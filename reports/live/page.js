@@ -68,3 +68,10 @@ const change = (element, name, value) => {
   kept[name] = value;
   element.setAttribute(name, value);
 };
+// What can be moved sideways is a stop of the keyboard, and only while it can.
+const stops = () => {
+  for (const one of document.querySelectorAll(".scroll, .formula, .drawing > div, .live-scroll")) {
+    if (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1) one.tabIndex = 0;
+    else one.removeAttribute("tabindex");
+  }
+};

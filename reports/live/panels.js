@@ -72,12 +72,13 @@ const panels = {
     // The line of the true motion is kept; what changes is how its range lies in the panel.
     const [from, to] = one.range.map(y);
     change(one.line, "transform", `translate(0 ${from}) scale(1 ${(to - from) / 1000})`);
-    const stride = Math.ceil(n / 200);
+    // At most thirty dots, or they are a rope.
+    const stride = Math.ceil(n / 200), pace = stride * Math.ceil(n / stride / 30);
     let joined = "", dotted = "";
     for (let i = 0; i < n; i += stride) {
       const at = `${this.x(i * h)} ${y(value(i))}`;
       joined += `${i ? "L" : "M"}${at}`;
-      if (n <= 80) dotted += `M${at}h0`;
+      if (i % pace === 0 || i === n - 1) dotted += `M${at}h0`;
     }
     change(one.rows, "d", joined);
     change(one.dots, "d", dotted);

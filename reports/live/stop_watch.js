@@ -84,6 +84,8 @@ const watch = {
   },
   duration: (ms) => (ms < 1 ? `${plain(ms * 1000, 3)} ${data.words.us}` : `${plain(ms, 3)} ${data.words.ms}`),
   draw() {
+    // One mark is no diagram.
+    byId("lab-diagram").closest("figure").hidden = this.schemes.length + this.tries.length < 2;
     const field = byId("lab-diagram"), left = 62, right = 330, top = 20, bottom = 174;
     const powers = (values) => {
       const low = Math.floor(Math.log10(Math.min(...values)) - 0.05), high = Math.ceil(Math.log10(Math.max(...values)) + 0.05);
@@ -111,13 +113,24 @@ const watch = {
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
     title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 17, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
+    // The tries of a scheme are joined.
+    const ways = {}, place = (one) => `${f1(x(one.time))} ${f1(y(one.error))}`;
+    for (const one of this.tries.toSorted((a, b) => a.time - b.time)) ways[one.scheme] = (ways[one.scheme] ? ways[one.scheme] + "L" : "M") + place(one);
+    svg("path", { d: Object.values(ways).join(""), class: "live-tries" }, field);
+    const taken = [];
     for (const one of marks) {
       const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: one === own ? "live-mark live-last" : "live-mark" }, field);
-      mark.setAttribute("transform", `translate(${f1(x(one.time))} ${f1(y(one.error))})`);
+      mark.setAttribute("transform", `translate(${place(one)})`);
       mark.dataset.scheme = one.scheme;
       if (this.tries.includes(one)) mark.dataset.tried = "";
       const told = svg("title", {}, mark);
       const name = data.words["scheme_" + one.scheme];
+      // Named where its name has room.
+      const px = x(one.time), py = y(one.error), long = 7.5 * name.length + 8, way = px + long > 358 ? -8 : 8;
+      if ((way > 0 || px > left + long) && !taken.some((at) => Math.abs(at[0] - px) < 130 && Math.abs(at[1] - py) < 15)) {
+        taken.push([px, py]);
+        svg("text", { x: f1(px + way), y: f1(py + 4), "text-anchor": way < 0 ? "end" : "start" }, field).textContent = name;
+      }
       told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
     }
     // No line breaks within the name of a scheme.

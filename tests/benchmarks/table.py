@@ -11,10 +11,10 @@ Each limit is asserted by `pytest tests/benchmarks`; README.md names some of the
 | `solve_many`, 1000 sets of variant 31 | Euler by hand over arrays, nothing watched | 6.0 | at most 10 |
 | 1000 sets of variant 31, one by one | `solve_many` | 490 | at least 200 |
 | one variant of a class, from its file to table and checks | 20 000 Euler steps by hand | 1.0 | at most 1.25 |
-| `coursework run 31 --format csv` | importing numpy, click | 2.5 | at most 3 |
-| `coursework run 31 --set r1=0.95m --format csv` | importing numpy, click | 2.6 | at most 3 |
-| `coursework run jansen --format csv` | importing numpy, click | 2.6 | at most 3 |
-| `coursework check 31` | importing numpy, click | 2.2 | at most 2.8 |
+| `coursework run 31 --format csv` | importing numpy, click | 2.5 | at most 2.8 |
+| `coursework run 31 --set r1=0.95m --format csv` | importing numpy, click | 2.6 | at most 2.8 |
+| `coursework run jansen --format csv` | importing numpy, click | 2.6 | at most 2.8 |
+| `coursework check 31` | importing numpy, click | 1.9 | at most 2.2 |
 | `coursework run 31` | importing numpy, click | 7.2 | at most 9 |
 | `coursework --help` | click alone, as many commands | 1.0 | at most 1.5 |
 | the first page of a process | a further one with other data | 1.33 | at most 1.4 |

@@ -5,11 +5,15 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
+from coursework.system import budget
 from coursework.system.budget import Budget, BudgetSpent, memory_held, watched
 from coursework.system.on_demand import under_way
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")
@@ -99,6 +103,7 @@ def test_memory_held_is_that_of_the_process():
 DEAF = """
 import sys, time
 from pathlib import Path
+from types import SimpleNamespace
 from coursework.system import budget
 from coursework.system.file_set import working_folder
 budget.GRACE = 0.2
@@ -124,3 +129,15 @@ def test_what_does_not_answer_is_ended_from_outside(folder):
 @pytest.mark.parametrize("value", ["0", "-1", "x"])
 def test_a_budget_is_a_number_above_zero(option, value):
     assert call("run", "31", option, value).exit_code == 2
+
+
+def test_an_end_that_comes_within_a_callback_comes_again():
+    """What is raised in the callback of an object that dies, Python prints and swallows."""
+    frames = [SimpleNamespace(f_globals={"__name__": name}) for name in ("weakref", "importlib._bootstrap", "coursework.run")]
+    watch = budget._Watch(Budget(), "mine", lambda fault: None)
+    watch.fault = Fault(say("fault.W030"))
+    for frame in frames[:2]:
+        watch.answer(15, frame)
+    assert not watch._raised
+    with pytest.raises(budget.Ended):
+        watch.answer(15, frames[2])

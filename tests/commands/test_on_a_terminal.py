@@ -31,8 +31,8 @@ def test_a_run_fits_one_screen_and_says_the_point_first(terminal):
     text = " ".join(result.stdout.split())
     assert text.startswith(
         "Rolling wheel, right-angled link, crank and rod (31): explicit Euler, h = 0.02 s, 25 rows. The table is computed right: "
-        "5 of 5 checks of the computation. It is not close to the motion: largest error 70 % of 0.2 rad "
-        "(phi1, row 20); take --step h/18."
+        "5 of 5 checks of the computation; the start is not judged. It is not close to the motion: "
+        "largest error 69.8 % of 0.2 rad (phi1, row 20); take --step h/18."
     )
     assert "≈ Closeness to the motion: Computed right, but not close to the exact motion." in text
     assert not CODE.search(text)

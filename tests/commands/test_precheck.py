@@ -52,6 +52,17 @@ def test_wrong_velocities_are_not_betrayed(tmp_path: Path) -> None:
     assert found.output == precheck(tmp_path, csv(students.table())).output
 
 
+def test_turning_counted_clockwise_is_said_and_contradicts_nothing(tmp_path: Path) -> None:
+    table = students.table()
+    table[:, 3:] *= -1
+    found = precheck(tmp_path, csv(table))
+    assert found.exit_code == 0
+    assert "Turning is counted clockwise throughout" in found.output
+    assert "does not follow" not in found.output
+    table[7:, 1] += 0.2
+    assert "Row 8: phi2 does not follow" in precheck(tmp_path, csv(table)).output
+
+
 @pytest.mark.parametrize(
     ("table", "equations", "told"),
     [

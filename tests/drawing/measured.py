@@ -57,6 +57,8 @@ def words(svg: str) -> list[Word]:
     """Return the words of a drawing that is not turned."""
     found = []
     root = ElementTree.fromstring(svg)
+    for hidden in root.findall(f".//{SVG}g[@display='none']"):  # what a screen has instead
+        hidden.clear()
     for node in root.iter(f"{SVG}text"):
         usual = float(node.get("font-size", root.get("font-size", "3")))
         pieces = [(node.text or "", usual, 0.0)]

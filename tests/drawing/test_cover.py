@@ -23,8 +23,14 @@ BOX = np.array([[1.0, 2.0]]), np.array([[4.0, 6.0]])
     ],
 )
 def test_the_part_of_a_line_by_hand(a, b, length):
-    crossed, covered = Lines([(a, b)]).within(*BOX)
+    crossed, covered, _ = Lines([(a, b)]).within(*BOX)
     assert (crossed[0], covered[0]) == pytest.approx((int(length is not None), length or 0.0))
+
+
+@pytest.mark.parametrize(("free", "met"), [(0.4, 1), (0.2, 0)])
+def test_about_some_lines_more_is_kept_free(free, met):
+    plain, length, others = Lines([(2 + 3j, 3 + 3j), (0 + 6.3j, 9 + 6.3j)], 1, free).within(*BOX)
+    assert (plain[0], length[0], others[0]) == (1, 1.0, met)
 
 
 def test_many_lines_and_rectangles_against_sampling():
@@ -32,7 +38,7 @@ def test_many_lines_and_rectangles_against_sampling():
     ends = random.uniform(0, 10, (40, 2, 2))
     low = random.uniform(0, 7, (16, 2))
     high = low + random.uniform(0.5, 3, (16, 2))
-    crossed, covered = Lines([(complex(*a), complex(*b)) for a, b in ends]).within(low, high)
+    crossed, covered, _ = Lines([(complex(*a), complex(*b)) for a, b in ends]).within(low, high)
     along = (np.arange(20_000) + 0.5) / 20_000
     samples = ends[:, 0, None] + along[:, None] * (ends[:, 1] - ends[:, 0])[:, None]
     for place in range(16):

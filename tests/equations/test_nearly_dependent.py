@@ -1,5 +1,8 @@
 """Equations that differ by too little for doubles neither say the same nor contradict each other; nor is what they say known."""
 
+import re
+
+import mpmath as mp
 import pytest
 
 from coursework.words.errors import InputError
@@ -23,6 +26,15 @@ def test_twelve_equations_of_hilbert_do_not_say_the_same():
         _ = solve(hilbert(12)).motion
     assert "say the same" not in str(caught.value)
     assert "says the same" not in str(caught.value)
+    assert "independent equations" not in str(caught.value)
+    told = float(re.search(r"condition number is above ([\d.e+]+),", str(caught.value))[1])
+    mp.mp.dps = 40
+    known = mp.matrix(12, 12)
+    for i in range(12):
+        row = [mp.mpf(1 / (i + j + 1)) for j in range(12)]
+        known[i, :] = mp.matrix([row]) / mp.norm(row)
+    sizes = mp.svd_r(known, compute_uv=False)
+    assert 1e10 < told < sizes[0] / sizes[11]
 
 
 def test_just_inside_and_just_outside():

@@ -3,6 +3,7 @@
 import itertools
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,8 +15,12 @@ from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy.trace import trace
 from coursework.results.checks.close_to_motion.period import mismatch
+from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
+from tests.hard.drives import Law
+from tests.hard.drives import four_bar as driven_four_bar
+from tests.hard.edges import as_equations
 from tests.hard.scenes import CASES, V31, check, expected, numbers, scene, solve
 
 PERIOD = 2 * math.pi / 13.08
@@ -154,6 +159,35 @@ def test_h27_more_than_a_drive_period_a_step_is_refused():
     assert any(abs(value - float(wanted["dphi3"])) < 5e-3 for value in numbers(alone.stop.sentence))
     after = 2 * math.cos(2.87 + float(wanted["dphi3"])) + math.sin(2.87 + float(wanted["dphi3"]))
     assert 0.457 * after == pytest.approx(float(wanted["det_after_value"]), abs=1e-9)  # the sign that nobody would have seen
+
+
+@pytest.mark.parametrize(("formula", "angle"), [
+    ("n + n/2*sin(k*t)", lambda n, k, t: n * (t + (1 - math.cos(k * t)) / k / 2)),
+    ("n*abs(sin(k*t))", lambda n, k, t: n / k * (2 * (k * t // math.pi) + 1 - math.cos(k * t % math.pi))),
+])  # fmt: skip
+@pytest.mark.parametrize(("swing", "scheme"), [(700.0, "exact"), (200 * math.pi, "rk4"), (1e4, "euler")])
+def test_h27_a_ripple_on_a_larger_motion_is_followed(formula, angle, swing, scheme):
+    """Of whatever has less than two rows a period: the rows are the motion, and STEP says that they do not show the drive."""
+    law = Law("ripple", formula, {"n": "3 rad/s", "k": f"{swing!r} 1/s"}, lambda t: t)
+    run = coursework.solve(parse_variant(driven_four_bar(law, scheme=scheme)), quantities=("table", "checks"))
+    assert run.exact.column("th1")[-1] == pytest.approx(angle(3.0, swing, 1.0), abs=1e-12)
+    verdicts = {one.code: one.verdict for one in run.checks}
+    assert verdicts["STEP"] == "COARSE"
+    off = abs(run.motion.column("th1") - run.exact.column("th1")).max() / run.results.evidence.scale["th1"]
+    assert verdicts["ACCURACY"] == "COARSE" or off <= 0.05
+    with pytest.raises(InputError, match=r"^C021"):
+        _ = coursework.solve(parse_variant(driven_four_bar(replace(law, drive="n*sin(k*t)"), scheme=scheme))).motion
+
+
+def test_a_ripple_that_cannot_be_followed_is_told_first():
+    """Nothing but velocity equations, 1600 ripples: sixteen to a row."""
+    law = Law("ripple", "n + n/2*sin(k*t)", {"n": "3 rad/s", "k": "1e4 1/s"}, lambda t: t)
+    begin = coursework.solve(parse_variant(driven_four_bar(law))).table.iloc[0]
+    run = coursework.solve(parse_variant(as_equations(driven_four_bar(law, scheme="rk4"), begin)))
+    assert check(run, "ACCURACY").verdict == "SKIP"
+    assert check(run, "ACCURACY").sentence.startswith("The exact motion is not known: it makes more moves")
+    assert str(check(run, "ACCURACY").sentence) in run.summary
+    assert run.summary.count("not known") == 2  # both within that sentence
 
 
 def test_h30_time_is_a_multiple_of_the_step_never_a_sum():

@@ -97,3 +97,13 @@ def test_the_page_looks_at_what_a_reader_may_set(low, follows):
     run = coursework.solve(parse_variant(four_bar(pulse(33.0, 0.03), scheme="rk4")))
     sliders = sliders_of(run, str)
     assert followed(run, sliders | {"T": sliders["T"] | {"low": low}}, run.step / 16) == follows
+
+
+def test_rows_that_cannot_be_followed_are_not_tried_again_closer(monkeypatch):
+    """With an oscillation that is quickest at the begin each try took five seconds, and no next one was any nearer."""
+    tried = []
+    monkeypatch.setattr("coursework.results.checks.advice.finer", lambda *given: tried.append(given))
+    step = found(coursework.solve(parse_variant(four_bar(pulse()))), "STEP")
+    assert step.verdict == "COARSE"
+    assert "Take --step" not in step.sentence
+    assert len(tried) == 1

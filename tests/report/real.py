@@ -67,7 +67,7 @@ def text_of(thing: Any) -> str:
     if isinstance(thing, str):
         return thing
     if isinstance(thing, dict):
-        keys = ("t", "v", "s", "p", "c") if set(thing) <= {"t", "v", "s", "p", "c", "lang"} else thing
+        keys = ("t", "v", "s", "p", "c", "o") if set(thing) <= {"t", "v", "s", "p", "c", "o", "lang"} else thing
         return "".join(text_of(thing.get(key, "")) for key in keys)
     if not isinstance(thing, list | tuple):
         return ""
@@ -76,7 +76,7 @@ def text_of(thing: Any) -> str:
 
 def is_runs(thing: Any) -> bool:
     """Return whether a list is a sentence split into runs."""
-    return bool(thing) and all(isinstance(x, dict) and set(x) <= {"t", "v", "s", "p", "c", "lang"} for x in thing)
+    return bool(thing) and all(isinstance(x, dict) and set(x) <= {"t", "v", "s", "p", "c", "o", "lang"} for x in thing)
 
 
 HELD = scene(

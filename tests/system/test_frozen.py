@@ -3,12 +3,11 @@
 import copy
 import pickle
 from dataclasses import FrozenInstanceError, asdict, dataclass, field, fields, replace
+from functools import cached_property
 
 import pytest
 
-from coursework.system.frozen import frozen
-
-STANDARD = dataclass(frozen=True, slots=True)
+from coursework.system.frozen import caching, changing, frozen
 
 
 def family(decorate):
@@ -58,7 +57,12 @@ def family(decorate):
     return {kind.__name__: kind for kind in (Empty, One, Several, Heir, OwnWays)}
 
 
-OURS, THEIRS = family(frozen), family(STANDARD)
+OURS = family(frozen)
+PAIRS = [
+    (OURS, family(dataclass(frozen=True, slots=True))),
+    (family(caching), family(dataclass(frozen=True))),
+    (family(changing), family(dataclass(slots=True))),
+]
 CALLS = [
     ("Empty", (), {}), ("One", (1,), {}), ("One", ("a",), {}), ("One", ((1, 2),), {}), ("Several", (1.0,), {}),
     ("Several", (1.0, "z"), {"listed": [1]}), ("Several", (), {"first": 2.0, "hidden": {1: 2}}), ("Heir", (1.0,), {"third": 4}),
@@ -86,12 +90,13 @@ def answers(kinds, call):
 
 
 @pytest.mark.parametrize("call", CALLS, ids=str)
-def test_the_same_answers(call):
-    assert answers(OURS, call) == answers(THEIRS, call)
+@pytest.mark.parametrize(("ours", "theirs"), PAIRS, ids=["frozen", "caching", "changing"])
+def test_the_same_answers(call, ours, theirs):
+    assert answers(ours, call) == answers(theirs, call)
 
 
 def test_records_of_two_classes_differ():
-    assert OURS["One"](1) != THEIRS["One"](1)
+    assert OURS["One"](1) != PAIRS[0][1]["One"](1)
     assert OURS["Several"](1.0, "y") != OURS["Heir"](1.0)
 
 
@@ -114,6 +119,21 @@ class Travelling:
 def test_it_is_pickled():
     one = Travelling(1, (2, Travelling(3)))
     assert pickle.loads(pickle.dumps(one)) == one
+
+
+def test_room_for_what_is_computed_once():
+    @caching
+    class Circle:
+        radius: float
+
+        @cached_property
+        def across(self):
+            return 2 * self.radius
+
+    one = Circle(1.0)
+    assert one.across is one.across
+    with pytest.raises(FrozenInstanceError):
+        one.radius = 2.0
 
 
 def test_it_may_hold_itself():

@@ -221,7 +221,9 @@ def test_the_exact_table_of_some_columns_has_the_same_columns(columns):
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ({"step": "fast"}, "the step must be a number of seconds, found 'fast'"),
+        ({"step": "fast"}, "a step in seconds, such as 0.02"),
+        ({"step": True}, "the step must be a number of seconds, found True"),
+        ({"end": "late"}, "the end must be a number of seconds, found 'late'"),
         ({"end": [1]}, "the end must be a number of seconds"),
         ({"end": float("inf")}, "the end must be a number of seconds, found inf"),
         ({"project": 1.5}, "0 to 20 Newton corrections a step, found 1.5"),

@@ -72,7 +72,7 @@ def test_a_length_below_zero_is_refused_where_it_is_used(text, name, line):
     assert with_datum(text, name, "1e-9 m").values[name] == 1e-9
     (fault,) = refused(text, name, "-1e-9 m")
     assert (fault.code, fault.line) == ("V308", line)
-    assert str(fault.message).startswith(f"{name}: a finite length above zero was expected, found -1e-09.")
+    assert str(fault.message).startswith(f"{name}: a finite length above zero was expected, found -1e-9 m.")
     assert "turn its angle by pi instead" in str(fault.message)
     assert {fault.code for fault in refused(text, name, "0 m")} == {"V087"}
 

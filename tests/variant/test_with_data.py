@@ -113,7 +113,7 @@ def test_changes_add_up_and_survive_a_pickle():
     ("changes", "sentence"),
     [
         ({"given": {"r1": "950 s"}}, '31, r1: a length was expected: m, cm, mm (found "950 s").'),
-        ({"given": {"r9": 1}}, '31: "r9" is no given datum. Known: r1, r2, r3, V1, p, alpha.'),
+        ({"given": {"r9": 1}}, '31: "r9" is no given datum. Known: r1, r2, r3, V1, p, alpha, phi1, phi2, phi3.'),
         ({"given": {"r1": math.nan}}, "31, r1: a finite number was expected, found nan."),
         ({"given": {"r1": None}}, "31, r1: a number was expected, found None."),
         ({"start": {"phi1": "1 m"}}, '31, phi1: an angle was expected: rad, deg (found "1 m").'),
@@ -153,7 +153,7 @@ def test_a_rod_of_less_than_nothing_is_refused_by_data_as_by_its_file():
         variant.with_data(given={"r2": -1e-9})
     text = find("example-1").read_text(encoding="utf-8")
     with pytest.raises(coursework.InputError) as by_file:
-        parse_variant(text.replace('r2 = "1.0 m"', 'r2 = "-1e-9 m"'))
+        parse_variant(text.replace('r2 = "1.0 m"', 'r2 = "-1e-09 m"'))
     told = [
         [(fault.code, fault.line, fault.column, str(fault.message)) for fault in error.value.faults]
         for error in (by_data, by_file)
@@ -161,5 +161,5 @@ def test_a_rod_of_less_than_nothing_is_refused_by_data_as_by_its_file():
     assert told[0] == told[1]
     ((*place, sentence),) = told[0]
     assert place == ["V308", 43, 16]
-    assert sentence.startswith("r2: a finite length above zero was expected, found -1e-09. Write a length above zero;")
+    assert sentence.startswith("r2: a finite length above zero was expected, found -1e-09 m. Write a length above zero;")
     assert sentence.endswith("turn its angle by pi instead.")

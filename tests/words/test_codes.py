@@ -30,9 +30,10 @@ def codes() -> list[str]:
 def test_every_code_is_used_at_one_place() -> None:
     used: Counter[str] = Counter()
     for path in files():
-        for node in nodes(path):
-            if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                used.update(re.findall(r"\bfault\.([A-Z]\d{3})\b", node.value))
+        texts = [node.value for node in nodes(path) if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+        named = [key for text in texts for key in re.findall(r"\bfault\.([A-Z]\d{3}(?:\.\w+)?)\b", text)]
+        assert len(named) == len(set(named))  # a code may be told in two forms
+        used.update({key.partition(".")[0] for key in named})
     assert sorted(used) == codes()
     assert {code: count for code, count in used.items() if count > 1} == {}
 

@@ -180,4 +180,5 @@ class _Drawing:
         layout = self.layout
         moving = any(self.findings.velocities.values())
         speeds = say("drawing.speeds", speed=decimal(layout.speed)) if moving else ""
-        draw_foot(self.sheet, [say("drawing.scale", scale=layout.scale_text), speeds, title], self.written)
+        scales = [say("drawing.scale", scale=layout.scale_text), speeds]
+        draw_foot(self.sheet, scales, title, (layout.scale / 1000, "m"), self.written)

@@ -60,6 +60,9 @@ class GraphCheck:
     readings: tuple[Reading, ...] = ()
     plan: CheckPlan | None = None
 
+    def __repr__(self) -> str:
+        return f"<GraphCheck of row {self.row}: {', '.join(name for name, *_ in self.rows)}>"
+
     @property
     def exact(self) -> tuple[tuple[str, float, float, str], ...]:
         """Return (name, exact value, table - exact, unit) of each: the scheme's error in that row."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Mapping, Set
+from collections.abc import Collection, Iterable, Mapping, Set
 
 from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
@@ -23,9 +23,13 @@ RIGID = 1e-9
 
 def centre_letter(sketch: Sketch) -> str:
     """Return the letter of instantaneous centres: P, or I where a point of the file is called P or like a centre."""
-    names = sketch.pose.positions
-    wheels = {contact for _, contact in sketch.wheels.values()}
-    taken = ("P" in names and "P" not in wheels) or any(f"P{body.name}" in names for body in sketch.pose.bodies)
+    contacts = {contact for _, contact in sketch.wheels.values()}
+    return letter_of_centres(sketch.pose.positions, contacts, [body.name for body in sketch.pose.bodies])
+
+
+def letter_of_centres(points: Collection[str], contacts: Collection[str], links: Iterable[str]) -> str:
+    """Return the same of points, those among them at which wheels roll, and links."""
+    taken = ("P" in points and "P" not in contacts) or any(f"P{link}" in points for link in links)
     return "I" if taken else "P"
 
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from coursework.drawing.check_sheet.by_plan import solve_plan
 from coursework.drawing.check_sheet.pose import Body, Pose
 from coursework.system.angles import cross, dot
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 
 # Sine of the angle below which two lines count as parallel: positions of an Euler row are good to 1e-15, so nothing
 # that is parallel by construction comes near it, and a centre 1e9 times farther than the mechanism is a translation.
@@ -77,7 +77,7 @@ def construct(pose: Pose) -> Findings:
     return Findings(centres, paper.omegas, paper.velocities, missing, planned)
 
 
-@dataclass(slots=True)
+@changing
 class _Paper:
     """What is on the paper so far; every step adds to it and takes nothing away."""
 

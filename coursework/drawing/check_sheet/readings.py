@@ -8,7 +8,7 @@ Used by `graph_check.py` and `construction.py`.  Source: Ponomarev, coursework g
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.graph_words import centre_letter, lowered, omega_name
@@ -20,7 +20,7 @@ from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.plan_scale import READ, read_length
 from coursework.drawing.plans.steps import image
 from coursework.drawing.plans.vectors import Found
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -92,7 +92,7 @@ def unsure(length: float) -> float:
     return min(1.0, READ / 2 / length) if length else 1.0
 
 
-@dataclass(slots=True)
+@changing
 class _Ruler:
     """The working: speeds and angular velocities known so far, as read, and the `parts` of them that are unsure."""
 

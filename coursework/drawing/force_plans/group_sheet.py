@@ -82,7 +82,7 @@ def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[
     _draw_polygon(sheet, plan, shown, [pole + tip.conjugate() for tip in tips], row)
     names = ", ".join(plan.bodies)
     lines = [say("drawing.scale", scale=ratio(scale)), say("plans.scale", scale=decimal(unit), unit="N")]
-    draw_foot(sheet, [*lines, say("drawing.title", row=row + 1, time=figure.time)], written)
+    draw_foot(sheet, lines, say("drawing.title", row=row + 1, time=figure.time), (unit, "N"), written)
     told = {"names": names, "row": row + 1, "scale": decimal(unit)}
     caption = say("forces.plan.caption" if plan.inner is not None else "forces.plan.single", **told)
     alt = say("forces.plan.alt", names=names, row=row + 1)

@@ -119,7 +119,7 @@ def draw_lever(lever: Lever, row: int, time: float, written: Callable[[str], str
     for one, (at, way) in zip(lever.arms, places, strict=True):
         sheet.label(one.word, [(pole + at + way, way, 0.8)], ITALIC, owner=Owner([(pole + at, pole + at + way)]))
     said = say("forces.lever.scale", scale=decimal(lever.unit))
-    draw_foot(sheet, [said, say("drawing.title", row=row + 1, time=time)], written)
+    draw_foot(sheet, [said], say("drawing.title", row=row + 1, time=time), (lever.unit, "m"), written)
     caption = say("forces.lever.caption", drive=lever.drive, row=row + 1)
     alt = say("forces.lever.alt", drive=lever.drive, row=row + 1)
     return Drawing(f"lever-{lever.drive}", sheet.svg(), sheet.width, sheet.height, caption, alt, exact=True)

@@ -41,7 +41,8 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     for group in variant.groups:
         met = named(group.meets or "")
         minus += [Formula("-", (met, side)) for side in group_kind(group.kind).closure(group)[0] if group.meets]
-    minus += [Formula("-", (c.left, c.right)) for c in mechanism.constraints if c.is_closure]
+    at = {formula: named(name) for name, formula in mechanism.points}  # C + s @ psi = O + r @ phi, which is B
+    minus += [Formula("-", (at.get(c.left, c.left), at.get(c.right, c.right))) for c in mechanism.constraints if c.is_closure]
     for joint, sides in unnamed_joints(mechanism).items():
         minus += [Formula("-", (named(joint), side)) for side in sides]
     minus += [hold.args[0] for hold in variant.holds if hold.op == "part"]

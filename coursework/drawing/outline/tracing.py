@@ -67,11 +67,12 @@ class _Pencil:
             if link.wheel and link.contact:
                 self.wheels.append(Wheel(link.name, link.wheel, link.contact))
             self.drawn_rates.update([link.rate] if link.rate else [])
-        corners_of = {bar.link: bar.corners for bar in self.bars}
+        bars = {bar.link: bar for bar in self.bars}
         for link in variant.links:
             if link.slides and link.points:
-                bar = corners_of[link.slides]
-                base, toward = (bar[0], bar[1]) if len(bar) > 1 else (bar[0], self.direction(bar[0], self.turning(link.rate)))
+                bar = bars[link.slides].corners
+                turned = self.turning(bars[link.slides].rate or link.rate)  # a guide and its block turn together
+                base, toward = (bar[0], bar[1]) if len(bar) > 1 else (bar[0], self.direction(bar[0], turned))
                 self.blocks.append(Block(link.name, link.points[0], base, toward, open=True))
                 self.slots.append(Slot(link.slides, bar[0], base, toward, (link.points[0],)))
         for through, angle in variant.frame.rails:

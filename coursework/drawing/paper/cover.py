@@ -26,11 +26,14 @@ def shared(low: Array, high: Array, others: Sequence[Rectangle] | Array) -> Arra
     return np.asarray(np.minimum(high[..., None, :], boxes[..., 2:]) - np.maximum(low[..., None, :], boxes[..., :2]))
 
 
-def clipped(low: Array, high: Array, begin: Array, step: Array) -> Array:
-    """Return the part (..., n, m), 0 to 1, of each line from `begin` by `step` (..., m, 2) in each rectangle (..., n, 2)."""
+def clipped(low: Array, high: Array, begin: Array, step: Array, free: Array | float = 0.0) -> Array:
+    """Return the part (..., n, m), 0 to 1, of each line from `begin` by `step` (..., m, 2) in each rectangle (..., n, 2).
+
+    A rectangle is larger by `free` (m, 1) on every side for some lines.
+    """
     with np.errstate(over="ignore"):
-        first = (low[..., None, :] - begin[..., None, :, :]) / step[..., None, :, :]
-        second = (high[..., None, :] - begin[..., None, :, :]) / step[..., None, :, :]
+        first = (low[..., None, :] - (begin + free)[..., None, :, :]) / step[..., None, :, :]
+        second = (high[..., None, :] - (begin - free)[..., None, :, :]) / step[..., None, :, :]
     enters, leaves = np.minimum(first, second), np.maximum(first, second)
     begins = np.maximum(np.maximum(enters[..., 0], enters[..., 1]), 0.0)
     return np.asarray(np.maximum(np.minimum(np.minimum(leaves[..., 0], leaves[..., 1]), 1.0) - begins, 0.0))
@@ -48,9 +51,9 @@ def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
 
 
 class Lines:
-    """The segments on a sheet; one may be a point."""
+    """The segments on a sheet; one may be a point; about those behind the first `plain` ones more is kept free, by `free` mm."""
 
-    def __init__(self, segments: Sequence[Segment]) -> None:
+    def __init__(self, segments: Sequence[Segment], plain: int | None = None, free: float = 0.0) -> None:
         ends = np.array([(a.real, a.imag, b.real, b.imag) for a, b in segments]).reshape(-1, 2, 2)
         self.count = len(segments)
         self.begin, self.step = ends[:, 0], ends[:, 1] - ends[:, 0]
@@ -58,25 +61,21 @@ class Lines:
         self.low, self.high = ends.min(axis=1), ends.max(axis=1)
         self.length = np.hypot(*self.step.T)
         self.step[self.step == 0] = STILL
+        self.plain = self.count if plain is None else plain
+        self.free: Array = np.where(np.arange(self.count) < self.plain, 0.0, free)[:, None]
 
     def parts(self, low: Array, high: Array) -> Array:
         """Return the part (n, m), 0 to 1, of each segment that lies in each rectangle."""
         return clipped(low, high, self.begin, self.step)
 
-    def within(self, low: Array, high: Array) -> tuple[Array, Array]:
-        """Return in how many segments (n,) each rectangle has a part, and how long those parts are together."""
-        near = self.near(low, high)
-        part = near.parts(low, high)
-        return (part > 0).sum(axis=1), part @ near.length
-
-    def near(self, low: Array, high: Array) -> Lines:
-        """Return the segments that come near any of the rectangles."""
-        kept = np.flatnonzero(np.all((self.low <= high.max(axis=0)) & (self.high >= low.min(axis=0)), axis=1))
-        found = Lines.__new__(Lines)
-        found.count = len(kept)
-        for name in ("begin", "step", "end", "low", "high", "length"):
-            setattr(found, name, getattr(self, name)[kept])
-        return found
+    def within(self, low: Array, high: Array) -> tuple[Array, Array, Array]:
+        """Return in how many plain segments each rectangle (n,) has a part, how long those parts are, and in how many others."""
+        reached = (self.low - self.free <= high.max(axis=0)) & (self.high + self.free >= low.min(axis=0))
+        near = np.flatnonzero(np.all(reached, axis=1))
+        plain = int(np.searchsorted(near, self.plain))
+        part = clipped(low, high, self.begin[near], self.step[near], self.free[near])
+        met = part > 0
+        return met[:, :plain].sum(axis=1), part[:, :plain] @ self.length[near[:plain]], met[:, plain:].sum(axis=1)
 
     def feet(self, points: Array) -> Array:
         """Return the point (n, m, 2) of each segment that is nearest to each point (n, 2)."""

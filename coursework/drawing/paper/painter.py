@@ -31,7 +31,7 @@ BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
 RAIL, LEAST_RAIL = 9.0, 5.0  # mm of a rail beyond the farthest place of its slider; no less
 OFF_JOINT = 2.4  # mm: a rail passes a joint that does not slide on it so far off
-JOINT = 1.25  # mm: the radius of a joint
+JOINT = 1.0  # mm: the radius of a joint, less than the shortest arrow that begins in one
 GROUND, HALF_GROUND = 8.0, 5.5  # mm: how far the symbol of a hinge reaches, with what is kept free around it
 ALIGNED = 1e-9  # of the mechanism: a point within this of a line lies on it
 
@@ -270,4 +270,4 @@ class Painter:
         members = sum(name in bar.corners for bar in self.outline.bars)
         pinned = name in self.outline.hinges or any(name == block.at for block in self.outline.blocks)
         ring = members > 1 or pinned or any(name == wheel.centre for wheel in self.outline.wheels)
-        self.sheet.circle(self.at[name], JOINT if ring else 1.0, RING if ring else DOT)
+        self.sheet.circle(self.at[name], JOINT if ring else 0.9, RING if ring else DOT)

@@ -6,20 +6,21 @@ Used by `sheet.py`.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from coursework.drawing.paper.cover import Lines, Rectangle, Segment, shared, through
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
 DIRECTIONS = 16  # in which a place is looked for
 RINGS = (0.0, 1.0, 2.0, 3.2, 4.5, 6.0, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last only where words would meet
-LOOKS = (1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 4)  # in which look a ring is looked at, all its places together
+FIRST, FURTHER = 32, 64  # places looked at together, by what they cost at least
 FARTHER = 0.5  # mm of lines that a word rather covers than standing 1 mm farther off
 TURNED = 0.6  # the same for a quarter turn away from the direction it should have
 NEXT = 0.6  # the same for each place after the first
@@ -37,7 +38,7 @@ LOST = 5.0  # mm: farther from a line or a point a word seems to belong to nothi
 LEADER, LEADER_CROSSES = 4.0, (15.0, 100.0, 3.0)  # mm of lines for such a line, and for each heavy line, word, symbol it crosses
 STEP_OFF = 0.6  # mm: it is looked at from beside the line it leads to
 ALONG = (0.35, 0.6, 0.85)  # parts of its way at which it must not lie on a heavy line
-CHEAPEST = 24  # places looked at together
+CHEAPEST = 12  # places looked at together
 TOUCH = 1.2  # mm: a place so near a point or a line is beside that; farther off it is beside a rim or a block
 
 
@@ -60,7 +61,7 @@ class Stand:
     leader: complex | None
 
 
-@dataclass(slots=True)
+@changing
 class Taken:
     """What is on a sheet so far; the lists are those of the sheet, their arrays are made anew when there is more."""
 
@@ -71,10 +72,10 @@ class Taken:
     _lines: dict[str, Lines] = field(default_factory=dict)
 
     def lines(self, name: str) -> Lines:
-        """Return the `segments` or the `heavy` ones as arrays."""
-        listed = self.heavy if name == "heavy" else self.segments
+        """Return the `heavy` segments as arrays, or `all` of them: the heavy ones again behind them, with their room."""
+        listed = self.heavy if name == "heavy" else [*self.segments, *self.heavy]
         if name not in self._lines or self._lines[name].count != len(listed):
-            self._lines[name] = Lines(listed)
+            self._lines[name] = Lines(listed, None if name == "heavy" else len(self.segments), CLEAR)
         return self._lines[name]
 
     def covered(self, middles: Array, width: float, height: float, room: Rectangle) -> Array:
@@ -83,13 +84,12 @@ class Taken:
         low, high = middles - half, middles + half
         edge = np.array(room)
         beyond = np.maximum(edge[:2] - low, 0.0) + np.maximum(high - edge[2:], 0.0)
-        symbols, words = shared(low, high, self.boxes), shared(low, high, self.words)
+        symbols, words = np.split(shared(low, high, [*self.boxes, *self.words]), [len(self.boxes)], axis=1)
         areas = np.multiply.reduce(np.maximum(symbols, 0.0), axis=2)
         level = words[..., 1] > 0
         over, beside = level & (words[..., 0] > 0), level & (words[..., 0] > -GAP)
         stacked = (words[..., 0] > 0) & (words[..., 1] > -LEADING) & ~level
-        crossed, length = self.lines("segments").within(low, high)
-        heavy, _ = self.lines("heavy").within(low - CLEAR, high + CLEAR)
+        crossed, length, heavy = self.lines("all").within(low, high)
         cost: Array = BEYOND * beyond.sum(axis=1) + length + CROSSED * crossed + HEAVY * heavy
         cost += SYMBOL[0] * areas.sum(axis=1) + SYMBOL[1] * (areas > 0).sum(axis=1)
         cost += WORD_ON_WORD * over.sum(axis=1) + SIDE_BY_SIDE * (beside | stacked).sum(axis=1)
@@ -111,12 +111,11 @@ class Taken:
         # Each rectangle touches the circle of radius `gap + ring` about its point.
         ats = (near + units * (gaps + rings + reach)).ravel()
         begins = np.broadcast_to(near + units * np.maximum(gaps - TOUCH, 0.0), (len(RINGS), *units.shape)).ravel()
-        group = np.repeat(LOOKS, units.size)
-        group[:DIRECTIONS] = 0  # the first place by itself: where it is good, the others need no look
-        for look in range(LOOKS[-1] + 1):
-            kept = np.flatnonzero((group == look) & (leasts < best))
+        ranked = np.argsort(leasts, kind="stable")  # where the first ones are good, the others need no look
+        for begin, end in itertools.pairwise((0, *range(FIRST, len(ranked), FURTHER), len(ranked))):
+            kept = np.sort(ranked[begin:end][leasts[ranked[begin:end]] < best])
             if not kept.size:
-                continue
+                break
             least, at = leasts[kept], ats[kept]
             middles = np.column_stack([at.real, at.imag])
             low, high = middles - half, middles + half

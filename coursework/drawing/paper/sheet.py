@@ -30,6 +30,7 @@ BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 OFF_POINT = 1.6  # mm: a joint is seen so far around a point
 BAND = 'stroke="white" stroke-width="1.8" stroke-linecap="butt"'
 HIDDEN, ALONG = 12.0, 0.95  # mm, and cosine of the angle: such an arrow is not seen upon a link
+HEADLESS = 2.1  # mm, 8 px: a shorter vector has no head, which would be all of it
 HALO = "<style>.halo{stroke:#fff;stroke-width:.9;stroke-linejoin:round;paint-order:stroke}</style>"  # around words on lines
 LEAD = 'stroke="#555" stroke-width="0.15"'
 Word = tuple[str, str, str]  # text, what is set lower, what follows
@@ -124,7 +125,10 @@ class Sheet:
         along = (b - a) / abs(b - a)
         if OFF_POINT < abs(b - a) < HIDDEN and any(self._hides(a, along, line) for line in self.heavy):
             self.items.append(f'<path d="{_way((a + OFF_POINT * along, b))}" fill="none" {BAND}/>')
-        self.arrow(a, b, pen, data, head=min(2.6, 0.6 * abs(b - a)), heavy=True)
+        if abs(b - a) < HEADLESS:
+            self.line(a, b, pen, data, heavy=True)
+        else:
+            self.arrow(a, b, pen, data, head=min(2.6, 0.6 * abs(b - a)), heavy=True)
 
     def _hides(self, at: complex, along: complex, line: Segment) -> bool:
         ways = [end - at for end in line if abs(end - at) > OFF_POINT]
@@ -157,7 +161,7 @@ class Sheet:
         lean = (away / abs(away) - along / abs(along)) * 1.3
         strokes = [(a + (k + 0.5) * along, a + (k + 0.5) * along + lean) for k in range(count)]
         kept = [(p, q) for p, q in strokes if inside(p, q, self.field)]
-        text = "".join(f"M{number(p.real)} {number(p.imag)}L{number(q.real)} {number(q.imag)}" for p, q in kept)
+        text = "".join(f"M{number(p.real)} {number(p.imag)}l{number(lean.real)} {number(lean.imag)}" for p, q in kept)
         self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
         self.segments += kept
 

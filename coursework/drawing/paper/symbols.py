@@ -82,6 +82,8 @@ def length_text(length: Formula) -> str:
 def length_word(length: Formula) -> tuple[str, str, str]:
     """Return a length as a word with what is set lower: "xF" is x with F; an empty one where it is too long."""
     named = length.op == "name" and not length.name[-1:].isdigit()
+    if length.op == "name" and length.name == "l":
+        return ("ℓ", "", "")  # a slanted l reads as a stroke
     return name_word(length.name) if named else (length_text(length), "", "")
 
 

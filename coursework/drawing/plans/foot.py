@@ -9,26 +9,52 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet
+from coursework.drawing.paper.symbols import decimal
 from coursework.words.sentences import say
 
 FOOT = 17.0  # mm for the bar and the scales
 BAR = 100.0  # mm, printed; a test reads it back from the PDF
 BAR_PEN = 'stroke="#010101" stroke-width="0.5" stroke-linecap="butt"'  # a colour of its own, so that it can be found
+ROUND_LENGTHS = tuple(m * 10.0**k for k in range(-6, 7) for m in (1, 2, 5))
+LEAST_BAR = 20.0  # mm of the bar on a screen
 THIN = 'stroke="black" stroke-width="0.35"'
 
 
-def draw_foot(sheet: Sheet, lines: Sequence[str], written: Callable[[str], str]) -> None:
-    """Draw the bar and write up to three sentences beside it; the field of the sheet then is the whole sheet."""
+def draw_foot(sheet: Sheet, scales: Sequence[str], title: str, of_mm: tuple[float, str], written: Callable[[str], str]) -> None:
+    """Draw the bar and write scales and title beside it; the field of the sheet then is the whole sheet.
+
+    A screen, on which no millimetre is one, has a bar of what `of_mm` says instead: how much a millimetre is, in which unit.
+    """
     left, base = 3.0, sheet.height - 5.0
     sheet.field = (0.0, 0.0, sheet.width, sheet.height)
+    sheet.items.append('<g class="paper">')
     sheet.line(complex(left, base), complex(left + BAR, base), BAR_PEN, ' data-bar="100"')
     for k in range(11):
         tick = 2.4 if k % 5 == 0 else 1.4
         sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), THIN)
     sheet.text(complex(left, base - 4.2), (written(say("drawing.bar", length=f"{BAR:g}")), "", ""), size=SMALL_LETTER)
-    for k, line in enumerate(lines):
-        sheet.text(complex(left + BAR + 7, sheet.height - FOOT + 4.6 + 4.2 * k), (written(line), "", ""), size=SMALL_LETTER)
+    beside = [complex(left + BAR + 7, sheet.height - FOOT + 4.6 + 4.2 * k) for k in range(len(scales) + 1)]
+    for at, line in zip(beside, scales, strict=False):
+        sheet.text(at, (written(line), "", ""), size=SMALL_LETTER)
+    sheet.items.append("</g>")
+    sheet.text(beside[-1], (written(title), "", ""), size=SMALL_LETTER)
+    _screen_bar(sheet, complex(left, base), of_mm, written)
     at = complex(sheet.width - 12, sheet.height - 4.5)
     for way, name, shift in ((8 + 0j, "x", 0.6 + 0.8j), (-8j, "y", -2.6 + 0.5j)):
         sheet.arrow(at, at + way, 'stroke="black" stroke-width="0.2"', head=1.6)
         sheet.text(at + way + shift, (name, "", ""), look=ITALIC)
+
+
+def _screen_bar(sheet: Sheet, at: complex, of_mm: tuple[float, str], written: Callable[[str], str]) -> None:
+    """Draw the bar of a round length of the mechanism, or of its plan, that is seen on a screen only."""
+    amount, unit = of_mm
+    value = next((one for one in ROUND_LENGTHS if one >= LEAST_BAR * amount), 0.0)
+    if not value or value > BAR * amount:
+        return
+    end = at + value / amount
+    sheet.items.append('<g class="screen" display="none">')
+    sheet.line(at, end, BAR_PEN.replace("#010101", "black"))
+    for place in (at, end):
+        sheet.line(place, place - 2.4j, THIN)
+    sheet.text(at - 4.2j, (written(say("drawing.length", value=decimal(value), unit=unit)), "", ""), size=SMALL_LETTER)
+    sheet.items.append("</g>")

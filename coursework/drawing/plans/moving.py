@@ -7,6 +7,7 @@ Used by `plans.py`, `polygons.py`, `vectors.py` and `check_plan.py`.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 
 import numpy as np
 
@@ -29,11 +30,15 @@ class Moving:
 
 @frozen
 class Kinematics:
-    """The motion of every point and the angular velocity and acceleration of every link by name, (n,) at times `t` (s)."""
+    """The motion of every point and the angular velocity and acceleration of every link by name, (n,) at times `t` (s).
+
+    `driven` are the ways along a link, by it and what slides on it, whose rate and second rate a drive gives, as vectors.
+    """
 
     t: Array
     points: dict[str, Moving]
     turning: Mapping[str, tuple[Array, Array]]
+    driven: Mapping[tuple[str, str], tuple[Complex, Complex]] = field(default_factory=dict)
 
     def carried(self, bar: Bar, base: str, at: Complex) -> Moving:
         """Return the motion of the point of a link that lies at a place, from that of its point `base`."""

@@ -7,15 +7,18 @@ Used by `quantities.py`; the sheets are drawn when somebody looks at them (`poly
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
 
 from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import all_rows
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.plans.driven_lengths import driven_lengths
+from coursework.drawing.plans.driven_lengths import DrivenLengths, driven_lengths
 from coursework.drawing.plans.given import given_points
-from coursework.drawing.plans.moving import kinematics_of
+from coursework.drawing.plans.moving import Kinematics, kinematics_of
 from coursework.drawing.plans.polygons import polygons
 from coursework.drawing.plans.vectors import ACCELERATION, UNITS, VELOCITY, Polygons
 from coursework.equations.reduction.equations import VelocityEquations
@@ -82,7 +85,23 @@ def make_plans(
     driven = driven_lengths(outline, equations, exact[0])
     row = min(variant.time.row_of_check, max(1, min(len(table[0].t), len(exact[0].t))))
     rows, true = (
-        polygons(outline, kinematics_of(outline, equations, motion, second), given, rates, driven, pairs, row - 1)
+        polygons(outline, _kinematics(outline, equations, motion, second, driven), given, rates, driven, pairs, row - 1)
         for motion, second in (table, exact)
     )
     return Plans(outline, row, rows, true, chain=bool(variant.groups))
+
+
+def _kinematics(
+    outline: Outline, equations: VelocityEquations, motion: Motion, second: Array, driven: DrivenLengths
+) -> Kinematics:
+    """Return how all moves; what slides at a driven rate has it as the drive says, not as rows that have drifted leave it."""
+    found = kinematics_of(outline, equations, motion, second)
+    ways = {}
+    for slot in outline.slots:
+        way = found.points[slot.toward].at - found.points[slot.base].at
+        for rider in slot.riders:
+            if rate := driven.get((slot.link, rider)):
+                place = motion.velocity_names.index(rate)
+                along = way / np.abs(way)
+                ways[slot.link, rider] = (along * motion.velocities[:, place], along * second[:, place])
+    return replace(found, driven=ways)

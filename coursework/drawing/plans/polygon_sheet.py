@@ -86,7 +86,7 @@ def draw_plan(
             sheet.label(("n" if kind == "normal" else "k", low, ""), places, ITALIC, owner=Owner([(tail, tip)], rivals))
     said = say("plans.scale", scale=decimal(unit), unit=UNITS[plan])
     time = float(found.t[index])
-    draw_foot(sheet, [said, say("drawing.title", row=row, time=time)], written)
+    draw_foot(sheet, [said], say("drawing.title", row=row, time=time), (unit, UNITS[plan]), written)
     caption = say(f"plans.{plan}.caption", row=row, time=time, scale=decimal(unit), unit=UNITS[plan])
     alt = say(f"plans.{plan}.alt", row=row)
     told = () if blank else steps(found, plan, index, scale)

@@ -218,7 +218,8 @@ class _Plan:
             if name not in bar.corners:
                 continue
             if base and bar.link not in self.turning:
-                yield Line("bar", base, bar.link)
+                if frozenset((base, name)) not in self.paper.stretching:  # else it moves along the link as well as across it
+                    yield Line("bar", base, bar.link)
             elif not base and bar.link in self.turning and (way := self.way(bar)) is not None and way[0] != name:
                 yield way[1]
 
@@ -286,4 +287,6 @@ class _Plan:
             if (name, line.link) not in self.slots:
                 self.slots[name, line.link] = self.paper.over(bar, self.base(bar), name)
             return Line("slot", self.slots[name, line.link], line.link)
+        elif line.kind == "driven" and name in self.bar(line.link).corners:  # a bar that stretches is its own guide
+            self.paper.over(self.bar(line.link), line.base, name)
         return line

@@ -7,14 +7,14 @@ Used by `polygons.py`, `polygon_sheet.py`, `steps.py`, `plans.py`, `special_poin
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from coursework.drawing.outline.outline import Bar
 from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.system.arrays import Array, Complex
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 
 POLE = "pole"
 VELOCITY, ACCELERATION = "velocity", "acceleration"
@@ -75,7 +75,7 @@ class Polygons:
     found: tuple[Found, ...]
 
 
-@dataclass(slots=True)
+@changing
 class Vectors:
     """What is drawn so far: vectors, the `images` of points, and how each was found.  Points in `hinges` are at the pole."""
 
@@ -124,8 +124,12 @@ class Vectors:
         """
         under = self.called.pop((bar.link, rider), "") or self.under(rider)
         moving = self.kinematics.points[rider]
-        below = self.kinematics.points[under] = self.kinematics.carried(bar, base, moving.at)
         omega, _ = self.kinematics.turning[bar.link]
+        below = self.kinematics.carried(bar, base, moving.at)
+        if known := self.kinematics.driven.get((bar.link, rider)):  # so also in a row of a scheme that has drifted
+            sliding, second = known
+            below = Moving(moving.at, moving.velocity - sliding, moving.acceleration - second - 2j * omega * sliding)
+        self.kinematics.points[under] = below
         if joined and (np.any(omega) or base in self.hinges):
             self.about(bar, base, under, below)
         self.segment(VELOCITY, "absolute", POLE, under, below.velocity)

@@ -11,10 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from coursework.equations.algebra.expression import POLE, Expression
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -38,7 +38,7 @@ class Line:
     text: str
 
 
-@dataclass(slots=True)
+@changing
 class StraightLine:
     """Collects statements, then gives their lines.
 

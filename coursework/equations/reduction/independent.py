@@ -26,6 +26,7 @@ DEPENDENT = 1e-9
 # What differs by less than this part repeats: more is a difference that is written in the file.
 EXACTLY = 1e-14
 _MISSING = "fault.V404"
+_MOST_CONDITION = 1e15
 
 
 @frozen
@@ -61,7 +62,7 @@ def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: boo
         kept = [order[place] for place in _kept(base[order])]
         sames, conflicts = _judge_dropped(matrix, right, kept, names)
     if len(kept) < len(equations.unknowns) and (nearly := _nearly(base, kept, names)):
-        raise InputError([_too_near(equations, nearly, len(kept))])
+        raise InputError([_too_near(equations, nearly, base)])
     if conflicts or len(kept) < len(equations.unknowns):
         raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
     notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)
@@ -125,14 +126,22 @@ def _nearly(matrix: Array, kept: list[int], names: list[str]) -> list[tuple[str,
     return found
 
 
-def _too_near(equations: VelocityEquations, nearly: list[tuple[str, list[str], float]], kept: int) -> Fault:
-    """Return the fault of equations that differ, by too little for doubles."""
+def _too_near(equations: VelocityEquations, nearly: list[tuple[str, list[str], float]], matrix: Array) -> Fault:
+    """Return the fault of equations that differ, by too little for doubles.
+
+    The condition is that of rows of one length; near and beyond the reciprocal of round-off its size is no longer known.
+    """
     unknowns, listed = equations.unknowns, equations.equations
     name, others, part = max(nearly, key=lambda one: one[2])
     line = next(equation.line for equation in listed if equation.name == name)
     why = say("equation.nearly", name=name, others=tuple(others), part=part)
-    counts = {"count": len(unknowns), "unknowns": ", ".join(unknowns), "rows": len(listed)}
-    return Fault(say_count(_MISSING, kept, **counts, why=why), equations.variant.file, line)
+    lengths = np.linalg.norm(matrix, axis=1, keepdims=True)
+    condition = min(float(np.linalg.cond(matrix / np.where(lengths > 0, lengths, 1.0))), _MOST_CONDITION)
+    told = say(
+        "fault.V404.nearly", count=len(unknowns), unknowns=", ".join(unknowns), rows=len(listed),
+        condition=10.0 ** np.floor(np.log10(condition)), why=why,
+    )  # fmt: skip
+    return Fault(told, equations.variant.file, line)
 
 
 def _same(pair: tuple[str, list[str]]) -> str:

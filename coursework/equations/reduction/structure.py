@@ -7,16 +7,17 @@ Used by `way_to_motion.py` and `scene/model/model.py`: a class of five hundred d
 from __future__ import annotations
 
 from collections import OrderedDict
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from coursework.equations.reduction.equations import VelocityEquations, differentiate
 from coursework.mechanism.mechanism import Mechanism, build
+from coursework.system.frozen import changing
 from coursework.variant.record.variant import Coordinate, Given, Law, Time, Variant
 
 MOST_KEPT = 64  # structures kept at once: a class has one or a few, and the catalogue, run again and again, fits whole
 
 
-@dataclass(slots=True)
+@changing
 class Structure:
     """What variants that differ in their data have in common; what is refused is not kept, so each is told by its own lines."""
 

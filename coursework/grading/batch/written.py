@@ -62,7 +62,7 @@ def write_gradebook(
     for entry in graded.entries():
         place = places[entry.id]
         record = submission_record(place, entry.grade, entry.page, words)
-        facts.add(record, entry.grade["reason"])
+        facts.add(record, _why(entry.grade))
         lines.append(_line(record, told(entry.grade, words)))
         records.append(json.dumps(record, ensure_ascii=False, allow_nan=False))
     strangers = [
@@ -143,3 +143,9 @@ def _pages(out: Path, listed: ClassList, graded: Graded) -> Iterator[tuple[str, 
         for file_list in places[entry.id].file_lists:
             if entry.page and file_list.folder:
                 yield file_list.folder, entry.id, page.read_bytes()
+
+
+def _why(grade: Mapping[str, Any]) -> str:
+    """Return all reasons for which a person has to look, not the first alone."""
+    states = dict.fromkeys(str(one["text"]) for one in grade.get("reasons", ()) if one["kind"] == "state")
+    return " ".join(states) or str(grade["reason"])

@@ -13,7 +13,7 @@ from itertools import combinations, islice
 
 import numpy as np
 
-from coursework.api import solve
+from coursework.api import make_run
 from coursework.equations.reduction.equations import differentiate
 from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.closure import Closure, closed_start, compile_closure
@@ -34,7 +34,7 @@ def other_assemblies(variant: Variant, key: Array) -> list[Array]:
     found = []
     for other in islice(_by_modes(variant) if variant.groups else _by_closures(variant), MOST):
         with suppress(CourseworkError):
-            table = solve(other, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows.copy()
+            table = make_run(other, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows.copy()
             if table.shape == key.shape:
                 turning = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.unit == "rad"]
                 turns = np.round(np.median(table - key, axis=0)[turning] / _TURN)

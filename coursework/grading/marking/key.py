@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursework.api import solve
+from coursework.api import make_run
 from coursework.equations.reduction.structure import without_data
 from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.misread import misread
@@ -93,7 +93,7 @@ class Key:
     @cached_property
     def exact(self) -> Array:
         """Return the rows (n, m + r) without the scheme's error; fewer where the motion stops."""
-        return np.asarray(solve(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
+        return np.asarray(make_run(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
 
     @cached_property
     def forces(self) -> ForceKey | None:
@@ -113,6 +113,11 @@ class Key:
     def step(self) -> float:
         """Return the assigned step, s."""
         return self.variant.time.step
+
+    @property
+    def stride(self) -> float:
+        """Return the step that coordinates are made with from row to row, s."""
+        return self.step
 
     @cached_property
     def blocks(self) -> tuple[tuple[str, ...], ...]:
@@ -183,6 +188,28 @@ class Key:
         placed = [place for block in solved for place in block]
         driven = [place for place in range(m, m + len(self.velocities)) if place not in placed]
         return (*range(m), *placed, *driven)
+
+
+@dataclass(frozen=True, eq=False)
+class MisreadKey(Key):
+    """The key of a table that was made with other velocities `made_with` (t, q), and steps `part` of the task's."""
+
+    made_with: Callable[[Array, Array], Array] | None = None
+    part: float = 1.0
+
+    def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
+        """Return the velocities (n, r) that the table was made with."""
+        return super().velocities_at(t, q, data) if self.made_with is None else self.made_with(t, q)
+
+    @property
+    def stride(self) -> float:
+        """Return the step that the table was made with, s."""
+        return self.part * self.step
+
+    @property
+    def blocks(self) -> tuple[tuple[str, ...], ...]:
+        """Return one block: which velocities come first is the task's only."""
+        return (self.velocities,)
 
 
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:

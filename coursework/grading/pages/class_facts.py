@@ -33,6 +33,7 @@ class ClassFacts:
     other_data: list[tuple[str, str]] = field(default_factory=list)
     to_look_at: list[tuple[str, str, str]] = field(default_factory=list)
     names: dict[str, str] = field(default_factory=dict)
+    variants: dict[str, None] = field(default_factory=dict)
     pages: dict[str, str] = field(default_factory=dict)
     everyone: list[tuple[str, str, float | None, tuple[float | None, ...], str]] = field(default_factory=list)
     file_names: dict[str, str] = field(default_factory=dict)
@@ -40,6 +41,8 @@ class ClassFacts:
     def add(self, entry: Mapping[str, Any], reason: str = "") -> None:
         """Count one submission as grades.json says it."""
         self.states[entry["status"]] += 1
+        if entry["variant"]:
+            self.variants[entry["variant"]] = None
         self.names[entry["id"]] = entry["name"] or entry["id"]
         if entry["page"]:
             self.pages[entry["id"]] = entry["page"]

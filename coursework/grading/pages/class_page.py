@@ -12,12 +12,15 @@ from collections.abc import Mapping, Sequence
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.pages.class_facts import PARTS, ClassFacts
 from coursework.grading.pages.feedback import shown_points
+from coursework.report.graphs.strips import Strip, strip
 from coursework.report.text.symbols import symbol
+from coursework.report.text.text_runs import Run, runs
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, joined, say
 from coursework.words.templates import clean, filled
 
 TENTHS = 10  # parts of the distribution
+MANY = 30  # from so many on bars say more than marks
 MOST_LISTED = 200
 # A file that more than this part of a class shares was given to it, so those who have it are counted, not listed.
 GIVEN, FEW = 0.25, 6
@@ -42,8 +45,11 @@ def class_page(
         "most": shown_points(facts.most, words),
         "distribution": _tenths(facts, words),
         "first_rows": [(str(row), facts.first_rows[row]) for row in range(first, last + 1)],
-        "hardest": _symbol(facts.hardest_column or ""),
-        "columns": [(_symbol(name), number) for name, number in facts.first_columns.most_common()],
+        "heading": _heading(facts, words),
+        "points": _strip(facts.scores, 0.0, facts.most, [shown_points(end, words) for end in (0.0, facts.most)], words),
+        "firsts": _strip(list(facts.first_rows.elements()), first, last, [str(first), str(last)], words),
+        "hardest": _hardest(facts, words),
+        "columns": [(runs(_symbol(name)), number) for name, number in facts.first_columns.most_common()],
         "misconceptions": [
             (misconception_sentence(code), len(ids), _listed([called[who] for who in ids])) for code, ids in named
         ],
@@ -60,7 +66,7 @@ def class_page(
                 _state(state),
                 shown_points(score, words),
                 [shown_points(earned[place], words) for place in parts],
-                _cell(first, words),
+                runs(_cell(first, words)),
             )
             for who, state, score, earned, first in facts.everyone
         ],
@@ -93,6 +99,28 @@ def _cell(first: str, words: Phrases) -> str:
     """Return "row 11 w2" of grades.csv as the page says it."""
     _, row, column = first.split(" ", 2) if first else ("", "", "")
     return f"{words.said('gate.row', row=row)} {_symbol(column)}" if row else ""
+
+
+def _heading(facts: ClassFacts, words: Phrases) -> str:
+    """Return of which variant how many submissions there are, and how many need a person."""
+    names = [clean(name) for name in facts.variants]
+    key = "class.heading" if len(names) == 1 else "class.heading_several"
+    return words.said(key, variant=names[0] if names else "", count=sum(facts.states.values()), look=len(facts.to_look_at))
+
+
+def _hardest(facts: ClassFacts, words: Phrases) -> list[Run]:
+    """Return in which column the first wrong cell stands most often, all of them where several are alike."""
+    most = max(facts.first_columns.values(), default=0)
+    names = [_symbol(name) for name, number in sorted(facts.first_columns.items()) if number == most]
+    return runs(words.said("class.hardest" if len(names) == 1 else "class.hardest_alike", name=words.listing(names)))
+
+
+def _strip(values: Sequence[float], low: float, high: float, ends: Sequence[str], words: Phrases) -> Strip | None:
+    """Return a mark for each of a class that is small enough, with the median."""
+    if not values or len(values) >= MANY:
+        return None
+    median = statistics.median(values)
+    return strip(values, low, high, median, (ends[0], ends[1]), shown_points(median, words))
 
 
 def _symbol(name: str) -> str:

@@ -1,50 +1,47 @@
-"""The student's velocities against the key, drawn small: dots and a line, readable without colour.
+"""The student's velocities against the key, on the small graphs of the report: dots, crosses and a line, read without colour.
 
-Enters: rows of a table and of the key.  Leaves: `Panel`s with the points of their SVG.  Used by `feedback.py`.
+Enters: rows of a table and of the key.  Leaves: what stands inside an SVG of `SIZE`.  Used by `feedback.py`.
 """
 
 from __future__ import annotations
 
+from html import escape
+
 import numpy as np
 
+from coursework.report.graphs.graph_paper import EXACT_PEN, Field, axes, dots, field_for, letters, sparse, way
+from coursework.report.text.numbers import Numbers
+from coursework.report.text.symbols import Symbol, symbol
+from coursework.report.text.words import Words
 from coursework.system.arrays import Array, Flags
-from coursework.system.frozen import frozen
 from coursework.words.sentences import Phrases
 
-WIDTH, HEIGHT, EDGE = 300.0, 110.0, 6.0
+SIZE = (82.0, 34.0)  # mm
 MOST_POINTS = 80
-_CROSS = "m-3.5-3.5l7 7m0-7l-7 7"
+BEYOND = 0.25  # of the key's range: what lies further out stands at the edge
+_DOTS = 'stroke="#0072b2" stroke-width="1.24" stroke-linecap="round"'
+_CROSSES = 'class="crosses" fill="none" stroke="#b00020" stroke-width="0.45"'
 
 
-@frozen
-class Panel:
-    """One velocity: the key as the points of a line, the student's dots and crosses as paths; the ends of the axis."""
+def panel(name: Symbol, unit: str, t: Array, key: Array, found: Array, is_wrong: Flags, words: Phrases) -> str:
+    """Return the graph of one column; what lies far outside the key's range stands at the edge."""
+    numbers = Numbers(words.template("decimal"))
+    room = BEYOND * (float(np.ptp(key)) or max(float(abs(key).max()), 1e-9))
+    low, high = float(key.min()) - room, float(key.max()) + room
+    held = np.clip(found, low, high)
+    field = field_for(SIZE, [t], [key, held], numbers)
+    behind = Words(words).behind
+    inside = axes(field, numbers, letters(name) + escape(behind(unit)), letters(symbol("t")) + escape(behind(words.unit("s"))))
+    inside += f'<path {EXACT_PEN} d="{field.path(sparse(t, MOST_POINTS), sparse(key, MOST_POINTS))}"/>'
+    if (~is_wrong & np.isfinite(held)).any():
+        inside += f'<path {_DOTS} d="{dots(field, t[~is_wrong], held[~is_wrong])}"/>'
+    return inside + _crosses(field, t[is_wrong], held[is_wrong])
 
-    name: str
-    unit: str
-    line: str
-    dots: str
-    crosses: str
-    low: str
-    high: str
 
-
-def panel(name: str, unit: str, t: Array, key: Array, found: Array, is_wrong: Flags, words: Phrases) -> Panel:
-    """Return the panel of one column; what lies far outside the key's range stands at the edge."""
-    low, high = float(key.min()), float(key.max())
-    margin = 0.25 * ((high - low) or max(abs(high), 1e-9))
-    low, high = low - margin, high + margin
-    kept = np.unique(np.linspace(0, len(t) - 1, min(len(t), MOST_POINTS)).astype(int))
-    x = EDGE + (WIDTH - 2 * EDGE) * (t[kept] - t[0]) / (float(t[-1] - t[0]) or 1.0)
-
-    def places(values: Array, chosen: Flags) -> list[str]:
-        y = EDGE + (HEIGHT - 2 * EDGE) * (high - np.clip(values[kept], low, high)) / (high - low)
-        return [f"{across:.1f} {down:.1f}" for across, down in zip(x[chosen].tolist(), y[chosen].tolist(), strict=True)]
-
-    there, wrong = np.isfinite(found[kept]), is_wrong[kept]
-    return Panel(
-        name, unit, " ".join(places(key, np.ones_like(there))),
-        "".join(f"M{place}h0" for place in places(found, there & ~wrong)),
-        "".join(f"M{place}{_CROSS}" for place in places(found, there & wrong)),
-        *(words.number(end, ".3g").replace("-", "−") for end in (low, high)),
-    )  # fmt: skip
+def _crosses(field: Field, t: Array, values: Array) -> str:
+    known = np.isfinite(values)
+    if not known.any():
+        return ""
+    t, values = sparse(t[known], MOST_POINTS), sparse(values[known], MOST_POINTS)
+    corner = way([field.x(t) - 0.9, field.y(values) - 0.9], "m", "l1.8 1.8m0-1.8l-1.8 1.8m0-1.8")
+    return f'<path {_CROSSES} d="{corner}l1.8 1.8m0-1.8l-1.8 1.8"/>'

@@ -21,10 +21,11 @@ from coursework.grading.marking.reasons.reasons import summary
 from coursework.grading.marking.reasons.table import counts, shut
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, MISSING, WRONG
 from coursework.grading.marking.table.ways import KEY
-from coursework.grading.pages.curves import panel
+from coursework.grading.pages.curves import SIZE, panel
+from coursework.grading.pages.shown_cells import shown_column
 from coursework.grading.reading.table.units import AS_READ
 from coursework.report.text.symbols import symbol
-from coursework.report.text.text_runs import spelt
+from coursework.report.text.text_runs import Run, runs, spelt
 from coursework.words.sentences import Phrases, say
 from coursework.words.templates import clean, filled
 
@@ -32,11 +33,9 @@ from coursework.words.templates import clean, filled
 FIRST_ROWS, MOST_ROWS = 25, 60
 LONGEST_TEXT = 300
 _NEGATIVE = re.compile(r"(?<![\w.-])-(?=\d)")
-# A cell of more characters is rounded to so many digits on the page; one that is no number is cut.
-LONGEST_NUMBER, DIGITS, LONGEST_CELL = 10, 6, 16
-_DECIMAL = re.compile(r"[-+−]?\d+[.,]\d+(?:[eE][-+]?\d+)?")
-# From so many columns on the table is set smaller on paper.
-WIDE = 9
+# So many columns fit a sheet of paper; more stand in tables one below the other.
+MOST_COLUMNS = 10
+LONGEST_CELL = 80
 # Notes about how a file was read that ask nothing of the student; repairs of spelling stand beside each line.
 _QUIET = {
     "repaired",
@@ -75,6 +74,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         for _, most in [grade.part(part)]
     ]
 
+    so_far = [say("feedback.part_missing" if part["points"] == "–" else "feedback.part_points", **part) for part in parts]
     if late := final.get("late"):
         parts.append(
             {"name": say("feedback.part.late"), "points": typeset(shown_points(-late["lost"] or 0.0, words)), "most": ""}
@@ -91,9 +91,12 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         lettered,
         variant=grade.key.variant.in_language(words.language).title,
         parts=parts,
-        summary=[lettered(sentence) for sentence in summary(grade)] if "total" not in decided else [],
+        so_far=so_far,
+        summary=runs(
+            words.said("join.sentences").join(lettered(sentence) for sentence in summary(grade)) if "total" not in decided else ""
+        ),
         notes=[
-            lettered(clean(text, LONGEST_TEXT))
+            runs(lettered(clean(text, LONGEST_TEXT)))
             for text in (
                 *(words.written(entry.text) for entry in grade.notes if entry.code not in _BESIDE_LINES),
                 *(entry["text"] for entry in final["notes"] if entry["code"] == "late"),
@@ -108,7 +111,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
 
 def short_page(student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
     """Return the page of a submission that nobody could look into."""
-    nothing = {"variant": "", "parts": [], "summary": [], "notes": []}
+    nothing = {"variant": "", "parts": [], "so_far": [], "summary": [], "notes": []}
     return _page(final, student, name, words, typeset, **nothing, table=None, equations=None, answers=None)
 
 
@@ -125,6 +128,7 @@ def _page(
         status=words.said(f"feedback.status.{_status(final)}"),
         state=[clean(entry["text"], 2 * LONGEST_TEXT) for entry in reasons if entry["kind"] == "state"],
         points=shown_points(final["score"], words),
+        open=final["score"] is None,
         most=shown_points(final["max"], words),
         why=_why(reasons, lettered, words),
         counted=any(entry["part"] == "table" and entry["kind"] == "rule" for entry in reasons),
@@ -147,7 +151,7 @@ def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], w
         {
             "name": words.said(f"feedback.part.{part}"),
             "reasons": [
-                {"kind": entry["kind"], "text": lettered(entry["text"]) if part == "table" else entry["text"]}
+                {"kind": entry["kind"], "text": runs(lettered(entry["text"]) if part == "table" else entry["text"])}
                 for entry in entries
             ],
         }
@@ -160,8 +164,10 @@ def shown_points(value: float | None, words: Phrases) -> str:
     return "–" if value is None else words.number(round(value, 2), ".10g")
 
 
-def _symbol(name: str) -> str:
-    return symbol(name).text
+def _set(name: str) -> Run:
+    """Return a name as it is set: its letter slanted, its index below."""
+    one = symbol(name)
+    return {"t": one.head} if one.is_word and not one.subscript else {"v": one.head, "s": one.subscript}
 
 
 def _lettered(key: Key, text: str) -> str:
@@ -177,22 +183,35 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     if len(key.table) <= MOST_ROWS:
         chosen = list(range(len(key.table)))
     columns = [marked.table.column(name) for name in key.names]
+    heads = [[_set(name)] for name in key.names]
+    units = [
+        words.unit(AS_READ.get(column.unit, column.unit) if column else key.variant.unit_of(name))
+        for name, column in zip(key.names, columns, strict=True)
+    ]
     digits = max(len(f"{t:.6g}".partition(".")[2]) for t in key.t.tolist())
     times = [words.number(t, f".{digits}f") for t in key.t.tolist()]
-    rows: list[dict[str, Any]] = []
+    shown = [shown_column([column.texts[row] for row in chosen]) if column else [""] * len(chosen) for column in columns]
     uncounted = np.zeros_like(cells.wrong)
     if shut(marked) and marked.points.uncounted is not None:
         uncounted = marked.points.uncounted
-    for row in chosen:
-        entries = [
-            (cell_text(column.texts[row]) if column else "", *(_SHUT if gone else _SIGNS[mark]))
-            for column, mark, gone in zip(columns, cells.marks[row].tolist(), uncounted[row].tolist(), strict=True)
-        ]
-        rows.append({"number": row + 1, "t": times[row], "cells": entries})
+    first = next((place for place in np.argwhere(cells.wrong).tolist() if place[0] in chosen), None)
+    blocks = []
+    for places in np.array_split(np.arange(len(columns)), -(-len(columns) // MOST_COLUMNS) or 1):
+        rows = []
+        for at, row in enumerate(chosen):
+            entries = []
+            for place in places.tolist():
+                text, column = shown[place][at], columns[place]
+                whole = clean(column.texts[row], LONGEST_CELL) if column else ""
+                sign, mark = _SHUT if uncounted[row, place] else _SIGNS[cells.marks[row, place]]
+                title = whole if sign and whole.replace("-", "−") != text.rstrip() else ""
+                entries.append((text, title, sign, mark, [row, place] == first))
+            rows.append({"number": row + 1, "t": times[row], "cells": entries})
+        blocks.append({"heads": [(heads[place], units[place]) for place in places.tolist()], "rows": rows})
     m = len(key.coordinates)
     panels = [
         panel(
-            _symbol(name), words.unit(key.variant.unit_of(name)), key.t,
+            symbol(name), words.unit(key.variant.unit_of(name)), key.t,
             key.table[:, m + place], cells.student.values[:, m + place],
             cells.wrong[:, m + place], words,
         )
@@ -200,7 +219,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     ]  # fmt: skip
     read = [
         {
-            "name": _symbol(name),
+            "name": [_set(name)],
             "at": entry["at"],
             "by": say(f"feedback.by.{entry['by']}"),
             "unit": words.unit(AS_READ.get(entry["unit"], entry["unit"])),
@@ -208,36 +227,19 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         for name, entry in reading.columns.items()
     ]
     return {
-        "counts": asdict(counts(key, marked)), "shut": bool(uncounted.any()), "wide": len(key.names) >= WIDE,
-        "rounded": any(_is_long(column.texts[row]) for column in columns if column for row in chosen),
+        "counts": asdict(counts(key, marked)), "shut": bool(uncounted.any()), "blocks": blocks, "first": first is not None,
+        "rounded": any(
+            text.rstrip() != column.texts[row].strip().replace("-", "−")
+            for column, texts in zip(columns, shown, strict=True)
+            if column
+            for row, text in zip(chosen, texts, strict=True)
+        ),
         "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read,
         "present": sum(marked.table.rows_present), "needed": len(key.table),
-        "names": [_symbol(name) for name in key.names],
         "second": words.unit("s"),
-        "units": [
-            words.unit(AS_READ.get(column.unit, column.unit) if column else key.variant.unit_of(name))
-            for name, column in zip(key.names, columns, strict=True)
-        ], "rows": rows,
         "left_out": len(key.table) - len(chosen), "left_out_wrong": len({*wrong_rows} - {*chosen}),
-        "end": words.number(key.t[-1], ".6g"),
-        "panels": panels, "least": key.least_decimals,
+        "panels": panels, "box": f"0 0 {SIZE[0]:g} {SIZE[1]:g}", "least": key.least_decimals,
     }  # fmt: skip
-
-
-def _is_long(text: str) -> bool:
-    return len(text) > LONGEST_NUMBER and _DECIMAL.fullmatch(text.strip()) is not None
-
-
-def cell_text(text: str) -> str:
-    """Return a cell as handed in, a long number rounded, other long text cut.
-
-    >>> [cell_text(text) for text in ("-0.5123", "0,180000000000012", "1.23456789012345E-17", "#VALUE!")]
-    ['-0.5123', '0,18', '1.23457e-17', '#VALUE!']
-    """
-    if not _is_long(text):
-        return clean(text, LONGEST_CELL)
-    mark = "," if "," in text else "."
-    return f"{float(text.replace(',', '.').replace('−', '-')):.{DIGITS}g}".replace(".", mark)
 
 
 def typeset(text: str) -> str:

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
+from datetime import datetime
+from pathlib import Path
 from typing import Any
 
 from coursework.grading.platforms.escapes import shown
@@ -15,6 +17,7 @@ from coursework.words.sentences import ENGLISH, load_phrases, say
 
 _MOST_TEXT = 60_000  # characters of one output: both platforms take a megabyte in all
 _NOT_GRADABLE = {"unreadable", "missing"}
+_METADATA, _MOST_METADATA = "submission_metadata.json", 4_000_000
 
 
 @frozen
@@ -59,6 +62,17 @@ def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
         "output_format": "text",
         "tests": tests,
     }
+
+
+def created_at(source: Path) -> str:
+    """Return when Gradescope got the submission in a folder, ISO 8601: it says so in a file beside that; "" where none does."""
+    try:
+        with (source.resolve().parent / _METADATA).open("rb") as file:
+            text = json.loads(file.read(_MOST_METADATA)).get("created_at")
+        datetime.fromisoformat(text)
+    except (OSError, ValueError, TypeError, AttributeError, RecursionError):
+        return ""
+    return str(text)
 
 
 def prairielearn(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:

@@ -31,6 +31,7 @@ GROUPS: tuple[GroupKind, ...] = (CRANK, RRR, RRP, RPR, RPP, PRP)
 def group_kind(name: str) -> GroupKind:
     """Return the kind of a group by its name.  Raises `KeyError` for a name that is none.
 
+    >>> from coursework.mechanism.groups import group_kind
     >>> group_kind("RRP"), group_kind("RRP").shape.guides
     (RRP, 1)
     """

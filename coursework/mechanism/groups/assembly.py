@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coursework.system.arrays import Array, Complex, Flags
+from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
@@ -30,11 +31,12 @@ HIDDEN = 1e-4
 TEXTBOOK = {letter: letter for letter in "BCD"}
 
 
-class _InRows(ValueError):
+class _InRows(InputError):
     """What is wrong in some `rows` (from 0), `row` the first of them; `reason` is the sentence without the row."""
 
     def __init__(self, sentence: str, rows: tuple[int, ...], *more: Any) -> None:
-        super().__init__(sentence, rows, *more)  # all of them, so that it travels through a process pool
+        super().__init__((Fault(say("fault.D031", sentence=sentence)),))
+        self.args = (sentence, rows, *more)  # all of them, so that it travels through a process pool
         self.rows, self.row, self.reason = rows, rows[0], more[-1] or sentence
 
     def __str__(self) -> str:
@@ -164,7 +166,8 @@ def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
     if wrong.any():
         row = int(np.argmax(wrong))
         key = ("group.positive" if positive else "group.finite") + (".row" if len(array) > 1 else ".alone")
-        raise ValueError(say(key, what=what, found=float(array[row]), row=row))
+        found = float(array[row])
+        raise ValueError(say(key, what=what, found=say("group.exact", metres=found) if positive else f"{found:g}", row=row))
     return array
 
 

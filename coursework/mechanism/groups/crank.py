@@ -16,13 +16,13 @@ from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import Length, numbers
 from coursework.mechanism.groups.joint import REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, along, plus, unknowns
-from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.mechanism.groups.pairs import At, GroupMotion, count_rows, group_motion, pair_of
 from coursework.mechanism.groups.plane import direction, vectors
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import GROUP_SHAPES
 
 
-def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceleration: ArrayLike = 0.0) -> GroupMotion:
+def crank(a: At, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceleration: ArrayLike = 0.0) -> GroupMotion:
     """Return the motion of the pin, B = A + r e(angle).
 
     `length` r (m) or (r, r', r'') in m, m/s, m/s^2; `angle` (rad), `rate` (rad/s), `acceleration` (rad/s^2):
@@ -31,12 +31,13 @@ def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceler
     in analogs.
     Raises `ValueError` for a length that is not finite and above zero.
 
+    >>> import numpy as np
     >>> from coursework.procedures import Pair, crank
     >>> pin = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, np.pi / 2], rate=10.0).meets
     >>> pin.position.round(9).tolist(), pin.velocity.round(9).tolist()  # m, m/s
     ([[0.1, 0.0], [0.0, 0.1]], [[0.0, 1.0], [-1.0, 0.0]])
     """
-    r, dr, ddr = assembly.length("crank, its length", length)
+    a, (r, dr, ddr) = pair_of(a), assembly.length("crank, its length", length)
     turn, w, al = (
         numbers(f"crank, {what}", value) for what, value in (("angle", angle), ("rate", rate), ("acceleration", acceleration))
     )

@@ -7,6 +7,7 @@ Used by every group and by whoever calls one.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -88,9 +89,9 @@ class Pair:
 class Guide:
     """A straight guide that may travel and turn.
 
-    `through` a pair K on it; `angle` (rad) of its positive direction, `rate` (rad/s), `acceleration`
-    (rad/s^2): a number or one a row; `offset` (m) of the pin's own line from the line through K, to the left
-    of the direction.
+    `through` a pair K on it, a group that meets there, or a place; `angle` (rad) of its positive direction,
+    `rate` (rad/s), `acceleration` (rad/s^2): a number or one a row; `offset` (m) of the pin's own line from the
+    line through K, to the left of the direction.
 
     >>> from coursework.procedures import Guide, Pair
     >>> Guide(Pair([0.0, 0.4]), angle=[0.0, 0.1, 0.2], rate=5.0, offset=0.02).rows
@@ -105,13 +106,13 @@ class Guide:
 
     def __init__(
         self,
-        through: Pair,
+        through: At,
         angle: ArrayLike,
         rate: ArrayLike = 0.0,
         acceleration: ArrayLike = 0.0,
         offset: ArrayLike = 0.0,
     ) -> None:
-        object.__setattr__(self, "through", through)
+        object.__setattr__(self, "through", pair_of(through))
         given = {"angle": angle, "rate": rate, "acceleration": acceleration, "offset": offset}
         for name, value in given.items():
             entries = numbers(f"guide, {name}", value)
@@ -153,6 +154,23 @@ class GroupMotion:
     determinant: Array
     scaled_determinant: Array
     mode: int
+
+
+# Where a group hangs: a pair, the group before it (its meeting pair), or a place that stands still, (2,) or (n, 2) m.
+At: TypeAlias = Pair | GroupMotion | ArrayLike
+
+
+def pair_of(at: At) -> Pair:
+    """Return the pair that a group hangs on.
+
+    >>> from coursework.procedures import crank, rrr
+    >>> turning = crank([0.0, 0.0], length=0.1, angle=[0.0, 1.0], rate=10.0)
+    >>> rrr(turning, [0.4, 0.0], lengths=(0.35, 0.25), mode=1).coordinates.round(4).tolist()
+    [[0.7752, 1.7722], [0.4851, 1.7167]]
+    """
+    if isinstance(at, Pair):
+        return at
+    return at.meets if isinstance(at, GroupMotion) else Pair(at)
 
 
 def group_motion(

@@ -31,6 +31,7 @@ def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> Grou
     Raises `CannotAssemble` where the guides are parallel with the lines of the pin apart; `AtDeadPoint` where
     these lines coincide, whatever `positions_only`: the hinge may then stand anywhere.
 
+    >>> import numpy as np
     >>> from coursework.procedures import Guide, Pair, prp
     >>> found = prp(Guide(Pair([0.0, 0.0]), angle=np.pi / 4), Guide(Pair([0.3, 0.0]), angle=np.pi / 2))
     >>> found.coordinates.round(4).tolist(), found.meets.position.round(9).tolist()  # m

@@ -18,14 +18,14 @@ from coursework.mechanism.groups.assembly import numbers, require_crossing
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, across, along, plus, unknowns
 from coursework.mechanism.groups.line import Line
-from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
+from coursework.mechanism.groups.pairs import At, GroupMotion, Guide, count_rows, group_motion, pair_of
 from coursework.mechanism.groups.plane import cross, direction, vectors
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import GROUP_SHAPES
 
 
-def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = False) -> GroupMotion:
+def rpp(b: At, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = False) -> GroupMotion:
     """Return the motion of the group B = K + h n(t_j) + s_j e(t_j) + s_i e(t_i + t_j).
 
     `guide` through K at the angle t_j with the offset h of block j; `slide_angle` t_i (rad), constant, from
@@ -34,12 +34,13 @@ def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool =
     Raises `CannotAssemble` where the slides are parallel and B is off the line of D; `AtDeadPoint` where they
     are parallel and B is on it, whatever `positions_only`: block j may then stand anywhere.
 
+    >>> import numpy as np
     >>> from coursework.procedures import Guide, Pair, rpp
     >>> found = rpp(Pair([0.3, 0.4], velocity=[1.0, 2.0]), Guide(Pair([0.0, 0.0]), angle=0.0), slide_angle=np.pi / 2)
     >>> found.coordinates.round(9).tolist(), found.rates.round(9).tolist()  # m, m/s
     ([[0.4, 0.3]], [[2.0, 1.0]])
     """
-    t_i = numbers("RPP, the slide angle", slide_angle)
+    b, t_i = pair_of(b), numbers("RPP, the slide angle", slide_angle)
     n = count_rows("RPP", B=b.rows, guide=guide.rows, slide_angle=len(t_i))
     line = Line(guide, "RPP, guide")
     at_b, e = vectors(b.position), line.e

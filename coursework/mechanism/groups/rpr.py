@@ -17,7 +17,7 @@ from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import TEXTBOOK, at, dead, metres, numbers, refuse, rows_where
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, Known, across, along, plus, unknowns
-from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.mechanism.groups.pairs import At, GroupMotion, count_rows, group_motion, pair_of
 from coursework.mechanism.groups.plane import angle_of, cross, dot, vectors
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import GROUP_SHAPES
@@ -27,8 +27,8 @@ MODES = GROUP_SHAPES["RPR"].modes
 
 
 def rpr(
-    b: Pair,
-    d: Pair,
+    b: At,
+    d: At,
     *,
     offset: ArrayLike = 0.0,
     end_length: ArrayLike | None = None,
@@ -49,6 +49,7 @@ def rpr(
     ([[0.9273, 0.5]], [[2.0, 0.0]])
     """
     assembly.require_mode("RPR", mode, MODES)
+    b, d = pair_of(b), pair_of(d)
     e0 = numbers("RPR, the offset", offset)
     end = None if end_length is None else numbers("RPR, the rod to its end", end_length, positive=True)
     n = count_rows("RPR", B=b.rows, D=d.rows, offset=len(e0), end=1 if end is None else len(end))

@@ -17,7 +17,7 @@ from coursework.mechanism.groups.assembly import TEXTBOOK, Length, at, dead, met
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, Known, across, along, plus, unknowns
 from coursework.mechanism.groups.line import Line
-from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
+from coursework.mechanism.groups.pairs import At, GroupMotion, Guide, count_rows, group_motion, pair_of
 from coursework.mechanism.groups.plane import angle_of, cross, dot, vectors
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import GROUP_SHAPES
@@ -26,7 +26,7 @@ from coursework.words.sentences import say
 MODES = GROUP_SHAPES["RRP"].modes
 
 
-def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: bool = False) -> GroupMotion:
+def rrp(b: At, guide: Guide, *, length: Length, mode: int, positions_only: bool = False) -> GroupMotion:
     """Return the motion of the group C = B + r e(theta) = K + s e(t_j) + h n(t_j).
 
     `guide` through K at the angle t_j with the offset h; `length` r (m) of the rod, constant or (value, rate,
@@ -41,7 +41,7 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     ([[-0.6435, 0.4]], [[-1.0, -0.3]])
     """
     assembly.require_mode("RRP", mode, MODES)
-    r, dr, ddr = assembly.length("RRP, the rod", length)
+    b, (r, dr, ddr) = pair_of(b), assembly.length("RRP, the rod", length)
     n = count_rows("RRP", B=b.rows, guide=guide.rows, rod=len(r))
     line = Line(guide, "RRP, guide")
     at_b, e = vectors(b.position), line.e

@@ -16,7 +16,7 @@ from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import TEXTBOOK, CannotAssemble, Length, at, dead, metres, refuse, rows_where
 from coursework.mechanism.groups.joint import REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, Known, along, plus, unknowns
-from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.mechanism.groups.pairs import At, GroupMotion, count_rows, group_motion, pair_of
 from coursework.mechanism.groups.plane import Vectors, angle_of, dot, vectors
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Group
@@ -26,7 +26,7 @@ from coursework.words.sentences import say
 MODES = GROUP_SHAPES["RRR"].modes
 
 
-def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, positions_only: bool = False) -> GroupMotion:
+def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_only: bool = False) -> GroupMotion:
     """Return the motion of the group C = B + r_i e(theta_i) = D + r_j e(theta_j).
 
     `lengths` (m) of the link from B and of the link from D, each constant or (value, rate, second rate);
@@ -35,6 +35,7 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     Raises `CannotAssemble` unless |r_i - r_j| <= BD <= r_i + r_j; `AtDeadPoint` where the links lie on one
     line, unless `positions_only`; `ValueError` for a mode or a length that does not exist.
 
+    >>> import numpy as np
     >>> from coursework.procedures import Pair, rrr
     >>> found = rrr(Pair([0.0, 0.0]), Pair([0.5, 0.0]), lengths=(0.4, 0.3), mode=1)
     >>> found.meets.position.round(9).tolist(), np.rad2deg(found.coordinates).round(2).tolist()
@@ -46,6 +47,7 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     B and D are 0.8000 m apart, the two links reach 0.7000 m; together they are 0.1000 m too short.
     """
     assembly.require_mode("RRR", mode, MODES)
+    b, d = pair_of(b), pair_of(d)
     r_i, dr_i, ddr_i = assembly.length("RRR, the link from B", lengths[0])
     r_j, dr_j, ddr_j = assembly.length("RRR, the link from D", lengths[1])
     n = count_rows("RRR", B=b.rows, D=d.rows, link_from_B=len(r_i), link_from_D=len(r_j))

@@ -1,7 +1,7 @@
 """Whether the written velocity equations say what the geometry of the file says.
 
 Enters: written equations, those the geometry gives, positions on the closure.  Leaves: `Agreement`, which equations agree and
-which are not judged.  Raises `InputError` naming each that does not.  Used by `way_to_motion.py`.
+which are not judged.  Raises `InputError` naming each that does not.  Used by `unseen_signs.py`.
 """
 
 from __future__ import annotations
@@ -51,6 +51,11 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
     zeros = tuple(given.name for given in equations.variant.given if not given.value)
     always = equations.once(("agreed", zeros), lambda: _whatever_the_data(equations, closure))
     return _judged(equations, *_configurations(closure)) if always is None else always
+
+
+def agrees(equations: VelocityEquations, closure: Closure) -> bool:
+    """Return whether the geometry confirms every written equation, with the data they have.  Raises `InputError` as above."""
+    return not _judged(equations, *_configurations(closure)).unjudged
 
 
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:

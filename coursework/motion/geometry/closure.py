@@ -44,7 +44,7 @@ class Closure:
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
     `agreed` names the written velocity equations that these positions confirm, `unjudged` those that they cannot, with the
-    velocities that nothing gives; `asked` are targets that were worked out.
+    velocities that nothing gives, `unseen` those with terms whose signs do not show; `asked` are targets that were worked out.
     """
 
     names: tuple[str, ...]
@@ -60,6 +60,7 @@ class Closure:
     blocks: tuple[tuple[list[int], list[int]], ...]
     agreed: tuple[str, ...] = ()
     unjudged: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    unseen: tuple[tuple[str, tuple[str, ...]], ...] = ()
     asked: dict[bytes, tuple[Array, Array]] = field(default_factory=dict, repr=False, compare=False)
 
     @property

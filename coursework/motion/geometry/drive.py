@@ -47,6 +47,8 @@ _MOST_CELLS = 1_000_000  # stretches of all sets that are looked at together
 _resolved: WeakKeyDictionary[VelocityEquations, dict[float, Resolution]] = WeakKeyDictionary()
 # This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
 _NEAR, _BEYOND = 1e-6, 1e4
+# An oscillation that turns by less than this part of all is a ripple; at most so many times and rows tell.
+_RIPPLE, _MOST_LOOKS = 0.02, 10_000
 
 
 def breaks(variant: Variant) -> tuple[float, ...]:
@@ -195,8 +197,11 @@ def argument_slopes(equations: VelocityEquations) -> list[Expression]:
 
 
 def refuse_aliasing(equations: VelocityEquations, step: float, frequency: float) -> None:
-    """Raise `InputError` where the step misses an oscillation (rad/s) of the drive altogether (less than two rows a period)."""
-    if frequency * step >= np.pi * (1 - 1e-12):
+    """Raise `InputError` where the step misses an oscillation (rad/s) that makes the motion (under two rows a period).
+
+    One that is a ripple on a larger motion is no other motion to the rows, which are judged as any.
+    """
+    if frequency * step >= np.pi * (1 - 1e-12) and not _is_ripple(equations, step):
         variant = equations.variant
         own = variant.time.own_step in {None, step}
         line = variant.nearest_line("time", "step") if own else 0  # a step of the command line stands in no file
@@ -206,6 +211,23 @@ def refuse_aliasing(equations: VelocityEquations, step: float, frequency: float)
         )
         told = say("fault.C021", step=step, turned=frequency * step, advice=advice)
         raise InputError([Fault(told, variant.file, line)])
+
+
+def _is_ripple(equations: VelocityEquations, step: float) -> bool:
+    """Return whether all that a drive may turn and turn back within two rows is little beside what it turns in the run.
+
+    An oscillation of which a period has less than two rows turns at most its height times step/pi.
+    """
+    end, names = equations.variant.time.end, [law.name for law in equations.variant.drive]
+    count = min(round(end / step), _MOST_LOOKS)
+    try:
+        turned = np.ptp(integrals(equations, names, np.linspace(0.0, end, count + 1)), axis=0)
+    except InputError:  # what has no value is told where the motion is followed
+        return False
+    edges = resolution(equations).edges
+    edges = edges[:: len(edges) // _MOST_LOOKS + 1]
+    height = np.ptp(drive_values(equations, names, (edges[1:] + edges[:-1]) / 2), axis=0)
+    return bool(np.all(height * step / np.pi <= _RIPPLE * turned))
 
 
 def refuse_endless(equations: VelocityEquations, time: float, *, goes_round: bool = False) -> None:

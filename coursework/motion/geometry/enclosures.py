@@ -14,6 +14,7 @@ import numpy as np
 
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import caching
 from coursework.variant.formula.tree import Formula, factors, product_of
 from coursework.variant.record.variant import Law
 
@@ -204,7 +205,7 @@ _CALLS: Mapping[str, Callable[[Enclosure], Enclosure]] = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
+@caching
 class Laws:
     """The drives and functions of one variant over stretches of time that no break and no node of a table parts.
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE, title_of
 from coursework.system.arrays import Array
+from coursework.system.frozen import changing
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say
 
@@ -56,7 +56,7 @@ class OutOfReach(ArithmeticError):
     """A refined motion takes more steps than are made, or its results do not come to agree."""
 
 
-@dataclass(slots=True)
+@changing
 class Growth:
     """How far a refined motion is `off` (rad or m) by what was left in its intervals: it grows as the way `beside` it does."""
 

@@ -19,7 +19,7 @@ from coursework.motion.integration.loops import generate_rows
 from coursework.motion.integration.motion import Motion, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
-from coursework.motion.schemes import SCHEMES, Scheme
+from coursework.motion.schemes import Scheme, scheme_of
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import whole_steps
@@ -65,14 +65,15 @@ def march(
     if stop is not None:
         last = min(last, rows_before(stop.time, step) - 1)
     times: Array = np.arange(last + 1).astype(np.float64) * step
-    rows = [] if correction else _generated(rates, SCHEMES[scheme], start, step, last, guarded)
+    tableau = scheme_of(scheme)
+    rows = [] if correction else _generated(rates, tableau, start, step, last, guarded)
     if len(rows) <= last:
-        rows, stop = _followed(rates, SCHEMES[scheme], start, step, times, correction, stop, guarded, rows, passages)
+        rows, stop = _followed(rates, tableau, start, step, times, correction, stop, guarded, rows, passages)
     size, velocities = len(rates.coordinates), len(rates.velocities)
     width = size + velocities + len(rates.blocks)
     table = np.fromiter(itertools.chain.from_iterable(rows), float, len(rows) * width).reshape(len(rows), width)
     known = table[:, size : size + velocities].copy(), table[:, size + velocities :].copy()
-    evaluations = max(0, len(rows) - 1) * SCHEMES[scheme].slopes
+    evaluations = max(0, len(rows) - 1) * tableau.slopes
     return rates.motion(times[: len(rows)].copy(), table[:, :size].copy(), scheme, step, evaluations, known, stop=stop)
 
 

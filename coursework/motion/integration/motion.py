@@ -6,13 +6,14 @@ Enters: numbers from `integrate.py` or `exact_motion.py`.  Leaves: frozen `Motio
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 import numpy as np
 
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
+from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -54,8 +55,13 @@ class Stop:
         """Return the whole finding as one paragraph."""
         return joined([self.cause, self.meaning])
 
+    @property
+    def refusal(self) -> InputError:
+        """Return the error for what only a motion that reaches its end has."""
+        return InputError(say("fault.D037", sentence=self.sentence))
 
-@dataclass(frozen=True)
+
+@caching
 class Motion:
     """Rows of one run.
 
@@ -82,6 +88,19 @@ class Motion:
     def __post_init__(self) -> None:
         for rows in (self.t, self.coordinates, self.velocities, self.determinants, self.scaled, self.residuals):
             rows.flags.writeable = False
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Motion):
+            return NotImplemented
+        mine, its = ((one.names, one.scheme, one.step, one.stop, one.t.tobytes(), one.rows.tobytes()) for one in (self, other))
+        return mine == its
+
+    def __hash__(self) -> int:
+        return hash((self.names, self.scheme, self.step, len(self.t)))
+
+    def __repr__(self) -> str:
+        stopped = f", stops at {self.stop.time:.6g} s" if self.stop else ""
+        return f"<Motion: {self.scheme}, {len(self.t)} rows of {', '.join(self.names)}{stopped}>"
 
     def column(self, name: str) -> Array:
         """Return one column by name (n,).  Raises `KeyError` for a name that is none."""

@@ -10,7 +10,7 @@ itself: degree nine, so that it is exact to round-off over a hundredth of the wa
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -19,7 +19,7 @@ import numpy as np
 from coursework.motion.integration.motion import AT_EVENT
 from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
 
 # Distances of the flanks from the passage, and the weights with which their values give the one in the middle (error flank^4).
 FLANKS = (-2, -1, 1, 2)
@@ -35,7 +35,7 @@ class State:
     velocities: Mapping[str, float]
 
 
-@dataclass(frozen=True)
+@caching
 class Passage:
     """`middle`: where the determinant of block number `block` vanishes; `flanks` (four) about it, `flank` s apart.
 

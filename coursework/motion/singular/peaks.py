@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from coursework.motion.integration.hermite import hermite
 from coursework.motion.singular.scaled_flow import Clock
 from coursework.system.arrays import Array
+from coursework.system.frozen import changing
 from coursework.words.errors import CourseworkError
 
 # A bracket shrinks to this part of itself a trial, and to 1e-4 in so many; the rate is then right to the square of that.
@@ -28,7 +29,7 @@ _LOOKS = 16
 _CONSTANT = 1e-9
 
 
-@dataclass(slots=True)
+@changing
 class Piece:
     """One step of a walk: the `state` (position, then t) it begins at, its `slope` there, the `clock`, the `length` in s."""
 
@@ -44,7 +45,7 @@ class Piece:
         return abs(float(slope[coordinate] / slope[-1])), float(state[-1])
 
 
-@dataclass(slots=True)
+@changing
 class Peaks:
     """The largest and smallest rates seen, the two steps beside each largest one, state and slope at the begin of every step."""
 

@@ -9,7 +9,7 @@ block, dimensionless) and dq/ds = D u = adj(A) b nothing is divided by D.  Sourc
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 
 import numpy as np
@@ -24,7 +24,7 @@ from coursework.equations.reduction.symbolic import constants
 from coursework.equations.reduction.system import LinearSystem, compile_system, scene_program
 from coursework.motion.integration.order_eight import SLOPES, dormand_prince_8
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 
 # Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.
 _LOOKS = 16
@@ -44,7 +44,7 @@ class BlockColumns:
     unknowns: tuple[int, ...]
 
 
-@dataclass(slots=True)
+@changing
 class Flow:
     """The determinant-scaled flow of one scene.
 

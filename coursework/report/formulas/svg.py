@@ -30,7 +30,7 @@ _BAR = re.compile(
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
-MARKERS = "marker{overflow:visible}"  # in units of the line, which is 1 wide
+MARKERS = ".math{fill:none}marker{overflow:visible}"  # in units of the line, which is 1 wide
 NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
@@ -125,7 +125,7 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     # Two digits more than eyes need: lines of words beside a formula stand on whole pixels by its height.
     head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.8g} {UNITS * high:.8g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())
-    return Picture(f'{head}<g fill="none">{letters}</g>{bars.strip()}</svg>', wide), glyphs
+    return Picture(f"{head}{letters}{bars.strip()}</svg>", wide), glyphs
 
 
 def _bar(bar: re.Match[str], line: int) -> str:

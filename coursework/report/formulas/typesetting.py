@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 FACES = ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSans-BoldOblique.ttf")
 
 # Typst keeps what it has computed until ten further compilations had no use for it: 480 MB of reports that differ in their
-# data.  So many empty ones behind each PDF, 0.2 ms each, leave what the next report takes over, and half the memory.
+# data.  So many empty ones before each PDF, 0.2 ms each, leave what the next report takes over, and half the memory.
 EMPTY = 5
 _PLACE = re.compile(r"┌─ .*?reports/(?P<name>[^:\n]+):(?P<line>\d+):")  # in Typst's account of an error
 _ALONE = threading.Lock()  # a compiler that is used again serves one thread at a time
@@ -112,7 +112,9 @@ def typeset(
     Raises `typst.TypstError` as it comes; `OutputError` where Typst is not installed.
     """
     place = folder("reports")
-    made = _typst().compile(
+    if kind == "pdf":
+        _forget()
+    return _typst().compile(
         str(place / template),
         font_paths=_fonts(everything),
         root=str(place),
@@ -121,9 +123,6 @@ def typeset(
         sys_inputs={"data": json.dumps(data, ensure_ascii=False)},
         pdf_standards=[standard] if standard else [],
     )
-    if kind == "pdf":
-        _forget()
-    return made
 
 
 def refusal(error: RuntimeError) -> CourseworkError:

@@ -1,4 +1,4 @@
-"""Figures of the accuracy section: error against cost, and bars.
+"""The figure of the accuracy section: error against cost, each line named where it ends, alike methods as one band.
 
 Enters: numbers and labels.  Leaves: SVG text and its height in mm.
 Used by `accuracy.py`.
@@ -7,12 +7,13 @@ Used by `accuracy.py`.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from html import escape
+from itertools import pairwise
 
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.graphs.graph_paper import INK, LETTERS, words
-from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward
+from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward, way_of
 from coursework.system.frozen import frozen
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito); dashes (mm) and marks keep them apart in print.
@@ -21,52 +22,43 @@ STYLES = (
     ("#cc79a7", "2.1 .4 .4 .4 .4 .4", "down"), ("#e69f00", "3.4 .9", "plus"), ("#56b4e9", "1.3 .4", "cross"),
     ("#7b3294", "", "star"), ("#8c510a", "1.6 .7", "left"), ("#000", "2.7 .7 .4 .7", "right"),
 )  # fmt: skip
-OTHERS = ("own_legend", "end_legend", "floor_legend")  # below the methods
-
-PLOT_HEIGHT = 52.0  # mm of the axes with their labels
-LEFT, RIGHT, TOP, BOTTOM = 14.0, 4.0, 6.0, 10.5  # mm around the axes
-BETWEEN = 6.0  # mm from one panel to the next
-ROOM_X, ROOM_Y = (0.05, 0.09), (0.04, 0.04)  # of the ranges, before and behind what is shown; behind stands a slope
-LEGEND_COLUMNS = (3, 2, 1)  # as many as have room for their words
-LEGEND_LINE = 4.4  # mm of one line of the legend
-LEGEND_LEFT, LEGEND_PEN, LEGEND_GAP = 12.0, 9.0, 1.8  # mm: where it begins, of a sample, between it and its words
+HEIGHT = 70.0  # mm of the whole
+LEFT, RIGHT, TOP, BOTTOM = 14.0, 42.0, 6.0, 10.5  # mm around the axes; words stand at the right of the lines
+ROOM_X, ROOM_Y = (0.05, 0.05), (0.04, 0.04)  # of the ranges, before and behind what is shown
 LETTER, SIGN = 1.73, 3.02  # mm: of a letter, a little more than the mean, and of a Chinese sign
-BAR, PITCH = 4.2, 6.7  # mm: a bar, and from one to the next
-BAR_LEFT, BAR_TOP, BAR_ROOM = 51.0, 1.5, (0.1, 0.15)
-FILL = "#9ecae1"
-NEAR = 3.0  # triangles closer than this factor of cost (its square in error) would overlap, its square in half the width
-HALO = ' stroke="#fff" stroke-width="0.7" stroke-linejoin="round" paint-order="stroke"'  # around words that may lie on a line
+LINE = 4.0  # mm of one line of words
 OWN = f'fill="none" stroke="{INK}" stroke-width="0.46"'
 OWN_RADIUS = 1.9  # mm
-LAST_ROW = 'stroke-width="0.25" stroke-dasharray="1 .5"'
-ROUND_OFF = 'fill="#e6e6e6"'
+BAND = 'class="order" fill="#e6e6e6" stroke="#555" stroke-width="0.2"'
+ROUND_OFF = 'fill="#f2f2f2"'
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
+BAND_ORDER = 2  # of which there are several methods, hardly apart
+
+Box = tuple[float, float, float, float]
 
 
 @frozen
 class Method:
-    """One line: evaluations, seconds (None = not shown), largest and last-row error at each setting, its order."""
+    """One line: evaluations, seconds (None = not shown) and largest error at each setting, its measured order."""
 
     name: str
     evaluations: tuple[int, ...]
     seconds: tuple[float | None, ...]
     errors: tuple[float, ...]
-    end_errors: tuple[float, ...]
     order: float | None
-    order_text: str
 
-    def points(self, *, timed: bool) -> list[tuple[float, float, float]]:
-        """Return (cost, largest error, error of the last row), from the cheapest on."""
+    def points(self, *, timed: bool) -> list[tuple[float, float]]:
+        """Return (cost, largest error), from the cheapest on."""
         costs = self.seconds if timed else self.evaluations
-        return sorted(
-            (float(cost), _shown(error), _shown(end))
-            for cost, error, end in zip(costs, self.errors, self.end_errors, strict=True)
+        return [
+            (float(cost), max(abs(error), SMALLEST))
+            for _, cost, error in sorted(zip(self.evaluations, costs, self.errors, strict=True))
             if cost is not None and math.isfinite(error)
-        )
+        ]
 
 
 @frozen
-class Panels:
+class Chart:
     """The whole figure; `own` = (evaluations, seconds, error) of the coursework, `labels` by key of the words file."""
 
     methods: tuple[Method, ...]
@@ -74,160 +66,99 @@ class Panels:
     floor: float
     error_label: str
     labels: dict[str, str]
+    band: Callable[[list[str]], str] = ", ".join
 
     @property
     def timed(self) -> bool:
-        """Return whether there are running times for a second panel."""
+        """Return whether the cost is running time, else evaluations."""
         return any(seconds is not None for method in self.methods for seconds in method.seconds)
 
 
-@frozen
-class Triangle:
-    """The slope of a line: from `left` to `right` in cost it falls from `top` to `bottom` in error."""
-
-    left: float
-    right: float
-    top: float
-    bottom: float
-    text: str
-    ink: str
-
-
-def _shown(error: float) -> float:
-    return max(abs(error), SMALLEST)
-
-
-def panels(page: Panels) -> tuple[str, float]:
-    """Return error against evaluations and, where times are shown, against seconds, sharing the error axis; and mm high."""
-    legend = _legend_words(page)
-    columns = _columns([text for text, _ in legend])
-    height = PLOT_HEIGHT + LEGEND_LINE * max(map(len, columns))
-    triangles = _triangles(page)
-    errors = [error for method in page.methods for _, *each in method.points(timed=False) for error in each]
-    errors = [error for error in errors if math.isfinite(error)]
-    errors += [value for one in triangles for value in (one.top, one.bottom)]
-    errors += [_shown(page.own[2])] if page.own else []
+def chart(page: Chart) -> tuple[str, float]:
+    """Return error against cost, and mm high."""
+    timed = page.timed
+    lines = [(method, method.points(timed=timed), *STYLES[index % len(STYLES)]) for index, method in enumerate(page.methods)]
+    lines = [line for line in lines if line[1]]
+    own = (page.own[1 if timed else 0], max(abs(page.own[2]), SMALLEST)) if page.own else (None, 0.0)
+    errors = [error for _, points, *_ in lines for _, error in points] + ([own[1]] if own[0] else [])
     errors += [page.floor / 10] if page.floor > 0 else []
-    y = scale_for(errors, PLOT_HEIGHT - BOTTOM, TOP, ROOM_Y)
-    whole = WIDTH - LEFT - RIGHT
-    wide = (whole - BETWEEN) / 2 if page.timed else whole
-    inside = _panel(page, _costs(page, triangles, LEFT, LEFT + wide, timed=False), y, triangles, timed=False)
-    if page.timed:
-        inside += _panel(page, _costs(page, (), WIDTH - RIGHT - wide, WIDTH - RIGHT, timed=True), y, (), timed=True)
-    return sheet(WIDTH, height, inside + _legend(legend, columns)), height
-
-
-def _costs(page: Panels, triangles: Sequence[Triangle], begin: float, end: float, *, timed: bool) -> Scale:
-    """Return the axis of the costs."""
-    shown = [cost for method in page.methods for cost, _, _ in method.points(timed=timed)]
-    own = page.own[1 if timed else 0] if page.own else None
-    return scale_for([*shown, *([own] if own else []), *(one.right for one in triangles)], begin, end, ROOM_X)
-
-
-def _panel(page: Panels, x: Scale, y: Scale, triangles: Sequence[Triangle], *, timed: bool) -> str:
-    """Return one panel: the band of round-off, axes, broken lines of the last row, lines with their marks, slopes, ring."""
-    low = y.at(page.floor) if page.floor > 0 else y.begin
-    inside = f'<path {ROUND_OFF} d="M{x.begin:g} {low:.2f}H{x.end:g}V{y.begin:g}H{x.begin:g}z"/>' if page.floor > 0 else ""
-    inside += across(x, y.begin, y.end, escape(page.labels["seconds" if timed else "evaluations"]))
-    inside += upward(y, x.begin, x.end, "" if timed else escape(page.error_label))
-    lines = [(method.points(timed=timed), *STYLES[index % len(STYLES)]) for index, method in enumerate(page.methods)]
-    for points, ink, _, _ in lines:
-        ends = [(x.at(cost), y.at(end)) for cost, _, end in points if math.isfinite(end)]
-        inside += polyline(ends, f'stroke="{ink}" {LAST_ROW}')
-    for points, ink, dashes, mark in lines:
-        if points:
-            places = [(x.at(cost), y.at(error)) for cost, error, _ in points]
-            inside += polyline(places, _pen(ink, dashes)) + marks(places, mark, ink)
-    for one in triangles:
-        left, right, top, bottom = x.at(one.left), x.at(one.right), y.at(one.top), y.at(one.bottom)
-        inside += (
-            f'<path fill="none" stroke="{one.ink}" stroke-width="0.28" d="M{left:.2f} {top:.2f}H{right:.2f}V{bottom:.2f}z"/>'
-        )
-        inside += words(right + 0.9, (top + bottom) / 2 + RISE * LETTERS, escape(one.text), more=HALO)
-    if page.own and (cost := page.own[1 if timed else 0]) is not None:
-        inside += f'<circle {OWN} cx="{x.at(cost):.2f}" cy="{y.at(_shown(page.own[2])):.2f}" r="{OWN_RADIUS}"/>'
-    return inside
-
-
-def _pen(ink: str, dashes: str) -> str:
-    return f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else "")
-
-
-def _triangles(page: Panels) -> list[Triangle]:
-    """Return the measured slope of each line, above it towards its dear end, where lines are apart."""
-    found: list[Triangle] = []
-    near = NEAR**2 if page.timed else NEAR
-    for index, method in enumerate(page.methods):
-        points = method.points(timed=False)
-        if method.order is None or len(points) < 3:
+    y = scale_for(errors, HEIGHT - BOTTOM, TOP, ROOM_Y)
+    costs = [cost for _, points, *_ in lines for cost, _ in points] + ([own[0]] if own[0] else [])
+    x = scale_for(costs, LEFT, WIDTH - RIGHT, ROOM_X)
+    inside, named = _ground(page, x, y)
+    alike = [line for line in lines if line[0].order is not None and round(line[0].order) == BAND_ORDER and len(line[1]) > 1]
+    band = sorted(alike, key=lambda line: line[1][0][1]) if len(alike) > 1 else []
+    drawn: list[list[tuple[float, float]]] = []
+    if band:
+        low, high = ([(x.at(cost), y.at(error)) for cost, error in line[1]] for line in (band[0], band[-1]))
+        inside += f'<path {BAND} d="{way_of([*low, *reversed(high)])}z"/>'
+        drawn += [low, high]
+        named.append((page.band([line[0].name for line in alike]), high[-1]))
+    for method, points, ink, dashes, mark in lines:
+        if any(method is line[0] for line in band):
             continue
-        start = max(1, (2 * len(points)) // 3) - 1
-        (left, error, _), (following, _, _) = points[start], points[start + 1]
-        right, top = left * min(following / left, 4.0), error * 3
-        if any(max(right / a.right, a.right / right) < near and max(top / a.top, a.top / top) < near**2 for a in found):
-            continue  # two labels would lie on each other; the note of the table has every order
-        bottom = top * (right / left) ** -method.order
-        found.append(Triangle(left, right, top, bottom, method.order_text, STYLES[index % len(STYLES)][0]))
-    return found
+        places = [(x.at(cost), y.at(error)) for cost, error in points]
+        pen = f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else "")
+        inside += polyline(places, pen) + marks(places, mark, ink)
+        drawn.append(places)
+        named.append((method.name, places[-1]))
+    taken: list[Box] = []
+    if own[0] is not None:
+        at = (x.at(own[0]), y.at(own[1]))
+        inside += f'<circle {OWN} cx="{at[0]:.2f}" cy="{at[1]:.2f}" r="{OWN_RADIUS}"/>'
+        named.insert(0, (page.labels["own_legend"], at))
+        taken.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
+    for text, place in named:
+        inside += _name(text, place, drawn, taken)
+    return sheet(WIDTH, HEIGHT, inside), HEIGHT
 
 
-def _legend_words(page: Panels) -> list[tuple[str, str]]:
-    """Return the words of the legend and what each shows: a sample 9 mm wide about (0, 0)."""
-    ends: Points = ((-LEGEND_PEN / 2, 0), (LEGEND_PEN / 2, 0))
+def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[tuple[str, tuple[float, float]]]]:
+    """Return axes and the band of round-off, and the name of that."""
+    inside, named = "", []
+    if page.floor > 0:
+        low = y.at(page.floor)
+        inside = f'<path {ROUND_OFF} d="M{x.begin:g} {low:.2f}H{x.end:g}V{y.begin:g}H{x.begin:g}z"/>'
+        named.append((page.labels["floor_legend"], (x.end - 1.5, (low + y.begin) / 2)))
+    inside += across(x, y.begin, y.end, escape(page.labels["seconds" if page.timed else "evaluations"]))
+    return inside + upward(y, x.begin, x.end, escape(page.error_label)), named
+
+
+def _name(text: str, place: tuple[float, float], drawn: Sequence[Points], taken: list[Box]) -> str:
+    """Return the name of a line beside its end, where it covers fewest words and lines."""
+    wide = sum(SIGN if sign >= "\u2e80" else LETTER for sign in text)
+    best: tuple[float, Box] | None = None
+    for dx, dy, cost in _places(wide):
+        left, top = place[0] + dx, place[1] + dy - LINE / 2
+        box = (left, top, left + wide, top + LINE)
+        cost += 40 * sum(_meet(box, other) for other in taken) + 4 * sum(_crossed(box, line) for line in drawn)
+        cost += 100 * (box[2] > WIDTH or box[0] < LEFT + 1 or box[1] < TOP or box[3] > HEIGHT - BOTTOM)
+        if best is None or cost < best[0]:
+            best = (cost, box)
+    assert best is not None
+    taken.append(best[1])
+    return words(best[1][0], best[1][1] + LINE / 2 + RISE * LETTERS, escape(text))
+
+
+def _places(wide: float) -> list[tuple[float, float, float]]:
+    """Return where the left middle of words may stand from the end of a line, and how far off that is."""
     found = []
-    for index, method in enumerate(page.methods):
-        if method.points(timed=False) or method.points(timed=True):
-            ink, dashes, mark = STYLES[index % len(STYLES)]
-            found.append((method.name, polyline(ends, _pen(ink, dashes)) + marks([(0, 0)], mark, ink)))
-    samples = {
-        "own_legend": f'<circle {OWN} r="{OWN_RADIUS}"/>' if page.own else "",
-        "end_legend": polyline(ends, f'stroke="#404040" {LAST_ROW}'),  # one stands for the lines of all colours
-        "floor_legend": f'<path {ROUND_OFF} d="M-4.5 -1.2h9v2.4h-9z"/>' if page.floor > 0 else "",
-    }
-    return [*found, *((page.labels[key], samples[key]) for key in OTHERS if samples[key])]
+    for step in range(5):
+        for dy in {0.0} if step == 0 else {step * LINE * 0.75, -step * LINE * 0.75}:
+            found += [(1.8, dy, step), (-wide / 2, dy, step + 0.5 + 9 * (step < 1)), (-wide - 1.8, dy, step + 2.0)]
+    return sorted(found, key=lambda one: (one[2], one))
 
 
-def _columns(texts: list[str]) -> list[list[str]]:
-    """Return the words of a legend in columns that fit side by side."""
-    found = [texts]
-    for count in LEGEND_COLUMNS:
-        rows = -(-len(texts) // count)
-        found = [texts[first : first + rows] for first in range(0, len(texts), rows)]
-        if LEGEND_LEFT + sum(map(_wide, found)) <= WIDTH:
-            break
-    return found
+def _meet(one: Box, other: Box) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
-def _wide(column: list[str]) -> float:
-    """Return mm of a column of the legend, with room behind it."""
-    longest = max(sum(SIGN if sign >= "\u2e80" else LETTER for sign in text) for text in column)
-    return LEGEND_PEN + 2 * LEGEND_GAP + longest
-
-
-def _legend(entries: list[tuple[str, str]], columns: list[list[str]]) -> str:
-    """Return the legend below the axes, in the middle."""
-    inside, samples = "", iter(entries)
-    left = max(LEGEND_LEFT, (WIDTH - sum(map(_wide, columns))) / 2)
-    for column in columns:
-        for row in range(len(column)):
-            text, sample = next(samples)
-            y = PLOT_HEIGHT + LEGEND_LINE * (row + 0.5)
-            inside += f'<g transform="translate({left + LEGEND_PEN / 2:.2f} {y:.2f})">{sample}</g>'
-            inside += words(left + LEGEND_PEN + LEGEND_GAP, y + RISE * LETTERS, escape(text))
-        left += _wide(column)
-    return inside
-
-
-def bars(labels: Sequence[str], values: Sequence[float], texts: Sequence[str], label: str) -> tuple[str, float]:
-    """Return horizontal bars on a logarithmic axis with `texts` at their ends, and the height of the drawing in mm."""
-    bottom = BAR_TOP + PITCH * len(values)
-    x = scale_for(values, BAR_LEFT, WIDTH - RIGHT, BAR_ROOM)
-    inside = across(x, bottom, BAR_TOP, escape(label))
-    for row, (name, value, text) in enumerate(zip(labels, values, texts, strict=True)):
-        middle, end = BAR_TOP + PITCH * (row + 0.5), x.at(value)
-        outline = f"M{BAR_LEFT:g} {middle - BAR / 2:.2f}H{end:.2f}v{BAR:g}H{BAR_LEFT:g}z"
-        inside += f'<path fill="{FILL}" stroke="{INK}" stroke-width="0.2" d="{outline}"/>'
-        inside += words(BAR_LEFT - 1.5, middle + RISE * LETTERS, escape(name), "end")
-        inside += words(end + 1.2, middle + RISE * LETTERS, escape(text))
-    height = bottom + BOTTOM
-    return sheet(WIDTH, height, inside), height
+def _crossed(box: Box, line: Points) -> int:
+    """Return at how many of some places of a line it lies within a box."""
+    count = 0
+    for (x0, y0), (x1, y1) in pairwise(line if len(line) > 1 else [*line, *line]):
+        steps = max(2, int(math.hypot(x1 - x0, y1 - y0)))
+        for k in range(steps + 1):
+            x, y = x0 + (x1 - x0) * k / steps, y0 + (y1 - y0) * k / steps
+            count += box[0] < x < box[2] and box[1] < y < box[3]
+    return count

@@ -1,7 +1,7 @@
 """Drawings that print to scale, as figures of a page.
 
 Enters: a `PageContext` and drawings.  Leaves: parts.
-Used by `accuracy_figures.py` and the sections that show a drawing.
+Used by `accuracy_figures.py`, the sections that show a drawing and `assigning/`.
 """
 
 from __future__ import annotations
@@ -10,16 +10,28 @@ import re
 
 from coursework.drawing.paper import record
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Figure, Paragraph, Part
+from coursework.report.text.parts import Figure, Paragraph, Part, Runs
 from coursework.report.text.text_runs import ITALIC, printed
+from coursework.report.text.words import Words
 
 WIDTH = 170.0  # mm; the text width of A4 with margins of 20 mm
 
 
 def drawn(context: PageContext, drawing: record.Drawing) -> Figure:
     """Return a drawing as a figure of the page, its words in the page's language."""
-    caption, alt = context.rich(drawing.caption), context.told(drawing.alt)
+    caption, alt = scale_on_paper(context.words, context.rich(drawing.caption)), context.told(drawing.alt)
     return Figure(drawing.svg, drawing.width, drawing.height, alt, caption, drawing.exact, id=drawing.id)
+
+
+def scale_on_paper(words: Words, caption: Runs) -> Runs:
+    """Return a caption whose words of the scale are marked: on a screen a drawing has another size."""
+    said = re.escape(words("drawing.scale", scale="1")).replace("1", r"[\d.,:]*\d")
+    found: Runs = []
+    for run in caption:
+        parts = re.split(rf"((?:[,，]\s*)?{said})", run["t"], maxsplit=1) if "t" in run else []
+        before, scale, behind = parts if len(parts) == 3 else ("", "", "")
+        found += [{"t": before}, {"o": scale}, {"t": behind}] if scale else [run]
+    return found
 
 
 def drawn_parts(context: PageContext, drawing: record.Drawing) -> list[Part]:

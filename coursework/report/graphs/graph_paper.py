@@ -32,15 +32,24 @@ TIME_ROOM = 6.0  # mm at the end of the axis of t, for its name
 MOST_TICKS = 5  # of the values; a low field has fewer, each with the room of its word
 ROOM = 0.07  # of the range of the values, above and below
 RADIUS = 0.62  # mm of a dot
-MOST_DOTS = 60
+MOST_DOTS = 30
 MOST_POINTS = 2000  # of one curve; finer than any printer at this width
 BETWEEN = 8  # points of a smooth curve a row
+# The weights of the four ends of a cubic at BETWEEN + 1 points of it and midway between them; those of the points in its handles.
+_PART = np.arange(2 * BETWEEN + 1)[:, None] / (2 * BETWEEN)
+_BERNSTEIN = np.hstack([(1 - _PART) ** 3, 3 * _PART * (1 - _PART) ** 2, 3 * _PART**2 * (1 - _PART), _PART**3])
+_ENDS = np.zeros((BETWEEN + 1, BETWEEN + 1))
+_ENDS[:, [0, -1]] = _BERNSTEIN[::2, [0, 3]]
+_HANDLES = np.linalg.pinv(_BERNSTEIN[::2, 1:3]) @ (np.eye(BETWEEN + 1) - _ENDS)
+BESIDE_CURVE = 0.004  # mm that a cubic may be off the steps: nothing that a screen or a printer shows
 ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
 INK, SCHEME_INK, FAINT = "#111", "#0072b2", "#bbb"
 EXACT_PEN = f'class="exact" fill="none" stroke="{INK}" stroke-width="0.42" stroke-linejoin="round"'
 SCHEME_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.25"'
 DOT_PEN = f'class="dots" stroke="{SCHEME_INK}" stroke-width="{2 * RADIUS:g}" stroke-linecap="round"'
-STOP_PEN = f'class="stop" stroke="{INK}" stroke-width="0.3" stroke-dasharray="1.8 1.2"'
+STOP_INK = "#b4460f"
+STOP_PEN = f'class="stop" stroke="{STOP_INK}" stroke-width="0.4" stroke-dasharray="1.8 1.2"'
+STOP_WORDS = f' fill="{STOP_INK}"'
 
 
 @frozen
@@ -68,6 +77,27 @@ class Field:
         known = np.flatnonzero(np.isfinite(values))
         lines = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1)
         return "".join(way([self.x(t[line]), self.y(values[line])]) for line in lines if len(line))
+
+    def curve(self, t: Array, values: Array) -> str:
+        """Return the d of a smooth line through points; a cubic stands for `BETWEEN` steps wherever one goes through them."""
+        if len(t) % BETWEEN != 1 or not np.isfinite(values).all():
+            return self.path(t, values)
+        points = np.column_stack([self.x(t), self.y(values)])
+        pieces = points[np.arange(0, len(t) - 1, BETWEEN)[:, None] + np.arange(BETWEEN + 1)]
+        handles = np.einsum("hp,npx->nhx", _HANDLES, pieces)
+        ends = np.concatenate([pieces[:, :1], handles, pieces[:, -1:]], axis=1)
+        steps = np.einsum("ph,nhx->npx", _BERNSTEIN, ends)
+        steps[:, ::2] -= pieces
+        steps[:, 1::2] -= (pieces[:, 1:] + pieces[:, :-1]) / 2
+        off = np.abs(steps).max(axis=(1, 2))
+        at = np.rint(100 * points[0]).astype(int)
+        drawn = way([points[:1, 0], points[:1, 1]])
+        for piece, corners, is_line in zip(pieces, ends, off > BESIDE_CURVE, strict=True):
+            steps = np.rint(100 * (piece if is_line else corners)[1:]).astype(int)
+            told = np.diff(np.vstack([at, steps]), axis=0) if is_line else steps - at
+            drawn += ("l" if is_line else "c") + "".join(map(_hundredths, told.ravel().tolist())).lstrip()
+            at = steps[-1]
+        return drawn
 
 
 def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Array], numbers_as: Numbers = PLAIN) -> Field:

@@ -98,7 +98,12 @@ def polyline(points: Points, pen: str) -> str:
     """Return a line through points (mm); nothing for a single one."""
     if len(points) < 2:
         return ""
-    return f'<path fill="none" {pen} d="{way(list(np.array(points).T))}"/>'
+    return f'<path fill="none" {pen} d="{way_of(points)}"/>'
+
+
+def way_of(points: Points) -> str:
+    """Return the d of a line through points (mm)."""
+    return way(list(np.array(points).T))
 
 
 def marks(points: Points, mark: str, ink: str) -> str:

@@ -104,14 +104,16 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
     with _drawing(), tempfile.TemporaryDirectory() as place:
         figure = Figure(figsize=SIZE, dpi=DPI)
         FigureCanvasAgg(figure)
-        field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.15, 0.28, 0.62))
+        field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.2, 0.28, 0.57))
         size = _window(field, outline, poses)
         cursor = _graph(graph, run, table, exact, Words(phrases))
         draw_ground(field, outline, poses, size)
         shapes = [Shape(field, outline, each, size) for each in poses]
+        joints = Joints(field, outline, poses[0], size)
         scheme = phrases.written(title_of(run.tableau)) if run.tableau else table.scheme
         figure.text(0.64, 0.93, told("truth"))
         figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:g}"), color=SCHEME_INK)
+        figure.text(0.64, 0.03, told("mark_line"), color=ORANGE, fontsize=7)
         clock = figure.text(0.03, 0.93, "", weight="bold")
         writer = PillowWriter(fps=PER_SECOND)
         path = Path(place) / "moving.gif"
@@ -120,6 +122,7 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
             for frame in range(0, len(exact.t), stride):
                 for shape, dashed in zip(shapes, (False, True), strict=True):
                     shape.show(frame, dashed=dashed)
+                joints.show(frame)
                 t = float(exact.t[frame])
                 cursor.set_xdata([t, t])
                 clock.set_text(told("clock", row=round(t / table.step) + 1, t=f"{t:.3f}"))
@@ -158,6 +161,7 @@ def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion, words: Words
     axes.set_title(label_text(symbol(name)) + behind, fontsize=9, loc="left")
     axes.set_xlabel(f"t{in_time}", fontsize=8)
     axes.tick_params(labelsize=7)
+    axes.spines[["top", "right"]].set_visible(False)
     return axes.axvline(0.0, color=ORANGE, linewidth=1.0)
 
 
@@ -236,3 +240,25 @@ class Shape:
             yield pose[block.at] + along * np.array([*upper, np.nan, *lower] if block.open else [*upper, *lower, upper[0]])
         for wheel in self.outline.wheels:
             yield pose[wheel.centre] + ROUND * abs(pose[wheel.contact] - pose[wheel.centre])
+
+
+class Joints:
+    """The joints of the true mechanism and the names of its points, moved from frame to frame."""
+
+    def __init__(self, field: Axes, outline: Outline, poses: Poses, size: float) -> None:
+        self.names, self.poses, self.off = outline.shown, poses, 0.03 * size
+        style: dict[str, Any] = {"color": "black", "markerfacecolor": "white", "markersize": 5, "linewidth": 0, "zorder": 4}
+        self.rings = field.plot([], [], marker="o", **style)[0]
+        self.words = [field.text(0, 0, label_text(symbol(name)), style="italic", zorder=5) for name in self.names]
+
+    def show(self, frame: int) -> None:
+        """Show one frame; a name stands on the side away from the middle of the mechanism."""
+        pose = self.poses.pose(frame)
+        places = np.array([pose[name] for name in self.names])
+        self.rings.set_data(places.real, places.imag)
+        for word, at in zip(self.words, places.tolist(), strict=True):
+            away = at - complex(places.mean())
+            place = at + self.off * (away / abs(away) if away else 1j)
+            word.set_position((place.real, place.imag))
+            word.set_horizontalalignment("left" if away.real >= 0 else "right")
+            word.set_verticalalignment("bottom" if away.imag >= 0 else "top")

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from coursework.drawing.check_sheet.graph_words import letter_of_centres
 from coursework.equations.reduction.blocks import angles_in_determinants
 from coursework.motion.geometry.drive import breaks, resolution, resolved
 from coursework.motion.integration.integrate import WIDEST_STEP
@@ -21,6 +22,7 @@ from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
 from coursework.report.live.functions import Functions, live_functions
 from coursework.report.live.script import embedded, hash_of, script_of
+from coursework.report.text.tables import given_constants
 from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
@@ -29,7 +31,7 @@ from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 
 # Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
-MOST_BYTES, MOST_ROWS = 60_000, 512
+MOST_BYTES, MOST_ROWS = 60 * 1024, 512
 FINE = 16  # points of the true motion from row to row, as laboratory_motion.js makes them
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
 _PUT_TOGETHER = ("scheme_", "on_", "off_")  # words whose keys a script puts together
@@ -109,7 +111,9 @@ def _said(
     words = {key: marked(words) for key, words in _words(phrases).items()} | {
         f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()
     }
+    contacts = {wheel["contact"] for wheel in drawn.data["wheels"]}
     return drawn.data | {
+        "centre": letter_of_centres(drawn.data["points"], contacts, [link["name"] for link in drawn.data["links"]]),
         "words": words,
         "labels": {name: text for name in names if (text := label(name)) != name},
         "unit_words": units,
@@ -180,7 +184,7 @@ def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
         "coordinates": [c.name for c in variant.coordinates],
         "velocities": [*variant.rates, *(name for name, _ in variant.unknowns)],
         "units": {name: variant.unit_of(name) for name in variant.columns},
-        "shown": list(run.motion.names),
+        "shown": [name for name in run.motion.names if name not in given_constants(run)],
         "start": scene.start,
         "step": run.step,
         "end": variant.time.end,

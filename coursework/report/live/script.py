@@ -17,10 +17,12 @@ from typing import Any
 
 from coursework.words.data_folders import folder
 
-_TEXT = re.compile(r"""("(?:[^"\\]|\\.)*"|`[^`]*`)""")
+_TEXT = re.compile(r"""("(?:[^"\\\n]|\\.)*"|`[^`\n]*`)""")
 # Ends of lines that end no statement, and what ends the last statement of a block; a loop of ours has a body.
 _NEEDLESS = re.compile(r";?\n(?=})|(?<=[;{,(\[])\n|\n(?=[)\]])")
-_BESIDE = re.compile(r" ?([-=+*/<>?:,;{}()\[\]&|!]+) ?")
+_SIGN = r"[-=+*/<>?:,;{}()\[\]&|!]"
+_BESIDE = re.compile(rf" (?={_SIGN})|(?<={_SIGN}) ")
+_NO_CODE = re.compile(r"^\s*//.*\n|^\s+|[ \t]+$", re.MULTILINE)  # lines of comment, empty ones, margins
 
 
 def script_of(functions: str, pieces: Sequence[str]) -> str:
@@ -29,7 +31,7 @@ def script_of(functions: str, pieces: Sequence[str]) -> str:
     Everything stands inside one function, so that no name is left behind on the page.
     """
     first, *others = map(_piece, pieces)
-    functions = "\n".join(map(_tight, functions.splitlines()))
+    functions = _tight(functions)
     reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
     whole = "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
     return _NEEDLESS.sub("", whole)
@@ -57,11 +59,10 @@ def _piece(name: str) -> str:
 
 @lru_cache
 def _text(path: Path) -> str:
-    lines = map(str.strip, path.read_text(encoding="utf-8").splitlines())
-    return "\n".join(_tight(line) for line in lines if line and not line.startswith("//"))
+    return _tight(_NO_CODE.sub("", path.read_text(encoding="utf-8")).strip())
 
 
-def _tight(line: str) -> str:
-    """Return a line without the spaces beside its operators; texts in it stay as they are."""
-    parts = _TEXT.split(line)
-    return "".join(part if place % 2 else _BESIDE.sub(r"\1", part) for place, part in enumerate(parts))
+def _tight(code: str) -> str:
+    """Return code without the spaces beside its operators; texts in it stay as they are."""
+    parts = _TEXT.split(code)
+    return "".join(part if place % 2 else _BESIDE.sub("", part) for place, part in enumerate(parts))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import asdict, replace
+from dataclasses import asdict, fields
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +27,9 @@ def stamp_of(run: SceneRun, language: str = "en") -> str:
     """Return the stamp of a run: a hash of its variant, its options and the tool's version, wherever the file lies."""
     named = (run.student, run.group, run.teacher, run.institution, run.date, run.blank)
     settings = (run.settings, run.asked, named, language, stamp_of_templates(), run.versions["coursework"])
-    content = repr((replace(run.variant, path=None), settings)) + (repr(run.variant.forces) if run.variant.forces else "")
+    kept = {one.name: getattr(run.variant, one.name) for one in fields(run.variant) if one.repr} | {"path": None}
+    said = ", ".join(f"{name}={value!r}" for name, value in kept.items())
+    content = f"(Variant({said}), {settings!r})" + (repr(run.variant.forces) if run.variant.forces else "")
     return hashlib.sha256(content.encode("utf-8", "backslashreplace")).hexdigest()[:STAMP_LENGTH]
 
 

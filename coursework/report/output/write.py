@@ -26,6 +26,7 @@ def write_report(run: SceneRun, *paths: Path | str, language: str = "en") -> Non
     The model (and its figures) is built once.  All pages are rendered before the first file is touched.
     Raises `OutputError` for another suffix, a missing typst, or a file that cannot be written.
 
+    >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> import coursework
     >>> run = coursework.solve("31", quantities=["table"])
@@ -34,6 +35,10 @@ def write_report(run: SceneRun, *paths: Path | str, language: str = "en") -> Non
     ...     [file.name for file in Path(folder).iterdir()]
     ['report.html']
     """
+    if not isinstance(run, SceneRun):
+        raise OutputError(say("fault.D027", found=type(run).__name__))
+    if not paths:
+        raise OutputError(say("fault.W030"))
     targets = [Path(path) for path in paths]
     formats = [_page_format(target) for target in targets]
     results = Results(run, language)

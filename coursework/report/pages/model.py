@@ -14,7 +14,7 @@ from coursework.report.formulas.display import marked
 from coursework.report.live.page import LivePart, live_part
 from coursework.report.sections.sections import all_sections
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Beside, Equations, Figure, Panels, Part, Runs, Section, Table
+from coursework.report.text.parts import Equations, Figure, Panels, Part, Runs, Section, Table
 from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.report.text.words import Words, load_words
 from coursework.scene.scene_run import SceneRun
@@ -29,8 +29,8 @@ LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: t
 class ReportModel:
     """One report: its language, titles, and sections in order.
 
-    `running` stands above the later pages, `footer` below all, `contents` is what the list of sections is called; `live` is
-    the part that moves, for a screen only.
+    `running` stands above the later pages, `footer` below all, `contents` is what the list of sections is called, `skip` the
+    link past it; `live` is the part that moves, for a screen only.
     """
 
     language: str
@@ -40,6 +40,7 @@ class ReportModel:
     running: str
     footer: str
     contents: str
+    skip: str
     sections: tuple[Section, ...]
     live: LivePart | None = None
     title_language: str = ENGLISH  # that of the title; "" where the file says it in one that nobody knows
@@ -54,6 +55,7 @@ class ReportModel:
             "running": self.running,
             "footer": self.footer,
             "contents": self.contents,
+            "skip": self.skip,
             "sections": [section.plain() for section in self.sections],
             **({} if self.title_language == self.language else {"title_language": self.title_language}),
         }
@@ -87,6 +89,7 @@ def build_model(run: SceneRun, language: str = "en", stamp: str = "", *, live: b
         running=" – ".join(running),
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
         contents=words("title.contents"),
+        skip=words("title.skip"),
         sections=tuple(_numbered(all_sections(context), words)),
         live=live_part(run, words.phrases, lambda name: context.symbol(name).text, context.unit) if live else None,
     )
@@ -101,6 +104,8 @@ def _ended(caption: Runs, stop: str) -> Runs:
 def heading_of(context: PageContext) -> str:
     """Return the heading of a page: name and title of the variant, once where they are the same."""
     name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.variant.title))
+    if context.is_about_accuracy:
+        return context.words("accuracy.heading", name=name)
     if title in ("", name):
         return context.words("title.heading_plain", name=name)
     key = "title.heading" if name.isdigit() else "title.heading_named"  # a file's name is no number of a task
@@ -113,9 +118,6 @@ def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
     mark = words("decimal")
 
     def labelled(part: Part) -> Part:
-        if isinstance(part, Beside):
-            left = labelled(part.left)
-            return replace(part, left=left) if isinstance(left, Table) else part
         if isinstance(part, Equations):
             return replace(part, items=[marked(one, mark) for one in part.items])
         if isinstance(part, Table | Figure | Panels) and part.caption:

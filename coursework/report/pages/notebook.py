@@ -1,4 +1,4 @@
-"""What a notebook shows of a run: the drawing where there is one, the plots, the checks.
+"""What a notebook shows of a run: what was set and looks like a slip, the drawing where there is one, the plots, the checks.
 
 Enters: a `SceneRun`.  Leaves: a piece of HTML that fetches nothing and keeps its looks to itself.
 Used through `notebook_html` of the package, by `Run._repr_html_` and whoever writes a page of his own.
@@ -14,6 +14,7 @@ from coursework.report.pages.model import heading_of
 from coursework.report.sections.checks import checks
 from coursework.report.sections.dead_point import dead_point
 from coursework.report.sections.graphs import graphs
+from coursework.report.sections.remarks import remarks
 from coursework.report.sections.sections import Writer
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part
@@ -40,7 +41,7 @@ def method_line(context: PageContext) -> str:
 
 
 SHOWN: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
-    (dead_point, None), (drawing, GRAPH_CHECK), (graphs, None), (checks, CHECKS),
+    (remarks, None), (dead_point, None), (drawing, GRAPH_CHECK), (graphs, None), (checks, CHECKS),
 )  # fmt: skip
 
 
@@ -50,7 +51,7 @@ def notebook_html(run: SceneRun, language: str = "en") -> str:
     Raises `InputError` where the language is not there.
 
     >>> import coursework
-    >>> page = notebook_html(coursework.solve("31", quantities=["table", "checks"]))
+    >>> page = coursework.notebook_html(coursework.solve("31", quantities=["table", "checks"]))
     >>> page.count("<svg"), "PERIOD-POSITION" in page
     (8, True)
     """

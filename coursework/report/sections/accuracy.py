@@ -1,4 +1,4 @@
-"""The section on accuracy: error against cost, what the mismatch of the last row is made of, where the time goes.
+"""The section on accuracy: one sentence, error against cost in a figure and a table, what follows, where the time goes.
 
 Enters: a `PageContext` whose run carries an accuracy study.  Leaves: figures, tables, sentences.
 Running times differ from run to run, so this is the one section whose bytes do (unless the study hides seconds).
@@ -7,7 +7,7 @@ Used by `sections.py`.
 
 from __future__ import annotations
 
-from coursework.report.graphs.accuracy_figures import Method, Panels, bars, panels
+from coursework.report.graphs.accuracy_figures import Chart, Method, chart
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
@@ -26,10 +26,12 @@ def accuracy(context: PageContext) -> list[Part]:
     study = context.run.accuracy
     if study is None:
         return []
-    parts: list[Part] = [Bullets([context.rich(sentence) for sentence in study.sentences])] if study.sentences else []
-    parts += [Paragraph(context.rich(sentence), "note") for sentence in study.left_out]
+    first, *others = [context.rich(sentence) for sentence in study.sentences] or [[]]
+    parts: list[Part] = [Paragraph(first)] if first else []
     if study.rows:
-        parts += [_figure(context, study), _table(context, study)]
+        parts += [error_figure(context, study), _table(context, study)]
+    parts += [Bullets(others)] if others else []
+    parts += [Paragraph(context.rich(sentence), "note") for sentence in study.left_out]
     parts += _failures(context, study)
     return [*parts, *_overhead(context, study)]
 
@@ -52,7 +54,7 @@ def _told(study: AccuracyStudy) -> list[StudyRow]:
     return [row for row in finished if any(row is one for one in kept)]
 
 
-def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
+def error_figure(context: PageContext, study: AccuracyStudy) -> Figure:
     words = context.words
     methods = []
     for name in dict.fromkeys(row.method for row in _finished(study)):
@@ -60,18 +62,17 @@ def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
         methods.append(Method(
             context.told(name, LONGEST_NAME), tuple(row.evaluations for row in rows),
             tuple(row.seconds if study.seconds_shown else None for row in rows),
-            tuple(row.max_error for row in rows), tuple(row.end_error for row in rows),
-            study.orders.get(name), _order_text(context, study, name),
+            tuple(row.max_error for row in rows), study.orders.get(name),
         ))  # fmt: skip
-    labels = {key: words(f"accuracy.{key}") for key in ("evaluations", "seconds", "end_legend", "own_legend", "floor_legend")}
+    labels = {key: words(f"accuracy.{key}") for key in ("evaluations", "seconds", "own_legend", "floor_legend")}
     own = (study.own[1], study.own[3] if study.seconds_shown else None, study.own[2]) if study.own else None
-    page = Panels(tuple(methods), own, study.floor, words("accuracy.error", unit=_unit(context)), labels)
+    page = Chart(tuple(methods), own, study.floor, words("accuracy.error", unit=_unit(context)), labels, words.listing)
     floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
-    caption = words("accuracy.caption_two" if page.timed else "accuracy.caption_one")
+    caption = words("accuracy.caption_timed" if page.timed else "accuracy.caption_one")
     reference = words("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
     caption = words.sentences([caption, words("accuracy.caption_rest", floor=floor), reference])
     alt = words("accuracy.alt", methods=words.listing([method.name for method in methods]))
-    svg, height = panels(page)
+    svg, height = chart(page)
     return Figure(svg, WIDTH, height, alt, context.lettered(caption))
 
 
@@ -81,8 +82,8 @@ def _order_text(context: PageContext, study: AccuracyStudy, name: str) -> str:
 
 def _table(context: PageContext, study: AccuracyStudy) -> Table:
     numbers = context.numbers
-    keys = ["method", "steps", "evaluations", "max_error", "end_error"] + (["time", "ratio"] if study.seconds_shown else [])
-    units = {"max_error": _unit(context), "end_error": _unit(context)}
+    keys = ["method", "steps", "evaluations", "max_error"] + (["time", "ratio"] if study.seconds_shown else [])
+    units = {"max_error": _unit(context)}
     columns = [
         Column(context.say(f"accuracy.head.{key}"), units.get(key, ""), words=key == "method")
         for key in keys
@@ -102,7 +103,6 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
             _steps(context, row.steps_or_tolerance),
             numbers.whole(row.evaluations),
             numeral(numbers.scalar(row.max_error, ERROR_DIGITS)),
-            numeral(numbers.scalar(row.end_error, ERROR_DIGITS)),
         ]
         if study.seconds_shown:
             cells.append(NOTHING if row.seconds is None else numbers.duration(row.seconds))
@@ -145,9 +145,6 @@ def _overhead(context: PageContext, study: AccuracyStudy) -> list[Part]:
     words = context.words
     if not study.overhead or not study.seconds_shown:
         return []
-    labels = [context.told(label, LONGEST_NAME) for label, _ in study.overhead]
-    texts = [context.numbers.duration(seconds) for _, seconds in study.overhead]
-    svg, height = bars(labels, [seconds for _, seconds in study.overhead], texts, words("accuracy.seconds"))
-    alt = words("accuracy.overhead_alt", parts=words.listing([f"{a} {b}" for a, b in zip(labels, texts, strict=True)]))
-    where = [Paragraph(context.say("accuracy.machine", **study.machine), "note")] if study.machine else []
-    return [Figure(svg, WIDTH, height, alt, context.say("accuracy.overhead")), *where]
+    told = [f"{context.told(label, LONGEST_NAME)} {context.numbers.duration(seconds)}" for label, seconds in study.overhead]
+    where = [words("accuracy.machine", **study.machine)] if study.machine else []
+    return [Paragraph(runs(words.sentences([words("accuracy.overhead", parts=words.listing(told)), *where])), "note")]

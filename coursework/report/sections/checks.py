@@ -7,21 +7,22 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.report.text.numbers import ROUND_OFF, TIGHT
+from coursework.report.text.numbers import NOTHING, ROUND_OFF, TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.text.tables import thinned
 from coursework.report.text.text_runs import numeral
 from coursework.results.checks.evidence import NO_ERROR
-from coursework.results.checks.result import DIGITS_LEFT, GROUPS, OF_THE_SCALE, VERDICTS, Finding, never_more
+from coursework.results.checks.result import DIGITS_LEFT, GROUPS, OF_POWER, OF_THE_SCALE, VERDICTS, Finding, never_more
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import ENGLISH
+from coursework.words.sentences import ENGLISH, joined
 from coursework.words.templates import clean
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
-SHARES = {OF_THE_SCALE, "unit.of_the_shortest"}
+SHARES = {OF_THE_SCALE, OF_POWER, "unit.of_the_shortest", "unit.relative"}  # parts of a whole, told in per cent
+LEAST_SHARE = 5e-4  # a smaller part is told as a power of ten
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 
@@ -50,37 +51,78 @@ def checks(context: PageContext) -> list[Part]:
 
 
 def _judged(context: PageContext, check: Finding) -> Judged:
-    numbers = context.numbers
     unit = context.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
     value = check.value if check.value is None else counted(check.value, check.unit)
     is_left = isinstance(check.unit, Sentence) and check.unit.key == DIGITS_LEFT  # 15.4 of sixteen: never 15.40
-    if value and check.verdict == "PASS" and not check.is_least and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0):
-        value = 0.0
     is_count = value is not None and value >= 1 and (value.is_integer() or is_left)
+    passes = check.verdict == "PASS" and not check.is_least
+    left = value if value and passes and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0) else None
+    value = value if left is None else 0.0
+    told = amount(context, value, check.unit, whole=is_count) if left is None else rounded_off(context, left)
     heads, lines = _lines(context, check)
     if check.verdict == "PASS" and value == 0:
         heads, lines = [], []  # where nothing is off, noughts say nothing more
-
-    def behind(value: float | None) -> str:
-        return context.unit_beside(value, check.unit) if is_short and value is not None else ""
-
     return Judged(
         mark=context.words(f"checks.mark.{check.verdict}"),
         verdict=context.words(f"checks.word.{check.verdict}"),
         code=clean(check.code) if context.words.phrases.language == ENGLISH else "",  # a code is a word of English
         title=context.rich(check.title),
-        sentence=context.rich(check.sentence),
-        value=numeral(context.with_unit(numbers.limit(value) if is_count else numbers.scalar(value), behind(value))),
-        limit=numeral(_bound(check, context.with_unit(numbers.limit(check.limit), behind(check.limit)))),
+        sentence=context.rich(parted(check.sentence)[0]),
+        value=numeral(told),
+        limit=numeral(bound(context, check)),
         unit="" if is_short or check.value is None else context.unit(unit),
         heads=heads,
         lines=lines,
     )
 
 
-def _bound(check: Finding, limit: str) -> str:
-    return limit if check.limit is None else f"{'≥' if check.is_least else '≤'}{TIGHT}{limit}"
+def parted(sentence: str) -> tuple[str, str]:
+    """Return what a check found, and behind it what to take instead, which a page says once."""
+    parts = sentence.values.get("parts") if isinstance(sentence, Sentence) else None
+    if not isinstance(parts, tuple):
+        return sentence, ""
+    advice = [part for part in parts if _advises(part)]
+    found = [parted(part)[0] for part in parts if part not in advice]
+    return (joined(found), joined(advice)) if advice else (sentence, "")
+
+
+def _advises(sentence: object) -> bool:
+    if not isinstance(sentence, Sentence):
+        return False
+    parts = sentence.values.get("parts")
+    return sentence.key == "advice.take" or (isinstance(parts, tuple) and len(parts) > 0 and _advises(parts[0]))
+
+
+def amount(context: PageContext, value: float | None, unit: str, *, whole: bool = False) -> str:
+    """Return a value with its unit: a part of a whole in per cent with one decimal, a tiny one as a power of ten."""
+    if value is not None and isinstance(unit, Sentence) and unit.key in SHARES:
+        is_told = value == 0 or abs(value) >= LEAST_SHARE
+        return context.with_unit(context.numbers.fixed(100 * value, 1), "%") if is_told else context.numbers.scalar(value)
+    if value is None:
+        return NOTHING
+    shown = context.numbers.limit(value) if whole else context.numbers.scalar(value)
+    return context.with_unit(shown, context.unit_beside(value, unit) if len(context.told(unit)) <= SHORT_UNIT else "")
+
+
+def rounded_off(context: PageContext, value: float) -> str:
+    """Return what is left of nought: "2·10⁻¹⁶ (round-off)"."""
+    return context.words("control.round_off", value=context.numbers.power(value, 1))
+
+
+def bound(context: PageContext, check: Finding) -> str:
+    """Return a limit as it is told: "≤ 5 %"."""
+    value, unit = check.limit, check.unit
+    if value is None:
+        return NOTHING
+    is_share = isinstance(unit, Sentence) and unit.key in SHARES and value >= LEAST_SHARE
+    is_tiny = isinstance(unit, Sentence) and unit.key in SHARES
+    behind = "" if is_tiny or len(context.told(unit)) > SHORT_UNIT else context.unit_beside(value, unit)
+    if is_share:
+        shown = context.with_unit(context.numbers.plain(100 * value), "%")
+    else:
+        shown = context.with_unit(context.numbers.limit(value), behind)
+    return f"{'≥' if check.is_least else '≤'}{TIGHT}{shown}"
 
 
 def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[Cell]]]:
@@ -143,5 +185,7 @@ def _label(context: PageContext, label: str) -> Runs:
 
 
 def _amount(context: PageContext, row: tuple[str, float, str], noise: float) -> Cell:
-    amount = counted(_seen(row, noise), row[2])
-    return numeral(context.with_unit(context.numbers.scalar(amount), context.told(row[2])))
+    value = counted(_seen(row, noise), row[2])
+    if isinstance(row[2], Sentence) and row[2].key in SHARES:
+        return numeral(amount(context, value, row[2]))
+    return numeral(context.with_unit(context.numbers.scalar(value), context.told(row[2])))

@@ -9,7 +9,6 @@ import math
 from collections.abc import Iterator
 
 from coursework.mechanism.joints import FRAME, chain_of_groups
-from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Bullets, Cell, Column, Part, Table
 from coursework.report.text.text_runs import numeral, runs
@@ -95,18 +94,12 @@ def _degrees(context: PageContext, angle: float) -> str:
 
 
 def _error(context: PageContext) -> list[str]:
-    """Return the scheme's largest error and what would do instead."""
+    """Return the scheme's largest error; of a fine table that its step does."""
     say, sentence = context.words, largest_error_sentence(context)
     if not sentence:
         return []
     told = [sentence]
-    coarse = [finding for finding in context.run.checks if finding.verdict == "COARSE" and finding.option]
-    if coarse and (step := coarse[0].step) is not None:
-        values = {"step": context.quantity(step, "s"), "times": context.numbers.plain(round(context.run.step / step, 3))}
-        told.append(say("conclusion.step", **values))
-    elif coarse and (named := coarse[0].option.rpartition(" ")[2]) in SCHEMES:
-        told.append(say("conclusion.scheme", scheme=context.told(title_of(SCHEMES[named]))))
-    elif context.run.tableau is not None and all(one.verdict in {"PASS", "SKIP"} for one in context.run.checks):
+    if context.run.tableau is not None and all(one.verdict in {"PASS", "SKIP"} for one in context.run.checks):
         told.append(say("conclusion.fine", step=context.quantity(context.run.step, "s")))
     return [say.sentences(told)]
 

@@ -6,6 +6,8 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Callable
 
 from coursework.drawing.check_sheet.readings import Reading
 from coursework.report.graphs.figures import drawn_parts
@@ -13,8 +15,10 @@ from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Cell, Column, Paragraph, Part, Runs, Table
 from coursework.report.text.text_runs import ITALIC, numeral, printed
+from coursework.report.text.words import Words
 
 COLUMN = 171.0  # mm: a wider sheet has a turned page to itself on paper, behind all that was read
+READING_HEADS = ("quantity", "read", "relation", "measured", "tabled", "difference")
 READ_DECIMALS = 1  # of a length in mm that is read to 0.5
 PERCENT_DECIMALS = 2  # of a difference in percent, in every row alike
 
@@ -31,7 +35,7 @@ def graph_check(context: PageContext) -> list[Part]:
     drawings = [part for parts in drawn for part in parts]
     if context.run.blank:
         return drawings
-    keys = ("quantity", "read", "relation", "measured", "tabled", "difference")
+    keys = READING_HEADS
     heads = [Column(context.say(f"graph.{key}"), words=key in {"quantity", "relation"}) for key in keys]
     table = Table(heads, [_row(context, one) for one in graph.readings], context.say("graph.table"))
     told = [context.rich(note) for note in graph.notes]
@@ -41,8 +45,15 @@ def graph_check(context: PageContext) -> list[Part]:
 
 
 def _row(context: PageContext, one: Reading) -> list[Cell]:
-    """Return one line of the table: the length, what was read, how the value follows, both values, how far they are apart."""
-    numbers, words = context.numbers, context.words
+    return reading_row(context.words, one, context.rich, lambda text: context.lettered(printed(text), data=False))
+
+
+def reading_row(words: Words, one: Reading, rich: Callable[[str], Runs], plan: Callable[[str], Runs]) -> list[Cell]:
+    """Return one line of the table: the length, what was read, how the value follows, both values, how far they are apart.
+
+    `rich` sets a sentence with its symbols, `plan` one about the images of points on a plan.
+    """
+    numbers = words.numbers
     read = words("graph.given", length=one.length) if one.length else ""
     if one.read is not None:
         read = f"{one.length} = {numbers.fixed(one.read, READ_DECIMALS)}"
@@ -50,18 +61,16 @@ def _row(context: PageContext, one: Reading) -> list[Cell]:
         read = words("graph.computed", length=one.length, mm=numbers.fixed(one.computed, READ_DECIMALS))
     judged = math.isfinite(one.difference) and one.rests  # what rests on no reading is no check
     apart = f"{numbers.dressed(_percent(one.difference))} (±{numbers.dressed(_percent(one.explained))})" if judged else NOTHING
-    values = [numeral(context.with_unit(numbers.scalar(one.found), one.unit)), NOTHING]
+    values = [numeral(words.amount(numbers.scalar(one.found), one.unit)), NOTHING]
     if math.isfinite(one.table):
-        values[1] = numeral(context.with_unit(numbers.scalar(one.table), one.unit))
-    return [context.rich(one.name), _set(context, read, one), _set(context, one.relation, one), *values, apart]
-
-
-def _set(context: PageContext, text: str, one: Reading) -> Runs:
-    """Return a length or a relation, the images of points on a plan set as the letters of a formula."""
-    if not one.images:
-        return context.rich(text)
+        values[1] = numeral(words.amount(numbers.scalar(one.table), one.unit))
     lengths = "".join(f"{ITALIC[0]}{letter}{ITALIC[1]}" if letter.isalpha() else letter for letter in one.images)
-    return context.lettered(printed(context.told(text)).replace(one.images, lengths), data=False)
+    own = re.compile(rf"(?:^|(?<=[ \u00a0])){re.escape(one.images)}(?!_)")  # of "p_v p·0.02 (m/s)/mm" the image alone
+
+    def put(text: str) -> Runs:
+        return plan(own.sub(lengths, words.written(text), count=1)) if one.images else rich(text)
+
+    return [rich(one.name), put(read), put(one.relation), *values, apart]
 
 
 def _percent(share: float) -> str:

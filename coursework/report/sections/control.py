@@ -1,21 +1,21 @@
 """The control of the solution: one line a check, in plain words, with one number.
 
-Enters: a `PageContext`.  Leaves: `Claims`.  Used by `sections.py`; codes and limits stand in the appendix (`checks.py`).
+Enters: a `PageContext`.  Leaves: `Claims`, what is not met first.
+Used by `sections.py`; codes stand in the appendix (`checks.py`).
 """
 
 from __future__ import annotations
 
-from coursework.report.sections.checks import counted
+from coursework.report.sections.checks import SHARES, amount, bound, counted, rounded_off
 from coursework.report.text.numbers import ROUND_OFF
-from coursework.report.text.page_context import PageContext
+from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Cell, Claims, Paragraph, Part
 from coursework.report.text.text_runs import numeral
-from coursework.results.checks.result import OF_POWER, OF_THE_SCALE, Finding
+from coursework.results.checks.result import GROUPS, Finding
 from coursework.words.sentence import Sentence
 
 DIGITS = 3
 ROWS = "unit.rows"  # 24.02 of them are 24 rows
-SHARES = {OF_THE_SCALE, "unit.of_the_shortest", "unit.relative"}  # parts of a whole are told in percent
 
 
 def control(context: PageContext) -> list[Part]:
@@ -23,16 +23,24 @@ def control(context: PageContext) -> list[Part]:
     judged = [finding for finding in context.run.checks if finding.verdict != "SKIP"]
     if not judged:
         return []
-    lines = [
-        (
-            context.words(f"checks.mark.{finding.verdict}"),
-            context.words(f"checks.word.{finding.verdict}"),
-            context.lettered(_claim(context, finding)),
-            _number(context, finding),
-        )
-        for finding in judged
-    ]
-    return [Paragraph(context.say("control.intro"), style="note"), Claims(lines)]
+    heads = [context.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
+    parts: list[Part] = [Paragraph(context.say("control.intro"), style="note")]
+    for group in GROUPS:
+        chosen = sorted((one for one in judged if one.group == group), key=lambda one: one.verdict == "PASS")
+        lines = [
+            (
+                context.words(f"checks.mark.{finding.verdict}"),
+                context.words(f"checks.word.{finding.verdict}"),
+                context.lettered(_claim(context, finding)),
+                _number(context, finding),
+                numeral(bound(context, finding)) if finding.limit is not None else "",
+            )
+            for finding in chosen
+        ]
+        if lines:
+            met = sum(finding.verdict == "PASS" for finding in chosen)
+            parts.append(Claims(context.words(f"checks.group.{group}"), heads, lines, len(lines) - met))
+    return parts
 
 
 def _claim(context: PageContext, finding: Finding) -> str:
@@ -67,16 +75,18 @@ def _first_sentence(sentence: str) -> Sentence | None:
 
 
 def _number(context: PageContext, finding: Finding) -> Cell:
-    """Return the one number of a line; what is round-off of nought is 0."""
+    """Return the one number of a line; what is left of nought is told as round-off."""
     numbers, value = context.numbers, finding.value
     if value is None:
         return ""
-    value = counted(value, finding.unit) if abs(value) > ROUND_OFF else 0.0
+    if 0 < abs(value) <= ROUND_OFF:
+        return numeral(rounded_off(context, value))
+    value = counted(value, finding.unit)
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
-    if key == OF_POWER:
-        return context.with_unit(numbers.plain(100 * value), "%")
     if key in SHARES:
-        return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")
+        return numeral(amount(context, value, finding.unit))
+    if finding.unit == "s":
+        return context.quantity(value, "s", STOP_DIGITS)
     if key == ROWS:
         value = float(f"{value:.{DIGITS}g}")  # the word behind the number is that of the number shown
     is_count = key == ROWS or (value.is_integer() and abs(value) >= 1)

@@ -29,8 +29,8 @@ def dead_point(context: PageContext) -> list[Part]:
     facts += [
         (words(f"stop.{key}"), context.rich(text)) for key, text in (("cause", stop.cause), ("meaning", stop.meaning)) if text
     ]
-    if context.run.phases:
-        facts.append((words("stop.phases"), context.rich(context.run.phases)))
+    if context.run.scene.phases:
+        facts.append((words("stop.phases"), context.rich(context.run.scene.phases)))
     own = context.run.scene.stop is None  # the scheme stops where the mechanism does not
     kept = words("stop.kept_so_far" if own else "stop.kept", row=len(context.run.motion.t))
     kind = context.event(stop.kind)

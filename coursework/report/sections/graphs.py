@@ -1,4 +1,4 @@
-"""The graphs: one small panel for each velocity, then for each coordinate, the rows on the exact curve.
+"""The graphs: one small panel for each coordinate, then for each velocity, the rows on the exact curve.
 
 Enters: a `PageContext`.  Leaves: figures of panels.  Used by `sections.py` and `notebook.py`.
 """
@@ -20,6 +20,7 @@ from coursework.report.graphs.graph_paper import (
     SCHEME_INK,
     SCHEME_PEN,
     STOP_PEN,
+    STOP_WORDS,
     axes,
     dots,
     field_for,
@@ -30,6 +31,7 @@ from coursework.report.graphs.graph_paper import (
 )
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part
+from coursework.report.text.tables import given_constants
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -50,12 +52,13 @@ class Rows:
 
 
 def graphs(context: PageContext) -> list[Part]:
-    """Velocities first, then coordinates."""
+    """Coordinates first, then velocities, but for those that the drive keeps at one value."""
     motion = context.run.motion
     if not len(motion.t):
         return []
     curve = _curves(context)
-    named = [_rows(context, name, curve) for name in (*motion.velocity_names, *motion.coordinate_names)]
+    constant = given_constants(context.run)
+    named = [_rows(context, name, curve) for name in motion.names if name not in constant]
     parts: list[Part] = []
     for first in range(0, len(named), MOST_PANELS):
         parts.append(_figure(context, named[first : first + MOST_PANELS], first // MOST_PANELS + 1))
@@ -132,8 +135,11 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     if run.stop is not None:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
+        # Named above its end, on the side that has room.
+        side = "end" if x > field.width / 2 else "start"
+        inside += graph_paper.words(x, graph_paper.TOP - 2.2, escape(context.event(run.stop.kind)), side, STOP_WORDS)
     if len(rows.curve):
-        inside += f'<path {EXACT_PEN} d="{field.path(rows.curve_t, rows.curve)}"/>'
+        inside += f'<path {EXACT_PEN} d="{field.curve(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):
         t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
         inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'

@@ -7,7 +7,7 @@ To add one: write the function, put it into `PAPER` or `APPENDIX` with the quant
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from coursework.report.graphs.figures import drawn_parts
@@ -33,7 +33,7 @@ from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.scene.quantities import ACCURACY, CHECKS, DYNAMICS, ENERGY, FORCES, GRAPH_CHECK, PLOTS, TABLE, Quantity
 
 Writer = Callable[[PageContext], list[Part]]
-Writers = tuple[tuple[Writer, Quantity[Any] | None], ...]
+Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
 
 # Each writer with the quantity that must be asked for; None: always there.
 FIRST: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
@@ -47,9 +47,12 @@ APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None))
 
 def all_sections(context: PageContext) -> Iterator[Section]:
     """Yield the sections in order, numbered: the way to the table, a table or figure for each further quantity, appendix."""
+    apart = context.is_about_accuracy
+    if apart:
+        yield from _written_by(((accuracy, ACCURACY),), context)
     for number, section in enumerate(_body(context), start=1):
         yield section.labelled(str(number))
-    for place, section in enumerate(_written_by(APPENDIX, context)):
+    for place, section in enumerate(_written_by([one for one in APPENDIX if not apart or one[0] is not accuracy], context)):
         yield section.labelled(context.words("section.appendix", letter=context.words("section.letters")[place]))
 
 

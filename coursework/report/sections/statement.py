@@ -6,60 +6,58 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
+from coursework.report.sections.answer import answer
 from coursework.report.sections.laws import laws_shown, moved_by_forces
-from coursework.report.text.numbers import NOTHING, TIGHT, first_of
+from coursework.report.sections.remarks import as_written, remarks
+from coursework.report.text.numbers import NOTHING, aligned, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
-from coursework.report.text.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
+from coursework.report.text.parts import Cell, Column, Paragraph, Part, Runs, Table, TitleBlock
 from coursework.report.text.text_runs import LONGEST_NAME, runs
-from coursework.report.wording.closeness import largest_error_sentence, splits, unreturned
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.report.wording.sought import sought
-from coursework.results.checks.summary import summary
-from coursework.scene.quantities import CHECKS, TABLE
 from coursework.variant.formula.tree import Formula, constant, terms
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
-MOST_REMARKS = 12  # on the first page, on which the results begin
-SHOWN_DIGITS = 5
-TIME_DIGITS = 4  # of a moment named in a sentence
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
-_QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
 
 def statement(context: PageContext) -> list[Part]:
     """Title block, what drives what, the mechanism, its data beside the answer, remarks."""
-    data, answer = _data(context), _answer(context)
+    data = _data(context)
     return [
         _title_block(context),
+        *_bar(context),
+        *([] if context.is_about_accuracy else [answer(context)]),
         *_task(context),
         *_mechanism(context),
-        *([Beside(data, answer)] if data.rows else [answer]),
+        *([data] if data.rows else []),
         *[Paragraph(context.in_its_language(text, context.rich(text)), style="note") for text in context.variant.remarks],
-        *_set(context),
-        *_plausibility(context),
+        *remarks(context),
     ]
+
+
+def _bar(context: PageContext) -> list[Part]:
+    """Return that and when the motion stops, how many rows there are, and what would be possible."""
+    run, say, stop = context.run, context.words, context.run.stop
+    if stop is None:
+        return []
+    time, all_rows = context.quantity(stop.time, "s", STOP_DIGITS), run.variant.time.steps + 1
+    kept = say("stop.bar_rows", kept=say.count("count.rows", len(run.motion.t)), rows=say.numbers.whole(all_rows))
+    phases = [{"t": say("join.sentences")}, *context.rich(run.scene.phases)] if run.scene.phases else []
+    lead = say("stop.bar", mark=say("checks.mark.FAIL"), time=time, kind=context.event(stop.kind))
+    return [Paragraph([*runs(kept), *phases], "bar", lead)]
 
 
 def _mechanism(context: PageContext) -> list[Part]:
     found = context.run.mechanism()
     return [drawn(context, found)] if found is not None else []
-
-
-def _set(context: PageContext) -> list[Part]:
-    """Return what the command line has set, other than in the file."""
-    values = context.run.variant.set_values
-    if not values:
-        return []
-    pairs = [f"{name} = {_set_value(context, text)}" for name, text in values.items()]
-    return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
 
 
 def _title_block(context: PageContext) -> TitleBlock:
@@ -181,23 +179,26 @@ def _data(context: PageContext) -> Table:
     variant = context.variant
     means = meanings(context.run.scene.mechanism)
     measured = coordinate_meanings(context.run.scene.mechanism)
-    rows: list[list[Cell]] = [
-        [
+    listed: list[tuple[Runs, Runs, tuple[str, str]]] = [
+        (
             context.symbol_runs([g.name]),
             context.quoted(g.means, LONGEST_NAME) if g.means else context.lettered(context.told(means[g.name])),
-            _given(context, g.text, g.unit),
-        ]
+            (_given(context, g.text), context.unit(g.unit)),
+        )
         for g in variant.given
     ]
     for c in variant.coordinates:
         head = context.symbol_runs([c.name])
         if c.start is None:
             how = context.words("given.from_groups" if c.start_guess is None else "given.follows")
-            rows.append([head, _between(context, measured[c.name], how), _first(context, c.name, c.unit)])
+            listed.append((head, _between(context, measured[c.name], how), (_first(context, c.name), context.unit(c.unit))))
         else:
             how = context.words("given.at_start")
-            rows.append([head, _between(context, measured[c.name], how), _given(context, c.text, c.written)])
-    columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
+            listed.append((head, _between(context, measured[c.name], how), (_given(context, c.text), context.unit(c.written))))
+    values = aligned([value for _, _, (value, _) in listed], context.numbers.mark)
+    rows: list[list[Cell]] = [[head, means, value, unit] for (head, means, (_, unit)), value in zip(listed, values, strict=True)]
+    heads = ("quantity", "meaning", "written", "unit")
+    columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in heads]
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
 
@@ -206,95 +207,14 @@ def _between(context: PageContext, measured: str, how: str) -> Runs:
     return context.lettered(context.words("given.between", ends=context.told(measured), how=how) if measured else how)
 
 
-def _first(context: PageContext, name: str, unit: str) -> str:
+def _first(context: PageContext, name: str) -> str:
     """Return a coordinate of the first row; a restricted table may not have it."""
     motion = context.run.motion
     known = name in motion.coordinate_names and len(motion.t) > 0
-    return context.quantity(first_of(motion, name), unit) if known else NOTHING
+    return context.numbers.plain(first_of(motion, name)) if known else NOTHING
 
 
-def _given(context: PageContext, text: str, unit: str) -> str:
+def _given(context: PageContext, text: str) -> str:
     """Return a value as the file gives it, in the signs of the page; digits beyond what can be measured are left out."""
     computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
-    return context.with_unit(context.numbers.plain(float(text)) if computed else _written(context, text), unit)
-
-
-def _set_value(context: PageContext, text: str) -> str:
-    """Return a value as it was set, its unit in the language of the page; a law of the drive has no unit behind it."""
-    if found := _QUANTITY.fullmatch(text):
-        return context.with_unit(_written(context, found[1]), found[2])
-    return _written(context, text)
-
-
-def _written(context: PageContext, text: str) -> str:
-    return clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark)
-
-
-def _answer(context: PageContext) -> Result:
-    """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
-    run, say = context.run, context.words
-    told, kept = [], say.count("count.rows", len(run.motion.t))
-    if run.stop is not None:
-        time = context.quantity(run.stop.time, "s", STOP_DIGITS)
-        told.append(context.lettered(say("result.stopped", time=time, kind=context.event(run.stop.kind), rows=kept)))
-    if run.asks(CHECKS):
-        # Where it stops is said already.
-        findings = [replace(finding, value=None) if finding.code == "STOP" and told else finding for finding in run.checks]
-        told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
-    if run.asks(TABLE) and len(run.motion.t):
-        told.append(runs(_checked(context)))
-    if run.asks(CHECKS):
-        told += _misses(context)
-    if not told:
-        told.append(runs(say("result.rows", rows=kept)))
-    return Result(say("result.title"), told)
-
-
-def _checked(context: PageContext) -> str:
-    """Return the velocities of the row that is checked."""
-    motion, variant = context.run.motion, context.run.variant
-    row = min(variant.time.row_of_check, len(motion.t))
-    sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
-    values = context.words("result.between").join(
-        f"{context.lettering(name)}{TIGHT}={TIGHT}"
-        + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
-        for name in sought
-    )
-    time = context.quantity(float(motion.t[row - 1]), "s", TIME_DIGITS)
-    return context.words("result.row", row=row, time=time, values=values)
-
-
-def _misses(context: PageContext) -> list[Runs]:
-    """Return the row a period later minus the first, of the coordinates; of exact rows also the scheme's error."""
-    say, numbers, told = context.words, context.numbers, []
-    coordinates, left = context.run.motion.coordinate_names, unreturned(context)
-    moved = [split for split in left if split.name in coordinates]
-    row = (context.run.results.evidence.period_row or 0) + 1
-    of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on behind a whole number of periods
-    gaps = [
-        f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
-        for split in [split for split in moved if split.name not in _driven(context)] or moved
-    ]
-    if gaps:
-        told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.numbers").join(gaps))))
-    elif any(split.name in coordinates for split in splits(context)):
-        told.append(runs(say(f"result.repeats_positions{of_row}" if left else f"result.repeats{of_row}", row=row)))
-    # Beside rows that are the motion itself there is no other word of how far the scheme's are off.
-    if context.run.tableau is None and (sentence := largest_error_sentence(context)):
-        told.append(runs(sentence))
-    return told
-
-
-def _driven(context: PageContext) -> set[str]:
-    """Return the coordinates whose rate is driven: of them it is known where they are."""
-    variant = context.run.variant
-    return {c.name for c in variant.driven_coordinates}
-
-
-def _plausibility(context: PageContext) -> list[Part]:
-    say, plausibility = context.words, context.run.variant.plausibility
-    told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
-    notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]
-    if len(plausibility) > MOST_REMARKS:
-        notes.append(say("remark.more", number=len(plausibility) - MOST_REMARKS))
-    return [Paragraph(runs(note), style="note") for note in notes]
+    return context.numbers.plain(float(text)) if computed else as_written(context, text)

@@ -22,6 +22,7 @@ from coursework.report.formulas.display import display
 from coursework.report.text.numbers import THIN
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
+from coursework.report.text.text_runs import ITALIC
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, INVARIANTS, POINTS
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, number, spelled
 
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 MOST_EQUATIONS = 6  # of second derivatives on a page
 MOST_PARTS = 100  # of an expression that is differentiated for a page
 LONGEST = 160  # letters of a formula that is written out
+UPRIGHT = 1e-6  # of the velocity along y: a point that is slower along x moves along y alone
 DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
 SHOWN = 5  # digits of a result
 
@@ -118,21 +120,23 @@ def _coriolis(context: PageContext, rests: list[Expression]) -> list[str]:
 
 
 def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
-    """Place, velocity and, where asked for, acceleration of the last point along x, the same in numbers."""
+    """Place, velocity and, where asked for, acceleration of the last point along x, or y if only so it moves; in numbers too."""
     equations = context.run.scene.equations
     named_points = [name.partition(".")[0] for name in extra.names if name.endswith(".vx")]
     rows = len(context.run.motion.t)
     row = _row(context, rows)
     for point in reversed(named_points):
-        place = equations.symbols.vectors[point][0]
+        fastest = [np.max(np.abs(extra.rows[:, extra.names.index(f"{point}.v{axis}")]), initial=0.0) for axis in "xy"]
+        axis = "x" if fastest[0] > UPRIGHT * fastest[1] else "y"
+        place = equations.symbols.vectors[point]["xy".index(axis)]
         if place.size > MOST_PARTS:
             continue
         place = expanded(place)
         rate = expanded(equations.symbols.rate(place))
-        levels = [("x", place), ("vx", rate)]
-        if f"{point}.ax" in extra.names:
+        levels = [(axis, place), (f"v{axis}", rate)]
+        if f"{point}.a{axis}" in extra.names:
             dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
-            levels.append(("ax", replaced(expanded(second_rate(equations, rate)), dots)))
+            levels.append((f"a{axis}", replaced(expanded(second_rate(equations, rate)), dots)))
         formulas = [(f"{point}.{key}", as_sum(expression, equations.order)) for key, expression in levels]
         if rate is ZERO or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
             continue
@@ -142,7 +146,7 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
         if None in put:
             continue
         return [
-            Paragraph(context.lettered(context.words("worked.points", point=point))), Equations(shown),
+            Paragraph(context.lettered(context.words("worked.points", point=point, axis=axis.join(ITALIC)))), Equations(shown),
             Paragraph(context.say("worked.row", row=row + 1)), Equations([one for one in put if one is not None]),
         ]  # fmt: skip
     return []

@@ -19,6 +19,7 @@ NOTHING = "–"  # no number: a check that was skipped, a method that failed
 TIGHT = "\u00a0"  # a space that does not break, between a number and its unit
 THIN = "\u202f"  # narrow, not breaking: between groups of three digits
 TIMES = "·"
+FIGURE, POINT_WIDE = "\u2007", "\u2008"  # spaces as wide as a digit, as a decimal sign
 
 TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a coursework compares by hand
 SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
@@ -98,7 +99,7 @@ class Numbers:
         return 0.0 if abs(value) < NOISE * max(abs(size), 1.0) else value
 
     def column(self, values: Iterable[float], size: float = 0.0) -> list[str]:
-        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`); round-off of zero is "0".
+        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`), zero and its round-off too.
 
         Where most entries would show none of their digits so, all of them are rounded to three.
 
@@ -109,7 +110,7 @@ class Numbers:
         noise = ROUND_OFF * max([size, *(abs(value) for value in entries if math.isfinite(value))])
         entries = [0.0 if abs(value) < noise else value for value in entries]
         decimals = deserved_decimals(entries)
-        texts = [self.fixed(value, decimals) for value in entries]
+        texts = [self.fixed(value, decimals) if value else self._dress(f"{0:.{decimals}f}") for value in entries]
         if 2 * sum(TIMES in text for text in texts) > sum(map(bool, entries)):
             return [self.scalar(value, FEW_DIGITS) for value in entries]
         return texts
@@ -139,6 +140,19 @@ class Numbers:
 
     def _special(self, value: float) -> str:
         return "0" if value == 0 else NOTHING if math.isnan(value) else "∞" if value > 0 else f"{MINUS}∞"
+
+
+def aligned(texts: Sequence[str], mark: str) -> list[str]:
+    """Return numbers of different decimals with spaces as wide as digits behind them: decimal sign below decimal sign.
+
+    >>> [text.replace(FIGURE, "_").replace(POINT_WIDE, "|") for text in aligned(["0.953", "4.5", "13"], ".")]
+    ['0.953', '4.5__', '13|___']
+    """
+    decimals = [len(text.partition(mark)[2]) if TIMES not in text else 0 for text in texts]
+    most = max(decimals, default=0)
+    return [
+        text + (POINT_WIDE if most and not own else "") + FIGURE * (most - own) for text, own in zip(texts, decimals, strict=True)
+    ]
 
 
 def deserved_decimals(values: Iterable[float]) -> int:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 
 from coursework.mechanism.derivation.constants import NamedAngles, named_angles
@@ -19,21 +18,22 @@ from coursework.report.text.symbols import LINEAR, Rates, Symbol, symbol
 from coursework.report.text.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.text.words import Words
 from coursework.results.checks.result import beside
-from coursework.scene.quantities import PLOTS
+from coursework.scene.quantities import ACCURACY, CHECKS, PLOTS, TABLE
 from coursework.scene.scene_run import SceneRun
+from coursework.system.frozen import caching
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH
 from coursework.words.templates import LONGEST, clean
 
-STOP_DIGITS = 8  # a dead point is located to 1e-8 s
+STOP_DIGITS = 6  # of the time of a stop, wherever it is told
 LONGEST_EQUATION = 40  # characters of the name of an equation
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
 
 _OF_GROUP = re.compile(r"(?<![\w.])G\d+[xy](?!\w)")  # an equation of a group, as the tool names it
 
 
-@dataclass(frozen=True)
+@caching
 class PageContext:
     """One run and one language."""
 
@@ -54,6 +54,11 @@ class PageContext:
     def exact(self) -> Motion | None:
         """Return the exact motion where the plots ask for it; looking at it computes it."""
         return self.run.exact if self.run.asks(PLOTS) else None
+
+    @property
+    def is_about_accuracy(self) -> bool:
+        """Return whether the page is asked for nothing but what accuracy costs."""
+        return self.run.asks(ACCURACY) and not (self.run.asks(TABLE) or self.run.asks(CHECKS))
 
     @cached_property
     def rates(self) -> Rates:

@@ -8,7 +8,7 @@ Every number in them is already a string.  To add a kind: one record here, one m
 
 from __future__ import annotations
 
-from dataclasses import asdict, field, replace
+from dataclasses import field, fields, is_dataclass, replace
 from typing import Any
 
 from coursework.report.text.readable import least_width
@@ -21,7 +21,7 @@ Cell = str | Runs
 
 @frozen
 class Paragraph:
-    """Running text; `style` is "", "note" (small) or "callout" (framed, with a bold `lead`)."""
+    """Running text; `style` is "", "note" (small), or with a bold `lead` "callout" (framed) or "bar" (so under the title)."""
 
     text: Runs
     style: str = ""
@@ -55,18 +55,25 @@ class TitleBlock:
 
 @frozen
 class Result:
-    """The framed answer of the first page: a title and its sentences."""
+    """The framed answer of the first page: a title, the verdict in few words (`lead`), sentences."""
 
     title: str
+    lead: Runs
     items: list[Runs]
     kind: str = field(default="result", init=False)
 
 
 @frozen
 class Claims:
-    """One line a check: mark, verdict in a word, claim in plain words, one number."""
+    """One line a check under one question: mark, verdict in a word, claim in plain words, a number and its limit.
 
-    items: list[tuple[str, str, Runs, Cell]]
+    `heads` are the words above the columns; the first `strong` lines are set bold.
+    """
+
+    title: str
+    heads: list[str]
+    items: list[tuple[str, str, Runs, Cell, Cell]]
+    strong: int = 0
     kind: str = field(default="claims", init=False)
 
 
@@ -123,15 +130,6 @@ class Table:
     id: str = ""
     places: list[int] = field(default_factory=list)
     kind: str = field(default="table", init=False)
-
-
-@frozen
-class Beside:
-    """A table with the answer at its side where the page is wide enough."""
-
-    left: Table
-    right: Result
-    kind: str = field(default="beside", init=False)
 
 
 @frozen
@@ -216,7 +214,7 @@ class Checks:
     kind: str = field(default="checks", init=False)
 
 
-Part = Paragraph | Bullets | Facts | TitleBlock | Result | Claims | Equations | Table | Beside | Figure | Panels | Checks
+Part = Paragraph | Bullets | Facts | TitleBlock | Result | Claims | Equations | Table | Figure | Panels | Checks
 
 
 @frozen
@@ -233,5 +231,14 @@ class Section:
         return replace(self, number=number)
 
     def plain(self) -> dict[str, Any]:
-        """Return the section as dicts, lists and strings."""
-        return asdict(self)
+        """Return the section as dicts, lists and strings; its runs are those of the section, not copies."""
+        found: dict[str, Any] = _plain(self)
+        return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list | tuple):
+        return type(value)(map(_plain, value))
+    return {one.name: _plain(getattr(value, one.name)) for one in fields(value)} if is_dataclass(value) else value

@@ -10,17 +10,20 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
+from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text.text_runs import numeral, runs
 from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.quantities import GRAPH_CHECK
+from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
 
 TABLE_FILE = "table.csv"  # has the table of results, and beside it the columns of what is asked for row by row
-MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
-MOST_BESIDE = 40  # the same of a table that stands beside the table of results: accelerations, points, analogs
+MOST_ROWS = 32  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
 ONE_PAGE = 32  # rows of a table that fits on one page whatever stands around it
 HALF_PAGE = 20  # the same of one that stands beside others: two of them would leave half a page empty
@@ -76,7 +79,8 @@ def rules_for(rows: int) -> list[int]:
 def motion_parts(context: PageContext) -> list[Part]:
     """Return the table of the motion and the sentences that belong to it."""
     run, words = context.run, context.words
-    names = run.motion.names
+    constant = given_constants(run)
+    names = [name for name in run.motion.names if name not in constant]
     units = [run.variant.unit_of(name) for name in names]
     step = context.quantity(run.step, "s")
     is_exact = run.tableau is None
@@ -89,7 +93,23 @@ def motion_parts(context: PageContext) -> list[Part]:
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s")
         notes.append(words("table.stopped", row=len(run.motion.t), kind=context.event(run.stop.kind), time=time))
-    return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, words.sentences(notes))
+    if constant:
+        unit_of, plain = run.variant.unit_of, context.numbers.plain
+        told = [f"{context.lettering(one)}{TIGHT}={TIGHT}{words.amount(plain(v), unit_of(one))}" for one, v in constant.items()]
+        notes.append(words("table.constant", listed=words.listing(told)))
+    rows = run.motion.rows[:, [place for place, name in enumerate(run.motion.names) if name not in constant]]
+    return _by_row(context, Grid(names, units, rows), run.motion.t, caption, words.sentences(notes))
+
+
+def given_constants(run: SceneRun) -> dict[str, float]:
+    """Return the rates that the drive keeps at one value: no column and no graph says more of them; none where all are."""
+    motion, known = run.motion, run.variant.known_rates
+    found = {
+        name: float(motion.column(name)[0])
+        for name in motion.names
+        if name in known and len(motion.t) > 1 and not float(np.ptp(motion.column(name)))
+    }
+    return found if len(found) < len(motion.names) else {}
 
 
 def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part]:
@@ -98,9 +118,9 @@ def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part
     caption = caption.rstrip(".。") + context.words("table.stop")
     whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
     if extra.names[0] == "t":
-        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, MOST_BESIDE, file)
+        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, HALF_PAGE, file)
     if len(extra.rows) == len(context.run.motion.t):
-        return _by_row(context, whole, context.run.motion.t, caption, note, MOST_BESIDE, file)
+        return _by_row(context, whole, context.run.motion.t, caption, note, HALF_PAGE, file)
     columns, texts = _columns(context, whole, thinned(len(extra.rows)))
     return [
         Table(
@@ -129,16 +149,16 @@ def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Co
 
 
 def _by_row(
-    context: PageContext, grid: Grid, t: Any, caption: str, note: str, most: int = MOST_ROWS, file: str = TABLE_FILE
+    context: PageContext, grid: Grid, t: Any, caption: str, note: str, longest: int = ONE_PAGE, file: str = TABLE_FILE
 ) -> list[Part]:
     """Return one table, or as many as the columns need; each repeats row and time."""
     check_row = context.run.variant.time.check_row
-    kept = thinned(len(t), keep=[check_row - 1] if check_row else [], most=most)
+    kept = thinned(len(t), keep=[check_row - 1] if check_row else [])
     labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
     times = context.numbers.times([float(t[row]) for row in kept])
     strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
     parts: list[Part] = []
-    if (pace := pace_of(len(t), most)) > 1:
+    if (pace := pace_of(len(t))) > 1:
         rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t)), "file": file}
         parts.append(Paragraph(context.say("table.thinned", **rows_of)))
     parted = pieces(grid.names)
@@ -156,7 +176,7 @@ def _by_row(
                 strong,
                 rules_for(len(rows)),
                 below,
-                whole=len(rows) <= (ONE_PAGE if most == MOST_ROWS else HALF_PAGE),
+                whole=len(rows) <= longest,
                 places=[row + 1 for row in kept],
             )
         )

@@ -58,7 +58,8 @@ _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶�
 def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     """Split a sentence into runs, to be set like a book.
 
-    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised} or {"c": what is never broken}: "V_My", "φ₁", "ω",
+    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised}, {"c": what is never broken} or
+    {"o": on paper only}: "V_My", "φ₁", "ω",
     "10⁻⁷"; "--step h/18", the unit behind a number, what is `unbroken`; those of `names` that are symbols beyond doubt ("phi1",
     "w3", "phij") become runs; the rest stays text.
     """

@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -21,7 +20,7 @@ from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import SCHEMES
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
 
 _OPERATION = re.compile(r"[-+*/(]")
 # Every scheme once with the step of the table may take so much; a table that takes more is not studied.
@@ -45,7 +44,7 @@ PAGE = Bounds(256, 2.5e6)
 TIMED = Bounds(4096, 12e6)
 
 
-@dataclass(frozen=True)
+@caching
 class Problem:
     """What a trial needs: rates, start, row distance h (s), number of rows, closure if known; `units` of the coordinates."""
 

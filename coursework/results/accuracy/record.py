@@ -47,3 +47,6 @@ class AccuracyStudy:
     seconds_shown: bool
     machine: Mapping[str, str] = field(default_factory=dict)
     left_out: Sequence[str] = ()
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {len(self.rows)} runs of {len({row.method for row in self.rows})} methods>"

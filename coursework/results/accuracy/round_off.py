@@ -1,7 +1,7 @@
 """The lesson of single precision: with ever smaller steps round-off takes back what the scheme gains.
 
 Enters: a scene with its exact end.  Leaves: rows of the V-shaped curve, for t = i*h and for t += h.
-Used by `commands/run.py`.
+Used by `run.py`.
 """
 
 from __future__ import annotations

@@ -19,6 +19,9 @@ from coursework.words.sentences import say
 _SETTLED = 0.5
 # A better scheme has at most this part of Euler's error.
 _BETTER = 0.95
+# Round-off of one step (rad or m); that of many steps grows as the root of their number (N. J. Higham, Accuracy and Stability of
+# Numerical Algorithms, section 2.8).
+_UNIT = 2.0**-53
 _HUNDRED = math.radians(99.5)
 
 
@@ -33,7 +36,7 @@ def sentences_of(
     size = _size(best.max_error, best.unit)
     is_better = best.max_error < _BETTER * usual.max_error
     if is_better:
-        gain = {"less": _round(usual.max_error / best.max_error), "more": best.evaluations / usual.evaluations}
+        gain = {"less": _times_less(best, usual), "more": best.evaluations / usual.evaluations}
         told.append(_told("study.best", _ratio(best, usual), **reached, **gain, size=size))
     else:
         told.append(say("study.no_better", **reached, size=size))
@@ -42,11 +45,14 @@ def sentences_of(
         needed = {"needed": _round(steps), "more": _round(steps / best.evaluations)}
         if within:
             needed["needed"] = say("study.between", needed=_round(steps), low=_whole(within[0]), high=_whole(within[1]))
-        told.append(_told("study.equal", _predicted(rows, steps, best), **reached, **needed))
+        if math.sqrt(steps) * _UNIT > best.max_error:
+            told.append(say("study.never", **reached, needed=needed["needed"]))
+        else:
+            told.append(_told("study.equal", _predicted(rows, steps, best), **reached, **needed))
     projected = [row for row in rows if row.method == projected_title(1) and not row.failed]
-    if projected:
+    if projected and projected[0].max_error < usual.max_error:
         found = {"steps": projected[0].steps_or_tolerance, "size": _size(projected[0].max_error, projected[0].unit)}
-        told.append(say("study.with_projection", **found, less=_round(usual.max_error / projected[0].max_error)))
+        told.append(say("study.with_projection", **found, less=_times_less(projected[0], usual)))
     closed = [row for row in rows if row.method == say("study.closed") and not row.failed]
     if closed:
         cost = {"evaluations": closed[0].evaluations, "more": _round(closed[0].evaluations / best.evaluations)}
@@ -54,7 +60,7 @@ def sentences_of(
         told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
     understated = usual.max_error / max(usual.end_error, 1e-300)
     if understated >= 1.1:
-        told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=understated))
+        told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=_round(understated)))
     titles = [title_of(scheme) for scheme in SCHEMES.values()]
     seeming = {name: end_orders[name] for name, order in orders.items() if end_orders.get(name, order) - order > 0.5}
     methods = tuple(
@@ -100,6 +106,11 @@ def _steps_for(rows: Sequence[StudyRow], error: float) -> tuple[float, tuple[int
     part = math.log(coarse.max_error / error) / math.log(coarse.max_error / fine.max_error)
     steps = coarse.evaluations * (fine.evaluations / coarse.evaluations) ** part
     return steps, (coarse.evaluations, fine.evaluations)
+
+
+def _times_less(row: StudyRow, other: StudyRow) -> str:
+    """Return how many times less the error of a method is than that of another one."""
+    return _round(other.max_error / row.max_error if row.max_error else math.inf)
 
 
 def _told(key: str, time: dict[str, object], **values: object) -> Sentence:

@@ -2,7 +2,7 @@
 
 Enters: a scene and a wished error (rad or m, maximum over the scheme's own rows).  Leaves: `StepChoice`.
 Raises `InputError` where the search or the run would take minutes, and says how long.
-Used by `commands/run.py`.
+Used by `api.py`.
 """
 
 from __future__ import annotations

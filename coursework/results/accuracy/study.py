@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 import platform
-import time
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -23,7 +22,7 @@ from coursework.results.accuracy.methods import left_out, trials
 from coursework.results.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import sentences_of, unsettled
-from coursework.results.accuracy.timing import seconds
+from coursework.results.accuracy.timing import QUICK_REPEAT, REPEATS, seconds, timed_once
 from coursework.results.accuracy.trace import errors, slope
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
@@ -37,15 +36,15 @@ def make_study(
     problem: Problem, exact: Motion, scheme: str,
     *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
-    """Return the study; with `timed` every trial is also timed (some 0.4 s each)."""
+    """Return the study; with `timed` every trial is also timed (some 0.04 s each)."""
     if problem.work > MOST_WORK or not len(exact.t):
-        return _without_runs(problem, exact, timed)
+        return _without_runs(say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK), exact, timed)
     bounds = TIMED if timed else PAGE
     reference = exact.coordinates[list(problem.marks)]
     try:
         other, gap, _ = refine(problem.rates, problem.start, problem.times)
     except OutOfReach:
-        return _without_runs(problem, exact, timed)
+        return _without_runs(say("study.not_followed"), exact, timed)
     agreement = float(np.max(np.abs(other - reference)))
     # Derivatives of a table are not those of a curve through it: there every scheme comes to rest at its own motion.
     is_same = agreement < SAME
@@ -58,7 +57,7 @@ def make_study(
         if progress:
             progress(f"{trial.method}, {trial.setting}")
         try:
-            positions, evaluations = trial.run()
+            (positions, evaluations), once = timed_once(trial.run)
             if trial.fine not in fine:
                 fine[trial.fine] = _finer(problem, trial.fine, closed=is_same)
             # Compared with itself the closure would have no error at all.
@@ -68,7 +67,7 @@ def make_study(
                 StudyRow(trial.method, trial.setting, 0, np.nan, np.nan, None, say("study.failed", kind=type(error).__name__))
             )
             continue
-        spent = seconds(trial.run) if timed else None
+        spent = (once if once > REPEATS * QUICK_REPEAT else seconds(trial.run, shortest=QUICK_REPEAT)) if timed else None
         # The first trial is Euler with the table's own step: a ratio to it says more than seconds of one machine.
         first = rows[0].seconds if rows else spent
         ratio = spent / first if spent and first else None
@@ -98,10 +97,9 @@ def make_study(
     )
 
 
-def _without_runs(problem: Problem, exact: Motion, timed: bool) -> AccuracyStudy:
-    """Return the study of a table too long for any run: why there is no more."""
-    told = (say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK),)
-    return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), timed, {}, told)
+def _without_runs(why: str, exact: Motion, timed: bool) -> AccuracyStudy:
+    """Return the study of what is too much for any run: why there is no more."""
+    return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), timed, {}, (why,))
 
 
 def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:
@@ -129,10 +127,3 @@ def machine() -> dict[str, str]:
         "system": f"{platform.system()} {platform.machine()}", "processors": str(os.cpu_count() or 1),
         "python": f"{platform.python_implementation()} {platform.python_version()}",
     }  # fmt: skip
-
-
-def time_of(work: Callable[[], object]) -> float:
-    """Return the time of one call made once (s): for imports and reductions, which have no second first time."""
-    begun = time.perf_counter()
-    work()
-    return time.perf_counter() - begun

@@ -9,10 +9,22 @@ from __future__ import annotations
 import gc
 import time
 from collections.abc import Callable
+from typing import TypeVar
+
+Made = TypeVar("Made")
 
 REPEATS = 7
 LONGEST = 2.0  # s of all repeats; a run that is long is timed well by fewer of them
 SHORTEST_REPEAT = 0.05  # s; a shorter repeat measures the clock and the scheduler
+# One of the many trials of a study: their least time is as good with short repeats, and all together take two seconds.
+QUICK_REPEAT = 0.004
+
+
+def timed_once(work: Callable[[], Made]) -> tuple[Made, float]:
+    """Return what a call made, and the time it took (s)."""
+    begun = time.perf_counter()
+    made = work()
+    return made, time.perf_counter() - begun
 
 
 def seconds(work: Callable[[], object], repeats: int = REPEATS, shortest: float = SHORTEST_REPEAT) -> float:

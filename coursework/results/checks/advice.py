@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -83,10 +84,8 @@ def with_advice(evidence: Evidence, found: Iterable[Finding], judge: Judge) -> l
     if advice is None:
         return listed
     option = f"--step {advice.option}" if advice.option else f"--scheme {advice.scheme}"
-    return [
-        replace(one, sentence=joined([one.sentence, advice.sentence]), step=advice.step, option=option) if _curable(one) else one
-        for one in listed
-    ]
+    taken: dict[str, Any] = {"step": advice.step, "option": option, "scheme": advice.scheme, "advised": advice.sentence}
+    return [replace(one, sentence=joined([one.sentence, advice.sentence]), **taken) if _curable(one) else one for one in listed]
 
 
 def _curable(finding: Finding) -> bool:
@@ -142,9 +141,9 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, few
             coarse = [Finding("COARSE", "", share, LIMIT)]
             continue
         tried = _tried(evidence, own, parts, motion)
-        if motion is not None and tried is None:
-            return 0, None  # nothing to judge it against is known
-        coarse = [one for one in judge(tried) if _curable(one)] if tried is not None else [Finding("COARSE", "")]
+        if tried is None:
+            return 0, None  # nothing to judge it against is known, and with more rows it is no nearer
+        coarse = [one for one in judge(tried) if _curable(one)]
         if coarse:
             continue
         worse = None if motion is None or share > expected / _LUCK else _worse(evidence, own, parts, order)

@@ -7,7 +7,7 @@ several checks need, once.  Used by the rooms of `checks/` and made by `motion_r
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TypeVar, cast
 
@@ -23,6 +23,7 @@ from coursework.motion.integration.replay import Replay
 from coursework.motion.singular.search import Search
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import caching
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
@@ -43,7 +44,7 @@ ALIKE = 1e-9
 LIMIT = 0.05
 
 
-@dataclass(frozen=True)
+@caching
 class Evidence:
     """`motion` judged against `exact`, on the same rows as far as both go; `exact` None where it cannot be had.
 

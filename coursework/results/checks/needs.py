@@ -40,6 +40,13 @@ def _not_known(evidence: Evidence) -> Sentence:
     return say("check.out_of_reach") if found is None else joined([say("check.too_stiff"), found.sentence])
 
 
+def _why_not_known(evidence: Evidence) -> Sentence | str:
+    """Return what a summary begins with: a motion that ends early is told there anyhow."""
+    if (found := stiff(evidence)) is not None:
+        return found.sentence
+    return _not_known(evidence) if evidence.stop is None else ""
+
+
 def _too_few(evidence: Evidence) -> float | None:
     """Return the digits that the equations leave where the exact motion itself is not known to 5 % with them, else None."""
     if evidence.restricted:
@@ -57,7 +64,7 @@ WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only
 EXACT = Need(
     lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0,
     lambda evidence: _not_known(evidence),
-    lambda evidence: found.sentence if (found := stiff(evidence)) is not None else "",
+    _why_not_known,
 )
 CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
 RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)

@@ -19,7 +19,7 @@ Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
 # Units of what is never told as more than there is, a part of a whole and digits left of sixteen, and their decimals.
 OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
-_DECIMALS = {OF_POWER: 4, DIGITS_LEFT: 1}
+_DECIMALS = {OF_POWER: 3, DIGITS_LEFT: 1}
 # From here on a share is told as so many times the whole, and from there on as more than so many: nobody compares such numbers.
 _MANY, _MOST = 1000.0, 1e6
 # The status a command ends with is that of the worst verdict.
@@ -33,7 +33,8 @@ class Finding:
     PASS: the claim holds; COARSE: computed right, but this step, or these digits, are too coarse for the claim; FAIL: wrong;
     SKIP: nothing to judge; ERROR: the tool itself could not judge, never the student's fault.
     `column` and `row` (from 1) are where the largest number stands; `first` and `last` the rows a period compares (SI);
-    `step` (s) is one with which every claim about the motion holds, `option` how the command line is told.  `rows` are
+    `step` (s) is one with which every claim about the motion holds, `option` how the command line is told, `scheme` one that
+    does at the same step, `advised` the sentence of both.  `rows` are
     further lines, (label, value, unit) each.  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: what the
     summary says of it before all else, `unjudged` what it adds to "computed right".
     `code`, `group` and `is_least` (the limit is the least that passes, else the most) are those of the check.
@@ -52,11 +53,19 @@ class Finding:
     rows: tuple[tuple[str, float, str], ...] = ()
     cured: bool = True
     option: str = ""
+    scheme: str = ""
+    advised: str = ""
     headline: str = ""
     unjudged: str = ""
     code: str = ""
     group: Group = "computation"
     is_least: bool = False
+
+    @property
+    def says_more(self) -> bool:
+        """Return whether the sentence has more than the mark and the summary tell; SKIP of a start is told in the summary."""
+        unsure = bool(self.unjudged) and self.code != "START"
+        return self.code != "STOP" and (unsure or self.verdict in {"COARSE", "FAIL", "ERROR"})
 
     @property
     def title(self) -> str:
@@ -90,7 +99,7 @@ def beside(unit: str, value: float) -> str:
 
 
 def percent(share: float) -> Sentence:
-    """Return a share in percent: whole from 10 % on, two digits below; as a number of wholes from a thousand percent on."""
+    """Return a share in percent: with one decimal, a tiny one with two digits; a number of wholes from a thousand percent on."""
     value = 100 * share
     if share >= _MOST:
         return say("amount.share_beyond", value=_MOST)
@@ -98,4 +107,4 @@ def percent(share: float) -> Sentence:
         return say("amount.share_times", value=share)
     if 0 < value < 1e-4:
         return say("amount.share_below", value=1e-4)
-    return say("amount.share" if value >= 9.95 or value == 0 else "amount.share_two", value=value)
+    return say("amount.share" if value >= 0.05 else "amount.share_two", value=value)

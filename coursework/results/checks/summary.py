@@ -53,12 +53,12 @@ def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sente
     if coarse := tuple(named(finding) for finding in judged if finding.verdict == "COARSE" and finding.code != "STOP"):
         rounded = say("summary.rounded", codes=coarse, **count)
         return joined([rounded, *(say("summary.besides", unjudged=one) for one in unjudged)])
-    if unjudged:
-        return say("summary.right_but", unjudged=unjudged[0])
+    if any(finding.unjudged and finding.code == "AGREEMENT" for finding in findings):
+        return say("summary.right_but", unjudged=joined(reversed(unjudged), "join.semicolon"))
     if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
         reached = {"passed": count["passed"], "all": count["all"] - 1}  # that it stops is said before
         return say("summary.right_to_stop", **reached) if reached["all"] else say("summary.no_rows")
-    return say("summary.right", **count)
+    return say("summary.right_beside", unjudged=unjudged[0], **count) if unjudged else say("summary.right", **count)
 
 
 def _scale(sentence: object) -> dict[str, object]:
@@ -77,7 +77,8 @@ def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[F
     take = say("summary.take", option=option, what=_instead(coarse)) if option else ""
     told: list[str] = []
     if accuracy is None or accuracy.verdict == "SKIP":
-        told.append(say("summary.unknown"))
+        if accuracy is None or not accuracy.headline or accuracy.headline != accuracy.sentence:
+            told.append(say("summary.unknown"))
     elif accuracy.verdict == "FAIL":
         told.append(accuracy.sentence)
     elif is_motion and accuracy.value == 0:

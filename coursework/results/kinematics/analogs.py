@@ -26,6 +26,7 @@ Level: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
 def true_velocity(first: ArrayLike, omega_1: ArrayLike) -> Array:
     """Return q' omega_1, per second; `first` q' (n,) or (n, k), `omega_1` (rad/s) a number or (n,).
 
+    >>> from coursework.procedures import true_velocity
     >>> true_velocity([0.1, 0.2], omega_1=10.0).tolist()
     [1.0, 2.0]
     """
@@ -40,6 +41,7 @@ def true_acceleration(first: ArrayLike, second: ArrayLike, omega_1: ArrayLike, e
     crank, a number or (n,).  Without the last term the formula of [library] holds for a constant omega_1
     only.
 
+    >>> from coursework.procedures import true_acceleration
     >>> true_acceleration([0.1, 0.2], [0.0, 0.5], omega_1=10.0, epsilon_1=5.0).tolist()
     [0.5, 51.0]
     """
@@ -53,6 +55,7 @@ def velocity_analog(velocity: ArrayLike, omega_1: ArrayLike) -> Array:
 
     Raises `ValueError` where the crank stands still.
 
+    >>> from coursework.procedures import velocity_analog
     >>> velocity_analog([1.0, 2.0], omega_1=10.0).tolist()
     [0.1, 0.2]
     """
@@ -65,6 +68,7 @@ def acceleration_analog(velocity: ArrayLike, acceleration: ArrayLike, omega_1: A
 
     `omega_1` (rad/s) and `epsilon_1` (rad/s^2) a number or (n,).  Raises `ValueError` where the crank stands still.
 
+    >>> from coursework.procedures import acceleration_analog
     >>> acceleration_analog([1.0, 2.0], [0.5, 51.0], omega_1=10.0, epsilon_1=5.0).tolist()
     [0.0, 0.5]
     """
@@ -79,6 +83,7 @@ def in_seconds(analogs: GroupMotion, omega_1: ArrayLike, epsilon_1: ArrayLike = 
     `omega_1` (rad/s), `epsilon_1` (rad/s^2) of the crank, a number or one a row.
     Raises `ValueError` when only positions were computed.
 
+    >>> from coursework.procedures import Pair, in_seconds
     >>> from coursework.mechanism.groups import crank
     >>> turned = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, 1.0], rate=1.0)
     >>> in_seconds(turned, omega_1=[5.0, 10.0]).meets.velocity.round(3).tolist()
@@ -95,6 +100,7 @@ def in_analogs(motion: GroupMotion, omega_1: ArrayLike, epsilon_1: ArrayLike = 0
 
     Raises `ValueError` where the crank stands still, and when only positions were computed.
 
+    >>> from coursework.procedures import Pair, in_analogs
     >>> from coursework.mechanism.groups import crank
     >>> turned = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, 1.0], rate=[5.0, 10.0])
     >>> in_analogs(turned, omega_1=[5.0, 10.0]).rates.tolist()

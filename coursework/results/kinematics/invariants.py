@@ -34,6 +34,7 @@ from coursework.system.frozen import frozen
 class Invariants:
     """a_k, b_k, c_k, each (n,) and without a unit, with the `stroke` S and the crank `angle` Phi (rad).
 
+    >>> from coursework.procedures import from_analogs
     >>> way = from_analogs([0.0, 0.1, 0.4], [0.0, 0.2, 0.4], [0.2, 0.2, 0.2], stroke=0.4, angle=2.0)
     >>> way.a.tolist(), way.b.tolist(), way.c.tolist()
     ([0.0, 0.25, 1.0], [0.0, 1.0, 2.0], [2.0, 2.0, 2.0])
@@ -53,6 +54,8 @@ class Stroke:
     `length` S in the unit of the crank, crank `angle` Phi (rad), the crank angles of both ends (rad), and
     `outer_position` of the slider: the S_a of formula (5), which is not the stroke.
 
+    >>> import math
+    >>> from coursework.procedures import crank_stroke
     >>> centric = crank_stroke(0.4, crank=0.1)
     >>> round(centric.length, 9), round(centric.outer_position, 9), round(math.degrees(centric.inner_angle))
     (0.2, 0.5, 180)
@@ -72,6 +75,8 @@ def crank_stroke(rod: float, offset: float = 0.0, crank: float = 1.0) -> Stroke:
     S = sqrt((l2+l1)^2 - e^2) - sqrt((l2-l1)^2 - e^2),  Phi = pi + arcsin(e/(l2-l1)) - arcsin(e/(l2+l1)).
     Raises `ValueError` unless the crank can turn fully, l2 - l1 > |e|.
 
+    >>> import math
+    >>> from coursework.procedures import crank_stroke
     >>> stroke = crank_stroke(0.4, offset=0.05, crank=0.1)
     >>> round(stroke.length, 4), round(math.degrees(stroke.angle), 2)
     (0.2017, 183.85)
@@ -96,6 +101,7 @@ def from_analogs(s: ArrayLike, v: ArrayLike, a: ArrayLike, *, stroke: float, ang
     angle; `stroke` S in the unit of `s`, `angle` Phi (rad).  Raises `ValueError` unless S and Phi are finite
     and above zero.
 
+    >>> from coursework.procedures import from_analogs
     >>> even = from_analogs([0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0)
     >>> even.a.tolist(), even.b.tolist(), even.c.tolist()
     ([0.0, 0.5, 1.0], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0])
@@ -108,6 +114,7 @@ def from_analogs(s: ArrayLike, v: ArrayLike, a: ArrayLike, *, stroke: float, ang
 def to_analogs(invariants: Invariants) -> tuple[Array, Array, Array]:
     """Return s, v, a: displacement and its derivatives by the crank angle, each (n,) in the unit of the stroke.
 
+    >>> from coursework.procedures import from_analogs, to_analogs
     >>> even = from_analogs([0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0)
     >>> [part.round(9).tolist() for part in to_analogs(even)]
     [[0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0]]
@@ -131,6 +138,7 @@ def from_true(
     `angle` Phi (rad), `omega_1` (rad/s), `epsilon_1` (rad/s^2) of the crank.  Raises `ValueError` as
     `from_analogs`, and where omega_1 = 0.
 
+    >>> from coursework.procedures import from_true
     >>> from_true([0.0, 0.1, 0.2], [0.5, 0.5, 0.5], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0, omega_1=5.0).b.tolist()
     [1.0, 1.0, 1.0]
     """
@@ -142,6 +150,7 @@ def from_true(
 def to_true(invariants: Invariants, omega_1: ArrayLike, epsilon_1: ArrayLike = 0.0) -> tuple[Array, Array, Array]:
     """Return s (m), V = b_k S/T (m/s), A = c_k S/T^2 (m/s^2) with T = Phi/omega_1, for a stroke in metres.
 
+    >>> from coursework.procedures import from_analogs, to_true
     >>> even = from_analogs([0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0)
     >>> [part.round(9).tolist() for part in to_true(even, omega_1=5.0)]
     [[0.0, 0.1, 0.2], [0.5, 0.5, 0.5], [0.0, 0.0, 0.0]]

@@ -33,6 +33,8 @@ OFF_LINE = ("group.off.line", "group.line.of_slider")
 class SliderAnalogs:
     """Analogs (n,) of slider and rod, divided by l1: `phi2` (rad), `s`, `v`, `a`, `omega_2`, `epsilon_2`.
 
+    >>> import numpy as np
+    >>> from coursework.procedures import slider_crank
     >>> dead_centres = slider_crank([0.0, np.pi], 1.0, l2=2.0)
     >>> dead_centres.s.round(9).tolist(), dead_centres.a.round(9).tolist()
     ([0.0, 2.0], [1.5, -0.5])
@@ -50,6 +52,7 @@ class SliderAnalogs:
 class CrankLaw:
     """A crank length (n,) that depends on the crank angle: `r`, `first` dr/dphi, `second` d2r/dphi2, m.
 
+    >>> from coursework.procedures import constant_speed_crank
     >>> law = constant_speed_crank([1.34, 1.44], speed=0.65, omega_1=6.28, crank=0.1, rod=0.4)
     >>> law.r.round(4).tolist(), law.first.round(4).tolist()
     ([0.1, 0.1005], [0.0268, 0.0039])
@@ -77,6 +80,7 @@ def slider_crank(
     crank length.
     Raises `CannotAssemble` and `AtDeadPoint` as `rod_angle`.
 
+    >>> from coursework.procedures import slider_crank
     >>> slider_crank([0.0, 1.0, 2.0], 1.0, l2=4.0).v.round(4).tolist()
     [0.0, 0.9577, 0.8122]
     """
@@ -103,6 +107,8 @@ def rod_angle(phi: Array, lr: Array, l2: float, l3: float = 0.0) -> Array:
     Raises `CannotAssemble` where the rod is too short to reach the slider's line, `AtDeadPoint` where it
     stands perpendicular to it, cos phi2 = 0, by which the formulas divide.
 
+    >>> import numpy as np
+    >>> from coursework.procedures import rod_angle
     >>> np.rad2deg(rod_angle(np.array([0.0, np.pi / 2]), np.ones(2), l2=2.0)).round(9).tolist()
     [0.0, -30.0]
     """
@@ -114,6 +120,7 @@ def rod_angle(phi: Array, lr: Array, l2: float, l3: float = 0.0) -> Array:
 def outer_position(lr: float, l2: float, l3: float = 0.0) -> float:
     """Return S_a = sqrt((lr + l2)^2 - l3^2): the slider with crank and rod in one line; not the stroke.
 
+    >>> from coursework.procedures import outer_position
     >>> outer_position(1.0, l2=4.0, l3=3.0)
     4.0
     """
@@ -123,6 +130,8 @@ def outer_position(lr: float, l2: float, l3: float = 0.0) -> float:
 def displacement(phi: Array, lr: Array, phi2: Array, l2: float, outer: float) -> Array:
     """Return s = S_a - lr cos phi - l2 cos phi2: formula (5), (n,); `phi`, `phi2` (n,) rad.
 
+    >>> import numpy as np
+    >>> from coursework.procedures import displacement
     >>> displacement(np.array([0.0, np.pi]), np.ones(2), np.zeros(2), l2=2.0, outer=3.0).tolist()
     [0.0, 2.0]
     """
@@ -132,6 +141,8 @@ def displacement(phi: Array, lr: Array, phi2: Array, l2: float, outer: float) ->
 def rod_velocity(phi: Array, lr: Array, first: Array, phi2: Array, l2: float) -> Array:
     """Return omega_2 = dphi2/dphi: formula (10), (n,); `phi`, `phi2` (n,) rad.
 
+    >>> import numpy as np
+    >>> from coursework.procedures import rod_velocity
     >>> rod_velocity(np.array([0.0, np.pi]), np.ones(2), np.zeros(2), np.zeros(2), l2=2.0).tolist()
     [-0.5, 0.5]
     """
@@ -141,6 +152,8 @@ def rod_velocity(phi: Array, lr: Array, first: Array, phi2: Array, l2: float) ->
 def slider_velocity(phi: Array, lr: Array, first: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
     """Return v = ds/dphi: formula (9), (n,); `phi`, `phi2` (n,) rad.
 
+    >>> import numpy as np
+    >>> from coursework.procedures import slider_velocity
     >>> phi, phi2 = np.array([np.pi / 2]), np.array([-np.pi / 6])
     >>> slider_velocity(phi, np.ones(1), np.zeros(1), phi2, omega_2=np.zeros(1), l2=2.0).tolist()
     [1.0]
@@ -151,6 +164,8 @@ def slider_velocity(phi: Array, lr: Array, first: Array, phi2: Array, omega_2: A
 def rod_acceleration(phi: Array, lr: Array, first: Array, second: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
     """Return epsilon_2 = d2phi2/dphi2: formula (12), with (10) put in for its terms in omega_2; (n,).
 
+    >>> import numpy as np
+    >>> from coursework.procedures import rod_acceleration
     >>> phi, phi2 = np.array([np.pi / 2]), np.array([-np.pi / 6])
     >>> rod_acceleration(phi, np.ones(1), np.zeros(1), np.zeros(1), phi2, omega_2=np.zeros(1), l2=2.0).round(4).tolist()
     [0.5774]
@@ -172,6 +187,8 @@ def slider_acceleration(
 ) -> Array:
     """Return a = d2s/dphi2: formula (11), (n,); in the outer dead centre 1 + 1/l2.
 
+    >>> import numpy as np
+    >>> from coursework.procedures import slider_acceleration
     >>> still = np.zeros(1)
     >>> slider_acceleration(still, np.ones(1), still, still, still, omega_2=np.array([-0.5]), epsilon_2=still, l2=2.0).tolist()
     [1.5]
@@ -200,6 +217,7 @@ def constant_speed_crank(
     it touches that circle (dr/dphi grows beyond bounds), `ValueError` where the mode does not give `crank` at
     phi[0], or the crank would shrink to nothing.
 
+    >>> from coursework.procedures import constant_speed_crank
     >>> constant_speed_crank([1.34, 1.44, 1.54], speed=0.65, omega_1=6.28, crank=0.1, rod=0.4).r.round(4).tolist()
     [0.1, 0.1005, 0.1011]
     """

@@ -62,7 +62,7 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
     places = {c.name: place for place, c in enumerate(variant.coordinates)}
     units = {given.name: given.si for given in variant.given} | {c.name: c.unit for c in variant.coordinates}
     found: dict[str, Array] = {}
-    for key in columns:
+    for key in columns.keys():  # noqa: SIM118  a pandas Series goes through its values
         name = spell(key) if isinstance(key, str) else key
         if name not in units:
             hint = closest(str(key), list(units)) or say("hint.known", known=", ".join(units))

@@ -30,10 +30,12 @@ from coursework.scene.exact_scene import scene_of
 from coursework.scene.model.data import Data, read_data
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
-from coursework.variant.catalogue import load
+from coursework.variant.catalogue import variant_from
 from coursework.variant.formula.tree import evaluate
 from coursework.variant.record.changes import follow_from
 from coursework.variant.record.variant import Variant
+from coursework.words.errors import InputError, visible
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
@@ -41,7 +43,7 @@ if TYPE_CHECKING:
 Columns = list[Any]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Model:
     """The structure of one template; numbers come with every call.
 
@@ -60,6 +62,11 @@ class Model:
     reduction: Reduction = field(repr=False)
     _compiled: dict[Any, Callable[..., Any]] = field(default_factory=dict, repr=False)
 
+    def __repr__(self) -> str:
+        return (
+            f"<Model of {visible(self.variant.name)}: blocks {', '.join(f'({chr(44).join(b.unknowns)})' for b in self.blocks)}>"
+        )
+
     def bind(self, data: Any = None, settings: Settings | None = None) -> Scene:
         """Return the scene of one set of data (those of the file where None), with nothing of the template made again.
 
@@ -70,7 +77,10 @@ class Model:
         >>> [round(float(model.bind({"r3": length}).exact.velocities[0, 2]), 4) for length in ("457 mm", "450 mm")]
         [5.5518, 5.6382]
         """
-        given, start = self.data(data).of(0, self.variant)
+        sets = self.data(data)
+        if sets.count != 1:
+            raise InputError(say("fault.D023", count=sets.count))
+        given, start = sets.of(0, self.variant)
         return scene_of(self.variant.with_data(given, start) if given or start else self.variant, settings or Settings())
 
     @property
@@ -193,6 +203,9 @@ class Model:
 
     def _at(self, function: Callable[..., Any], t: ArrayLike, q: ArrayLike, data: Any, more: Sequence[Array] = ()) -> Array:
         times, positions = np.asarray(t, dtype=float), np.asarray(q, dtype=float)
+        if positions.shape[-1:] != (len(self.coordinates),):
+            told = {"m": len(self.coordinates), "t": str(times.shape), "q": str(positions.shape)}
+            raise InputError(say("fault.D036", **told))
         sets = self.data(data)
         shape = np.broadcast_shapes(times.shape, positions.shape[:-1], *(part.shape for part in more))
         if sets.count != 1:
@@ -216,11 +229,11 @@ def model_of(variant: Variant) -> Model:
     return replace(first, variant=variant, equations=equations)
 
 
-def compile_model(variant: Variant | str | Path) -> Model:
+def compile_model(variant: Variant | str | Path | int) -> Model:
     """Return a template compiled once, whose functions take the data as arguments.  Raises `InputError`.
 
     >>> import coursework
     >>> coursework.compile_model("31").velocities
     ('w1', 'w2', 'w3', 'w4')
     """
-    return model_of(load(variant) if isinstance(variant, (str, Path)) else variant)
+    return model_of(variant_from(variant))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 
 from coursework.variant.record.variant import MAX_NUMBERS, MAX_ROWS, MOST_PERIODS, Variant
 from coursework.words.errors import Fault, InputError
@@ -36,7 +37,7 @@ def refuse_unbounded(variant: Variant) -> None:
         raise InputError(faults)
 
 
-def timed(variant: Variant, step: float | None, end: float | None) -> Variant:
+def timed(variant: Variant, step: float | None, end: float | str | None) -> Variant:
     """Return the variant with another step and end (s).  Raises `InputError` for times that make no table."""
     h = _number(step, "step") if step is not None else variant.time.step
     last = _number(end, "end") if end is not None else variant.time.end
@@ -53,7 +54,7 @@ def timed(variant: Variant, step: float | None, end: float | None) -> Variant:
 
 def _number(value: object, name: str) -> float:
     """Return a number of seconds.  Raises `InputError` for anything else."""
-    try:
-        return float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(say("fault.C012", name=name, value=value)) from None
+    with suppress(TypeError, ValueError):
+        if not isinstance(value, bool):
+            return float(value)  # type: ignore[arg-type]
+    raise InputError(say("fault.C012", name=name, value=value))

@@ -6,10 +6,10 @@ Enters: a `Variant` as read, its `Source`, the formulas of its times.  Leaves: `
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import chain, islice
 
-from coursework.system.frozen import frozen
+from coursework.system.frozen import changing, frozen
 from coursework.variant.dimensions.exponents import Dimension, is_known, si_unit, symbols
 from coursework.variant.dimensions.formulas import Clash, Measurer, Term
 from coursework.variant.formula.tree import Formula, replaced
@@ -49,7 +49,7 @@ class Dimensions:
         return si_unit(self.known[name]) if name in self.known else ""
 
 
-@dataclass(slots=True)
+@changing
 class _Outcome:
     """One pass over a file: `clashes` by the number of the place that cannot hold, the first alone where it ends there."""
 

@@ -78,9 +78,15 @@ def _negative(variant: Variant, source: Source) -> list[Fault]:
                     worst[name] = (plainness, path, length, value)
     faults = []
     for _, path, length, value in worst.values():
-        reason = say("group.positive.alone", what=spelled(length), found=value, row=0)
+        reason = say("group.positive.alone", what=spelled(length), found=_typed(length, value, variant), row=0)
         faults.append(source.fault(source.path_of(path), refused_length(reason)))
     return faults
+
+
+def _typed(length: Formula, value: float, variant: Variant) -> str:
+    """Return a length as it was typed, with its unit; one that a formula makes in metres."""
+    texts = {given.name: f"{given.text} {given.unit}".strip() for given in variant.given if given.value == value}
+    return texts.get(spelled(length)) or say("group.exact", metres=value)
 
 
 def _is_across(angle: Formula, variant: Variant) -> bool:

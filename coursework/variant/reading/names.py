@@ -6,8 +6,9 @@ Enters: the checked file.  Leaves: `Names`.  Used while a file is read.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from coursework.system.frozen import changing
 from coursework.variant.formula.alphabet import foreign_letter, spell
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.reading.schema import VariantFile
@@ -29,7 +30,7 @@ def _form(name: str) -> str:
     return re.sub(r"_(?=\d)", "", name)
 
 
-@dataclass(slots=True)
+@changing
 class Names:
     """`kinds` maps each declared name to given, drive, coordinate, rate, unknown, function or point; `forms` what else it
     may be written as; `columns` are the velocities of the table and where they stand.

@@ -78,6 +78,8 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
         ...
     coursework.words.errors.InputError: V105 variant:13:9  given.r1: a length was expected: m, cm, mm (found "0.953 kg").
     """
+    if not isinstance(content, (str, bytes)):
+        raise TypeError(say("fault.D035", found=type(content).__name__))
     raw = content.encode("utf-8") if isinstance(content, str) else content
     return _build(read_source(raw, file, tables or {}), file, None)
 
@@ -121,9 +123,8 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     functions = tuple(_law("functions", key, value, parts) for key, value in file.functions.items())
     constraints = _named([_constraint(i, entry, parts) for i, entry in enumerate(file.constraint)])
     groups = tuple(read_group(i, entry, parts) for i, entry in enumerate(file.group))
-    points = tuple(
-        (parts.names.canonical(key), parts.formula(("points", key), text, "vector")) for key, text in file.points.items()
-    )
+    canonical = parts.names.canonical
+    points = tuple((canonical(key), parts.formula(("points", key), text, "vector")) for key, text in file.points.items())
     holds = tuple(parts.formula(("closure", "holds", i), text, "scalar") for i, text in enumerate(file.closure.holds))
     used = [f for c in constraints for f in (c.left, c.right)] + [f for _, f in points] + list(holds)
     angles = _angle_names(used, groups)

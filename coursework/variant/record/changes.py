@@ -40,11 +40,13 @@ def _new_values(variant: Variant, changed: Changes) -> dict[KeyPath, float | str
     """Return the new value of each key.  Raises `InputError` for a name or a unit that does not fit."""
     changes: dict[KeyPath, float | str] = {}
     data = {one.name: (one.si, one.unit) for one in variant.given}
-    for key, value in changed.given.items():
-        name = _known(variant, key, list(data), "datum")
-        changes["given", name] = _written(variant, name, value, *data[name])
     places = {c.name: (c.unit, c.written) for c in variant.coordinates}
-    for key, value in changed.start.items():
+    starts = {key: value for key, value in changed.given.items() if spell(str(key)) in places}
+    for key, value in changed.given.items():
+        if key not in starts:
+            name = _known(variant, key, [*data, *places], "datum")
+            changes["given", name] = _written(variant, name, value, *data[name])
+    for key, value in {**starts, **changed.start}.items():
         name = _known(variant, key, list(places), "coordinate")
         changes["coordinates", name, "start"] = _written(variant, name, value, *places[name])
     for key, value in changed.drive.items():

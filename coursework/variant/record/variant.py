@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import pathlib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.entries import (
     Binding,
@@ -30,8 +30,9 @@ from coursework.variant.record.entries import (
 )
 from coursework.variant.record.texts import Texts
 from coursework.variant.toml.positions import KeyPath
-from coursework.words.errors import InputError
-from coursework.words.sentences import say
+from coursework.words.errors import InputError, visible
+from coursework.words.html_table import html_table
+from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
     from coursework.variant.record.forces import Forces
@@ -43,10 +44,23 @@ __all__ = [
 
 Values = Mapping[str, float | str]
 
+# What stands between a point and its axis in the name of a column, and the unit of such a column.
+LEVELS = {"": "m", "v": "m/s", "a": "m/s²"}
 # More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
 MAX_ROWS = 200_000
 MAX_NUMBERS = 4_000_000  # of a table: rows times columns
 MOST_PERIODS = 10_000  # of one run
+
+
+def no_column(name: object, known: tuple[str, ...]) -> InputError:
+    """Return the error for a name that is none of the columns known."""
+    return InputError(say("fault.D028", name=name, hint=closest(str(name), known), known=known))
+
+
+def changed(values: Mapping[str, str]) -> str:
+    """Return " (alpha = 0.02 rad)" for what was set other than in the file, "" where nothing was."""
+    listed = ", ".join(f"{name} = {value}" for name, value in values.items())
+    return f" ({listed})" if listed else ""
 
 
 @frozen
@@ -59,7 +73,7 @@ class Changes:
     times: Values
 
 
-@dataclass(frozen=True)
+@caching
 class Variant:
     """One variant of the coursework, complete.
 
@@ -178,14 +192,36 @@ class Variant:
         return self.lines.get(path, 1)
 
     def unit_of(self, column: str) -> str:
-        """Return the SI unit of a column of the table (angles "rad", rates "rad/s")."""
-        return self._units.get(column, "")
+        """Return the SI unit of a column: angles "rad", rates "rad/s", accelerations (dw1), points (A.x, A.vx, A.ax).
+
+        Raises `InputError` for a name that no table has.
+
+        >>> import coursework
+        >>> [coursework.load("31").unit_of(name) for name in ("w3", "dw3", "M.y", "M.ay")]
+        ['rad/s', 'rad/s²', 'm', 'm/s²']
+        """
+        if column not in self._units:
+            raise no_column(column, tuple(name for name in self._units if "." not in name))
+        return self._units[column]
 
     @cached_property
     def _units(self) -> dict[str, str]:
-        units = {"t": "s"} | {name: unit.replace("1/s", "rad/s") for name, unit in self.unknowns}
-        units |= {c.rate: "rad/s" if c.unit == "rad" else "m/s" for c in self.coordinates}
-        return units | {c.name: c.unit for c in self.coordinates}
+        velocities = {c.rate: "rad/s" if c.unit == "rad" else "m/s" for c in self.coordinates}
+        velocities |= {name: unit.replace("1/s", "rad/s") for name, unit in self.unknowns}
+        named = dict.fromkeys([name for name, _ in self.points] + [group.meets for group in self.groups if group.meets])
+        points = {f"{name}.{key}{axis}": unit for name in named for key, unit in LEVELS.items() for axis in "xy"}
+        return (
+            {"t": "s"} | {c.name: c.unit for c in self.coordinates} | velocities
+            | {f"d{name}": unit.replace("/s", "/s²") for name, unit in velocities.items()} | points
+        )  # fmt: skip
+
+    def __repr__(self) -> str:
+        size = f"{len(self.coordinates)} coordinates, {len(self.sought)} unknown velocities, {self.time.steps + 1} rows"
+        return f"<Variant {visible(self.name)}{changed(self.set_values)}: {visible(self.title)}; {size}>"
+
+    def _repr_html_(self) -> str:
+        rows = [(one.name, one.means, f"{one.value:g}", one.si) for one in self.given]
+        return html_table(f"{self.name}: {self.title}", ("", "", "", ""), rows)
 
     def in_language(self, language: str) -> Variant:
         """Return the variant with its texts in a language, as far as its file has them."""
@@ -219,6 +255,7 @@ class Variant:
     ) -> Variant:  # fmt: skip
         """Return the variant as its file would be with other data: period, texts, start, remarks and faults are read anew.
 
+        `given` holds data and start values in one name space, as in `solve_many`; `start` start values alone.
         Numbers are SI, texts bring their unit or are formulas ("2*pi/p"); `check_row` counts from 1.
         Where geometry gives start values, those of coordinates not named in `start` follow: the closed position nearest to the
         old one.  Raises `InputError` with what the changed file would be refused for.

@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from coursework.system.frozen import changing
 
 KeyPath = tuple[str | int, ...]  # where a key stands: names of tables, places in lists
 _BLANK = re.compile(r"(?:[ \t\n]+|#[^\n]*)*")
@@ -20,7 +22,7 @@ _BARE = re.compile(r"[^,\]}#\n]+")
 _PLAIN = re.compile(r"""([\w-]+)[ \t]*=[ \t]*(?!\"{3}|'{3})("(?:\\.|[^"\\\n])*"|'[^'\n]*'|[^\s"'\[{,\]}#][^,\]}#\n]*)""")
 
 
-@dataclass(slots=True)
+@changing
 class Positions:
     """Line and column (from 1) of each path: of its value in `values`, of its key in `keys`; lists are counted from 0.
 

@@ -191,3 +191,24 @@ def test_gradescope_gets_what_is_lost_as_a_test_of_its_own(tmp_path, name, score
     assert sum(test["score"] for test in results["tests"]) == score
     assert [test["score"] for test in results["tests"] if test["name"] == "late"] == ([-10.0] if name else [])
     assert ("is not known" in results["output"]) == (not name)
+
+
+@pytest.mark.parametrize(
+    ("metadata", "lost"),
+    [
+        ('{"created_at": "2026-12-01T08:13:22.365935-08:00", "users": []}', None),
+        ('{"created_at": "2026-12-03T14:22:32.365935-08:00"}', -25.0), ('{"created_at": "2026-12-02T16:00:00Z"}', -20.0),
+        ("[]", None), ("{", None), ('{"created_at": 5}', None), ('{"created_at": "soon"}', None), ("[" * 100_000, None),
+    ],
+)  # fmt: skip
+def test_gradescope_says_when_it_was_handed_in(tmp_path, metadata, lost):
+    hand_in(tmp_path / "submission")
+    (tmp_path / "submission_metadata.json").write_text(metadata, encoding="utf-8")
+    rubric = tmp_path / "rubric.toml"
+    rubric.write_text(RUBRIC, encoding="utf-8")
+    done = grade(tmp_path / "submission", tmp_path / "results", "--results", "gradescope", "--rubric", rubric)
+    assert done.exit_code == 0, done.output
+    results = json.loads((tmp_path / "results" / "results.json").read_text(encoding="utf-8"))
+    assert [test["score"] for test in results["tests"] if test["name"] == "late"] == ([lost] if lost else [])
+    assert results["score"] == 100 + (lost or 0)
+    assert ("is not known" in results["output"]) == ("created_at" not in metadata or "soon" in metadata or ": 5" in metadata)

@@ -117,3 +117,15 @@ def test_a_wrong_start_closes_the_gate_for_carried_cells(key):
     assert table_points(key, cells).shut["start"]
     right = table_points(key, mark_cells(key, printed(students.table(), 4)))
     assert "start" not in right.shut
+
+
+def test_one_slip_in_work_computed_coarser_than_printed_is_one_cell(key):
+    """Radians of four decimals, turned into degrees of three."""
+    for row in range(2, 23, 3):
+        table = students.table()
+        table[row, row % 3] += 0.17
+        table[:, :3] = np.round(np.degrees(np.round(table[:, :3], 4)), 3) * np.pi / 180
+        units = np.full(table.shape, 1e-4)
+        units[:, :3] = 1e-3 * np.pi / 180
+        cells = mark_cells(key, StudentTable(np.hstack([table[:, :3], np.round(table[:, 3:], 4)]), units))
+        assert np.argwhere(cells.wrong).tolist() == [[row, row % 3]]

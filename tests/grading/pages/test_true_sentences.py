@@ -45,6 +45,8 @@ def records(path: Path) -> list[dict[str, str]]:
 
 def plain(page: str) -> str:
     """The words of a page, names of columns and minus signs as in the files."""
+    page = re.sub(r"<i>(.)</i><sub>(\d)</sub>", lambda found: found[1] + "₀₁₂₃₄₅₆₇₈₉"[int(found[2])], page)
+    page = re.sub(r"<i>(.)</i>", r"\1", page)
     text = html.unescape(re.sub(r"<style>.*?</style>|<[^>]*>", " ", page, flags=re.DOTALL))
     text = re.sub(r"([φω])([₀-₉])", lambda found: {"φ": "phi", "ω": "w"}[found[1]] + str("₀₁₂₃₄₅₆₇₈₉".index(found[2])), text)
     text = re.sub(r"([rV])([₀-₉])", lambda found: found[1] + str("₀₁₂₃₄₅₆₇₈₉".index(found[2])), text)

@@ -210,6 +210,8 @@ def _product(held: Held, values: Values) -> bool:
 
 
 def _steps(held: Held, values: Values) -> bool:
+    if "steps" not in values:  # zeros are printed with one decimal, which shows no step
+        return held.truth.kind == "worthless"
     steps = (len(held.table) - 1) * held.machine.m
     least, most = held.steps
     told = int(values.get("held", steps))

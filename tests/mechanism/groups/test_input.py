@@ -31,11 +31,11 @@ def row_of_pins(*places: float) -> Pair:
         (lambda: rpr(ORIGIN, ORIGIN, mode=-2), "RPR: assembly mode -2 does not exist."),
         (
             lambda: rrr(ORIGIN, ORIGIN, lengths=(-1.0, 1.0), mode=1),
-            "RRR, the link from B: a finite length above zero was expected, found -1.",
+            "RRR, the link from B: a finite length above zero was expected, found -1 m.",
         ),
         (
             lambda: rrr(ORIGIN, ORIGIN, lengths=(1.0, [1.0, 0.0]), mode=1),
-            "RRR, the link from D: a finite length above zero was expected, found 0 at row 1.",
+            "RRR, the link from D: a finite length above zero was expected, found 0 m at row 1.",
         ),
         (
             lambda: rrp(ORIGIN, X_AXIS, length=np.inf, mode=1),

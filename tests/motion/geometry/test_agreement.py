@@ -74,4 +74,4 @@ def test_roots_are_looked_at_for_each_set_of_data(looked_at):
     assert confirmed(with_datum(short, root)) == ("11", "12", "16", "18")
     with pytest.raises(coursework.InputError, match="V302"):
         confirmed(with_datum(long, root))
-    assert [data["r9"] for data in looked_at] == [short, long]
+    assert [data["r9"] for data in looked_at] == [short, 1.01 * short, long]  # moved a little, where the difference is zero

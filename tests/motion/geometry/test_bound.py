@@ -231,7 +231,7 @@ def test_what_stays_unbound_is_said_first_and_never_praised(entry, sign):
     assert (found.verdict, found.value) == ("SKIP", None)
     assert found.sentence.startswith("3 of 4 equations agree; 4 is not judged: nothing in the geometry gives u.")
     assert 'u = { unit = "m/s", of = "B", along = "0 deg" }, if u is the velocity of B along its guide' in found.sentence
-    first = "The table is computed right; equation 4 is not judged: nothing in the geometry gives u."
+    first = "The table is computed right; equation 4 is not judged: nothing in the geometry gives u; the start is not judged."
     assert run.summary.startswith(first)
 
 

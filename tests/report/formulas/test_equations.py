@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from coursework.report.formulas import display, typst_math
-from coursework.report.formulas.outlines import outline
+from coursework.report.formulas.outlines import UNITS, outline
 from coursework.report.formulas.svg import draw
 from coursework.report.formulas.typesetting import typeset
 from coursework.report.text.symbols import Rates
@@ -94,10 +94,10 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
         found = []
         for line in re.finditer(r'<path class="(g\d+)" d="M0 0 ([^"]*)z"/>', svg):
             numbers = [float(number) for number in line[2].split()]
-            found += [(line[1], x / 100, (y - top) / 100) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+            found += [(line[1], x / UNITS, (y - top) / UNITS) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
         wanted = sorted((names[glyph], x, y) for glyph, x, y in placed(ElementTree.fromstring(typst)))
         assert [glyph for glyph, _, _ in sorted(found)] == [glyph for glyph, _, _ in wanted]
-        assert np.allclose([at[1:] for at in sorted(found)], [at[1:] for at in wanted], rtol=0, atol=0.006)
+        assert np.allclose([at[1:] for at in sorted(found)], [at[1:] for at in wanted], rtol=0, atol=0.501 / UNITS)
 
 
 def test_a_formula_that_repeats_is_drawn_once() -> None:
@@ -116,7 +116,7 @@ def test_no_rounding_adds_up_along_an_outline() -> None:
         numbers = [float(number) for number in re.findall(r"-?\d+", told)]
         exact += {"l": (x, -y), "h": (x, 0), "v": (0, -y)}[kind]
         drawn += {"l": numbers, "h": [*numbers, 0], "v": [0, *numbers]}[kind]
-        assert np.abs(drawn / 100 - exact).max() < 0.00501
+        assert np.abs(drawn / UNITS - exact).max() < 0.501 / UNITS
 
 
 @pytest.mark.parametrize(

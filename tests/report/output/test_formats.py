@@ -77,7 +77,7 @@ def test_the_readme_names_every_format():
 
 def test_a_study_as_csv_holds_every_method(study):
     result, beside = study
-    assert result.exit_code == 0
+    assert result.exit_code == 0, result.output
     head, *rows = csv.reader(io.StringIO((beside / "accuracy.csv").read_text(encoding="utf-8")))
     assert tuple(head) == STUDY_HEAD
     assert {"explicit Euler", "Heun", "Runge-Kutta 4"} <= {row[0] for row in rows}

@@ -97,7 +97,7 @@ def test_a_run_in_one_line(name):
     assert text.startswith(f"<Run of {name}: ") and text.endswith(">")
     assert "\n" not in text and len(text) < 200
     assert f"h = {run.step:g} s, 0 to {run.end:g} s" in text
-    assert not run.scene.ledger.calls, "to look at a run computes nothing"
+    assert "motion" not in run.scene.ledger.calls, "a line asks whether the motion stops, and for no row"
 
 
 def test_a_name_with_a_line_break_stays_in_one_line(tmp_path):

@@ -133,7 +133,9 @@ def _table(rows: int, *, whole: bool) -> Table:
 
 
 def _claims(rows: int) -> Claims:
-    return Claims([("✓", "holds", _runs(f"row{number}"), "1") for number in range(rows)])
+    return Claims(
+        "the caption", ["verdict", "check", "value", "limit"], [("✓", "holds", _runs(f"row{n}"), "1", "2") for n in range(rows)]
+    )
 
 
 def _checks(rows: int) -> Checks:

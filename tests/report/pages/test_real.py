@@ -60,7 +60,7 @@ def test_the_impossible_drive_of_variant_31(reading: ModuleType) -> None:
     stopped = coursework.solve(replace(parse_variant(text), ask=ASKED))
     model = build_model(stopped)
     page = reading.html_text(render_html(model))
-    assert "Dead point at t = 0.11688925 s" in page
+    assert "Dead point at t = 0.116889 s" in page
     assert "between row 6 and row 7 of the table" in page
     assert "6 0.10 " in page
     assert "7 0.12 " not in page

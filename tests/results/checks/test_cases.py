@@ -25,8 +25,8 @@ def test_run_31_says_in_its_first_line_that_phi1_is_off_by_70_percent(tmp_path, 
     done = CliRunner().invoke(main, ["run", "31", "--format", "csv"])
     assert done.exit_code == 0
     assert done.stdout.splitlines()[0] == (
-        "The table is computed right: 5 of 5 checks of the computation. It is not close to the motion: "
-        "largest error 70 % of 0.2 rad (phi1, row 20); take --step h/18."
+        "The table is computed right: 5 of 5 checks of the computation; the start is not judged. It is not close to the motion: "
+        "largest error 69.8 % of 0.2 rad (phi1, row 20); take --step h/18."
     )
     record = json.loads((tmp_path / "coursework-31" / "run.json").read_text(encoding="utf-8"))
     assert record["summary"] == done.stdout.splitlines()[0]
@@ -66,7 +66,7 @@ def test_31_to_ten_periods_with_m_half_a_metre_off():
     drift = found(run, "DRIFT")
     assert (drift.verdict, drift.value) == ("COARSE", pytest.approx(1.16, abs=0.005))
     assert "0.531 m off" in drift.sentence
-    assert "116 % of the shortest length (0.457 m)" in drift.sentence
+    assert "116.3 % of the shortest length (0.457 m)" in drift.sentence
 
 
 def test_seven_rows_a_turn():

@@ -73,11 +73,9 @@ def test_what_a_check_needs_and_has_not_is_said(monkeypatch):
 def test_the_page_shows_two_groups_and_the_summary_first():
     run = coursework.solve("31", quantities=["table", "checks"])
     plain = build_model(run).plain()["sections"]
-    answer = next(part["right"] for part in plain[0]["parts"] if part["kind"] == "beside")
+    answer = next(part for part in plain[0]["parts"] if part["kind"] == "result")
     assert answer["title"] == "Result"
-    assert "".join(piece.get("t", "") for piece in answer["items"][0]).startswith(
-        "The table is computed right: 5 of 5 checks of the computation."
-    )
+    assert answer["lead"][0]["t"] == "Computed right. Not close to the motion: "
     checks = next(section for section in plain if section["name"] == "checks")
     groups = [part for part in checks["parts"] if part["kind"] == "checks"]
     assert [part["title"] for part in groups] == [
@@ -111,7 +109,7 @@ SUMMARIES = {
     "no step helps": (
         [judged("STOP", "PASS"), judged("ACCURACY", "COARSE", value=1.36, column="w7", row=21)],
         "The table is computed right: 1 of 1 checks of the computation. "
-        "It is not close to the motion: largest error 136 % (w7, row 21).",
+        "It is not close to the motion: largest error 136.0 % (w7, row 21).",
     ),
     "no geometry": (
         [judged("STOP", "PASS"), judged("AGREEMENT", "SKIP", headline="Signs are not checked: the file has no geometry."),
@@ -126,7 +124,7 @@ SUMMARIES = {
     "the tool itself": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.01, column="w1", row=2), judged("DRIFT", "ERROR")],
         "The table is computed right: 1 of 1 checks of the computation. "
-        "It is close to the motion: largest error 1 % (w1, row 2). "
+        "It is close to the motion: largest error 1.0 % (w1, row 2). "
         "The tool could not judge DRIFT.",
     ),
     "rounded data": (

@@ -88,7 +88,9 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     table = key.table if table is None else table
     m, values = len(key.coordinates), student.values
     own = own_ways(key, student)
-    ways = (Way(KEY, table, as_printed(key, student.units)), *own.tried)
+    units = student.units.copy()
+    units[:, :m] = np.maximum(units[:, :m], own.coarse)  # worked out coarser than printed, a cell misses the key by as much
+    ways = (Way(KEY, table, as_printed(key, units)), *own.tried)
     with np.errstate(invalid="ignore"):
         shown = np.isfinite(values) & (student.units <= key.coarsest)
     marks = np.full(values.shape, WRONG, dtype="<U16")
@@ -103,7 +105,7 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     if (marks == WRONG).any():
         right = (marks == KEY) | alike(key, student, key.table)
         before = as_it_was(key, student, right, own)
-        for way in from_what_was(key, student, right, own, before):
+        for way in from_what_was(key, student, marks == WRONG, own, before):
             holds = way.holds(values)
             holds[:1, :m] = False
             marks[holds & (marks == WRONG)] = way.name

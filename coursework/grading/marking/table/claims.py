@@ -14,11 +14,11 @@ import numpy as np
 
 from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.table.starts import march
-from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, velocity_tolerance
+from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, velocity_tolerance
 from coursework.system.arrays import Array
 
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
-_NEARLY, _NEAR = 0.6, 60.0
+_NEARLY, _NEAR = 0.4, 60.0
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,8 @@ class Claim:
     `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
     about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
     `names` are the columns, starts or equations that it speaks of; `part` is that of the task's step which was made; `table`
-    makes the whole table as the hypothesis has it, `family` the claim about another table.
+    makes the whole table as the hypothesis has it, with steps of Euler from `velocities_at` where that is there; `family` makes
+    the claim about another table.
     """
 
     code: str
@@ -40,6 +41,7 @@ class Claim:
     names: tuple[str, ...] = ()
     table: Callable[[], Array] | None = None
     part: float = 1.0
+    velocities_at: Callable[[Array, Array], Array] | None = None
     family: Callable[[TableUnderTest], Iterator[Claim]] | None = None
 
 
@@ -108,7 +110,8 @@ class TableUnderTest:
 
     def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
         """Return velocities (n, r) and their tolerance."""
-        return found, velocity_tolerance(self.key, self.w_units, found, spread)
+        tolerance = velocity_tolerance(self.key, self.w_units, found, spread)
+        return clear(self.key, found, tolerance), tolerance
 
     def spread(self, function: Callable[[Array], Array], at: Array | None = None, units: Array | None = None) -> Array:
         """Return by how much the digits of cells (the angles, where none are named) leave a function of them open."""
@@ -150,7 +153,7 @@ class TableUnderTest:
         found = stacked(self.q) if found is None else found
         if self.nearly(found):
             claim = self.claim(code, None, self.velocities(found, self.spread(stacked)), names)
-            yield replace(claim, table=self.marched(at))
+            yield replace(claim, table=self.marched(at), velocities_at=at)
 
     def marched(
         self, velocities_at: Callable[[Array, Array], Array], increments: Callable[[Array, Array, Array], Array] | None = None

@@ -16,7 +16,7 @@ from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.misconceptions import OTHER_STEP, ROWS_SHIFTED, Found
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
-from coursework.grading.marking.table.starts import other_starts
+from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
 
@@ -34,14 +34,13 @@ def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found
 
 
 def _by_start(
-    key: Key, rubric: Rubric, cells: Cells, points: TablePoints, own: Cells | None, others: Mapping[str, Array]
+    key: Key, rubric: Rubric, cells: Cells, points: TablePoints, own: OwnStart | None, others: Mapping[str, Array]
 ) -> Iterator[Earned]:
     """Give what a table earns that was made without fault from another start; nothing to one that is another student's."""
     if own is not None and not any(_is_row(key, cells, table) for table in others.values()):
-        starts = other_starts(key, cells)
-        explained = table_points(key, own, rubric.carried).share
-        worth = rubric.start_floor if len(starts) == 1 else rubric.start_floor_several
-        yield _earned("start", points, explained, worth, f"start_{starts[0]}")
+        explained = table_points(key, own.cells, rubric.carried).share
+        worth = rubric.start_floor if len(own.names) == 1 else rubric.start_floor_several
+        yield _earned("start", points, explained, worth, f"start_{own.names[0]}")
 
 
 def _is_row(key: Key, cells: Cells, table: Array) -> bool:

@@ -26,6 +26,7 @@ SCHEMES_TRIED = ("heun", "midpoint", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
 _WHOLE = 0.01
+Velocities = Callable[[Array, Array], Array]
 MISREAD = ("sign_drive", "degree_mode", "degree_drive", "degree_geometry")
 
 
@@ -101,10 +102,15 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
     for part in (*STEPS, *([own.step / h] if own else [])):
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h, m)
-        claims = [replace(printed.claim("other_step", step), table=printed.marched(printed.key.velocities_at, longer))]
+        claims = [printed.claim("other_step", step)]
+        made: list[Velocities] = [printed.key.velocities_at, partial(_at_part_of_time, printed.key, part)]
         at = printed.slopes(t=printed.key.t * part)
         if printed.nearly(found := at(printed.q)):
             claims.append(printed.claim("other_step", step, printed.velocities(found, printed.spread(at))))
+        claims = [
+            replace(claim, table=printed.marched(velocities_at, longer), velocities_at=velocities_at)
+            for claim, velocities_at in zip(claims, made, strict=False)
+        ]
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
             claims.append(printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread)))
         yield from (replace(claim, part=part) for claim in claims)
@@ -113,6 +119,11 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
 def _at_another_time(key: Key, ahead: float, t: Array, q: Array) -> Array:
     """Return the velocities (n, r) of times `ahead` (s) of the rows'."""
     return key.velocities_at(np.asarray(t + ahead), q)
+
+
+def _at_part_of_time(key: Key, part: float, t: Array, q: Array) -> Array:
+    """Return the velocities (n, r) of part of the rows' times."""
+    return key.velocities_at(np.asarray(part * t), q)
 
 
 def _longer(step: float, m: int, t: Array, q: Array, w: Array) -> Array:

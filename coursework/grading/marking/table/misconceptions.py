@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key import Key, MisreadKey
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
 from coursework.grading.marking.table.points import explained_share
-from coursework.grading.marking.table.starts import cells_from_own_start, other_starts
+from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -30,8 +30,8 @@ NAMED, BETTER, TIE = 0.93, 0.02, 0.005
 FEWEST, FEWEST_SHARE = 2, 0.02
 # A hypothesis whose own table Euler's rules explain so well is not told from them by the printed digits.
 ALIKE = 0.98
-# How many of the best have their whole table made, where they explain less than this part of what was handed in.
-_CLOSER, _WHOLE = 3, 0.995
+# How many of those that explain most have their whole table made.
+_CLOSER = 3
 _ROUND_OFF = 1e-9
 OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
 
@@ -71,21 +71,17 @@ class Fit:
 class Found:
     """What is `named` with ground, and what explains anything at all, one `Fit` a code.
 
-    `from_own_start` are the cells marked against Euler's table from the student's own start, None where that explains nothing.
+    `from_own_start` is the table marked against Euler's from the student's own start, None where that explains nothing.
     """
 
     named: Misconception | None = None
     fits: tuple[Fit, ...] = ()
-    from_own_start: Cells | None = None
+    from_own_start: OwnStart | None = None
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
     """Return whether a table of `count` cells is wrong in so many, or in its start, that a misconception is looked for."""
-    return int(cells.wrong.sum()) > max(FEWEST, FEWEST_SHARE * count) or _begins_elsewhere(key, cells)
-
-
-def _begins_elsewhere(key: Key, cells: Cells) -> bool:
-    return bool(cells.wrong[0, : len(key.coordinates)].any())
+    return int(cells.wrong.sum()) > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells)
 
 
 def find_misconception(
@@ -115,34 +111,39 @@ def explanations(
     explained, spoken = euler_cells(key, cells)
     euler_share = _share(explained, spoken)
     euler_fit = explained_share(key, cells, explained)
-    by_key = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if _begins_elsewhere(key, cells) else euler_share
+    began = own_start(key, cells)
+    elsewhere = began is not None or begins_elsewhere(key, cells)
+    key_share = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if elsewhere else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
-    tables: dict[str, tuple[Claim, Flags]] = {}
+    held: dict[str, tuple[int, Claim, Flags]] = {}
     part = 1.0
+    # A closer look is for what does not explain everything.
+    by_key, most = cells.marks == KEY, int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
             continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
-        share, against = _share(holds, says), by_key if claim.is_whole else euler_share
+        share, against = _share(holds, says), key_share if claim.is_whole else euler_share
         known = named.get(claim.code)
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
             named[claim.code] = share, against, claim.names
         if claim.code == ROWS_SHIFTED:
             put_right.marks[_as_it_stood(key, put_right)] = KEY
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
-        if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
+        if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
-            tables[claim.code] = claim, holds
             part = claim.part if claim.code == OTHER_STEP else part
-    for fitting in sorted(fits.values(), key=lambda found: -found.share)[:_CLOSER]:
-        claim, holds = tables[fitting.code]
-        if claim.student is None and fitting.share < _WHOLE:
-            if claim.table is not None:
-                holds = holds | alike(key, cells.student, claim.table())
-            holds = holds | _as_it_was(key, cells, claim)
-            fit = explained_share(key, cells, holds, only_velocities=claim.code == OTHER_STEP)
-            fits[claim.code] = replace(fitting, share=max(fit, fitting.share))
+        count = int((holds | by_key).sum())
+        if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
+            held[claim.code] = count, claim, holds
+    for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
+        holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
+        fit = explained_share(key, cells, holds, only_velocities=code == OTHER_STEP)
+        if fit > fits[code].share:
+            fits[code] = replace(fits[code], share=fit, names=claim.names)
+            part = claim.part if code == OTHER_STEP else part
+    fits = {code: fit for code, fit in fits.items() if fit.share > euler_fit + BETTER}
     if own := _other_step(key, cells):
         share, fit = own
         if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
@@ -153,18 +154,17 @@ def explanations(
     if OTHER_STEP in fits:
         share = min(1.0, fits[OTHER_STEP].share * more_on_grid(key, cells.student, 1.0 / part))
         fits[OTHER_STEP] = replace(fits[OTHER_STEP], share=share)
-    own_start = cells_from_own_start(key, cells) if _begins_elsewhere(key, cells) else None
-    if own_start:
-        share, starts = _share(*euler_cells(key, own_start)), other_starts(key, cells)
-        if share >= NAMED and share > by_key + BETTER:
-            named[f"start_{starts[0]}"] = share, by_key, starts
+    if began:
+        share = _share(*euler_cells(key, began.cells))
+        if share >= NAMED and share > key_share + BETTER:
+            named[f"start_{began.names[0]}"] = share, key_share, began.names
     found = tuple(fits.values())
     if not named:
-        return Found(None, found, own_start)
+        return Found(None, found, began)
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     share, against, names = named[tied[0]]
-    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, own_start)
+    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began)
 
 
 def _as_it_stood(key: Key, put_back: Cells) -> Flags:
@@ -173,22 +173,30 @@ def _as_it_stood(key: Key, put_back: Cells) -> Flags:
     return before | after
 
 
+def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
+    """Return which cells are right where the velocities of a claim are the task's: slips in them are as in any table."""
+    own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part)
+    made = mark_cells(own, cells.student, claim.table() if claim.table else None)
+    return ~made.wrong & ~made.missing
+
+
 def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
-    """Return which cells a claim explains by what stood there before others were put right."""
+    """Return which cells a claim explains as a whole table, or by what stood there before others were put right."""
     values = cells.student.values
     with np.errstate(invalid="ignore"):
         put = (cells.marks == KEY) & (np.abs(values - claim.expected) > claim.tolerance)
     was = np.where(put, claim.expected, values if cells.before is None else cells.before.values)
     none = np.zeros(values.shape, dtype=bool)
+    whole = none if claim.table is None else alike(key, cells.student, claim.table())
     if claim.family is None or np.array_equal(was, values, equal_nan=True):
-        return none
+        return whole
     before = TableUnderTest(key, replace(cells.student, values=was))
     found = [near(values, one.expected, one.tolerance) for one in claim.family(before) if one.code == claim.code]
     best = max(found, key=np.count_nonzero, default=none)
     if claim.euler == "steps":
         units = before.w_units[:, : before.m]
         best[:, : before.m] |= near(values[:, : before.m], *before.steps(key.step * before.w, key.step * units))
-    return best
+    return best | whole
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:

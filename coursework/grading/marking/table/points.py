@@ -22,7 +22,9 @@ from coursework.system.frozen import frozen
 ENOUGH_ROWS, RUN = 0.6, 5
 _CONSTANT = 1e-9
 # Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow.
-_SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
+_SPARE, _MOST, FOLLOWING = 0.25, 0.66, 0.75
+# Steps of one coordinate with a right velocity that may be others, before they are taken for no motion.
+_EXCUSED = 0.25
 
 
 Rule = Literal["cells", "start", "misconception", "own_equations"]
@@ -72,7 +74,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     steps = np.zeros_like(right)
     steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
     used = np.zeros_like(right)
-    used[1:, :m] = right[:-1, m : 2 * m] & _moves_as_it_may(key, cells)
+    used[1:, :m] = (right[:-1, m : 2 * m] | (marks[1:, :m] == STEP_TRUE)) & _moves_as_it_may(key, cells)
     velocities = cells.carried & ~steps
     still = right & _constant(key)
     shut = {
@@ -146,18 +148,25 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
     steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~cells.wrong[:-1, m : 2 * m]
     steps |= cells.marks[1:, :m] == KEY
+    excused = ~(near | steps) & (cells.marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
+    steps |= excused & (excused.mean(axis=0) <= _EXCUSED)
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1))
     return _following(q, near | steps, moves)
 
 
 def _following(q: Array, near: Flags, moves: Flags) -> Flags:
-    """Return which rows follow where steps (n - 1, m) are `near` enough and rows (n - 1,) move."""
+    """Return which rows follow where steps (n - 1, m) are `near` enough and rows (n - 1,) move.
+
+    A step beside which those of its coordinate are may be broken: one slip, or one cell put right, is no other motion.
+    """
+    edged = np.pad(near, ((1, 1), (0, 0)), constant_values=True)
+    near = near | (edged[:-2] & edged[2:])
     joined = (np.mean(near, axis=1) >= _MOST) & moves
     follows = np.zeros(len(q), dtype=bool)
     follows[1:] |= joined
     follows[:-1] |= joined
     present = np.isfinite(q).any(axis=1)
-    if follows[present].sum() < _FOLLOWING * present.sum():
+    if follows[present].sum() < FOLLOWING * present.sum():
         follows[:] = False
     follows[:1] = True
     return follows

@@ -2,12 +2,15 @@
 
 Enters: a `Key`, a student's table, its ways.  Leaves: `Way`s by which no cell becomes wrong that was right before.
 Used by `cells.py`.
-A right cell may stand among those of another motion.  Whatever it was before, what follows from it costs nothing now either.
+A right cell may stand among those of another motion.  Whatever it was before, what follows from it costs nothing now either:
+where two cells or more agree on what another was when they were made, and more do than speak for what is printed there, they
+are right.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import warnings
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -15,27 +18,163 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, own_ways
+from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, near, own_ways
 from coursework.system.arrays import Array, Flags
 
 Places = NDArray[np.intp]
-# The march forward is repeated with the velocities of the angles that it found.
+Counts = NDArray[np.intp]
+# What is found is set in, and what stands beside it looked for again; so is the march forward with the angles that it found.
 _PASSES = 2
-# So many velocities must agree on what another was when they were made.
-_AGREE = 2
+# So many velocities must agree on what another was when they were made; what is so in nearly all rows was never otherwise.
+_AGREE, _FEW = 2, 0.75
+# So many of the longest steps of its column it may lie from the rows beside.
+_FAR = 4.0
+# What a cell was is told by cells that it leaves no more open than so many times what is usual in their column.
+_USUAL = 4.0
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
 
 
-def from_what_was(key: Key, student: StudentTable, right: Flags, own: OwnWays, before: StudentTable | None) -> Iterator[Way]:
-    """Yield the ways from cells as they were before those that are `right` (n, m + r), the key's, were put so.
-
-    `before` is the table as the rows above make it.
-    """
-    yield from _before_a_misprint(key, student, own)
-    yield from _before_it_was_put_right(key, student, right, own)
+def from_what_was(key: Key, student: StudentTable, wrong: Flags, own: OwnWays, before: StudentTable | None) -> Iterator[Way]:
+    """Yield the ways to `wrong` cells (n, m + r) from what others were; `before` is the table as the rows above make it."""
     if before is not None:
-        yield from own_ways(key, before).tried
+        above = own_ways(key, before, own.coarse).tried
+        yield from above
+        wrong = wrong & ~_held(above, student)
+    m, was, usual = len(key.coordinates), student, _usual(own)
+    as_it_stands = _held(own.tried, student)
+    for _ in range(_PASSES):
+        before = was
+        for guess, fitted in _guesses(key, was, wrong):
+            if not (_made_from(wrong & _likely(key, student, guess, usual), m) > fitted).any():
+                continue
+            tried = own_ways(key, guess, own.coarse).tried
+            ways = [replace(way, expected=np.where(way.tolerance <= usual, way.expected, np.nan)) for way in tried]
+            held = _held(ways, student)
+            new, lost = wrong & held, (as_it_stands & ~held)[:, m:].sum(axis=1)
+            rows = (_made_from(new, m) > fitted + lost) & new[:, m:].any(axis=1)
+            if rows.any():
+                made = np.zeros_like(wrong)
+                made[rows, m:] = True
+                made[1:, :m] = rows[:-1, None]
+                yield from (replace(way, expected=np.where(made, way.expected, np.nan)) for way in ways)
+                wrong = wrong & ~(new & made)
+                was = replace(was, values=np.where(rows[:, None], guess.values, was.values))
+        if was is before:
+            return
+
+
+def _usual(own: OwnWays) -> Array:
+    """Return up to where tolerances are believed in each column (m + r,): some times the largest that is usual there."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # columns of which a way says nothing
+        return np.asarray(_USUAL * np.fmax.reduce([np.nanmedian(way.tolerance, axis=0) for way in own.tried]))
+
+
+def _likely(key: Key, student: StudentTable, guess: StudentTable, usual: Array) -> Flags:
+    """Return which cells (n, m + r) may be right if the table was a guess: what is worth being worked out."""
+    m, h, values = len(key.coordinates), key.stride, guess.values
+    found, likely = key.velocities_at(key.t, values[:, :m]), np.zeros(values.shape, dtype=bool)
+    for velocities in (found, _later(key, key.t, values)):
+        likely[:, m:] |= near(student.values[:, m:], velocities, usual[m:])
+    for rates in (found[:-1, :m], values[:-1, m : 2 * m]):
+        likely[1:, :m] |= near(student.values[1:, :m], values[:-1, :m] + h * rates, usual[:m])
+    return likely
+
+
+def _held(ways: Sequence[Way], student: StudentTable) -> Flags:
+    return np.asarray(np.any([way.holds(student.values) for way in ways], axis=0))
+
+
+def _made_from(cells: Flags, m: int) -> Counts:
+    """Return how many of some cells (n, m + r) are made from each row (n,): its velocities, the coordinates of the next one."""
+    found = cells[:, m:].sum(axis=1)
+    found[:-1] += cells[1:, :m].sum(axis=1)
+    return np.asarray(found)
+
+
+def _guesses(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
+    """Yield what rows may have been, and how many cells (n,) each of them was fitted to; as many prove nothing."""
+    m = len(key.coordinates)
+    if 0 < wrong[:, m:].any(axis=1).sum() <= _FEW * len(wrong):
+        yield from _by_next_row(key, was, wrong)
+        yield from _by_velocities(key, was, wrong)
+
+
+def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
+    """Yield the coordinates, and the velocities, that the steps to the next row were made from: all of a row, or one."""
+    m, h = len(key.coordinates), key.stride
+    q, w, after = was.values[:-1, :m], was.values[:-1, m : 2 * m], was.values[1:, :m]
+    true = q
+    for _ in range(_ROUNDS):
+        true = after - h * key.velocities_at(key.t[:-1], true)[:, :m]
+    digits, finer, next_digits = was.units[:-1, :m], was.units[:-1, m : 2 * m], was.units[1:, :m]
+    with np.errstate(invalid="ignore"):
+        broken = np.abs(after - q - h * w) > HALF * (digits + next_digits + h * finer)
+    for chosen in dict.fromkeys([*((place,) for place in range(m)), tuple(range(m))]):
+        here = np.zeros_like(broken)
+        here[:, chosen] = broken[:, chosen]
+        fitted = np.full(len(was.values), wrong.size)
+        fitted[:-1][here.any(axis=1)] = (here & wrong[1:, :m]).sum(axis=1)[here.any(axis=1)]
+        for first, made, units in (
+            (0, after - h * w, next_digits + h * finer),
+            (0, true, next_digits),
+            (m, (after - q) / h, (digits + next_digits) / h),
+        ):
+            part = slice(first, first + m)
+            guess = replace(was, values=was.values.copy(), units=was.units.copy())
+            guess.values[:-1, part] = np.where(here, made, guess.values[:-1, part])
+            guess.units[:-1, part] = np.where(here, units, guess.units[:-1, part])
+            yield guess, fitted
+
+
+def _by_velocities(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
+    """Yield each cell as the velocities of its row have it: all follow from a coordinate, later blocks from a velocity."""
+    m = len(key.coordinates)
+    rows = np.flatnonzero(wrong[:, m:].sum(axis=1) >= _AGREE)
+
+    def by_coordinates(t: Array, cells: Array) -> Array:
+        return key.velocities_at(t, cells[:, :m])
+
+    first = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
+    if len(rows):
+        for places, made in ((range(m), by_coordinates), (first, partial(_later, key))):
+            for place in places:
+                guess = replace(was, values=was.values.copy())
+                guess.values[rows, place] = _fitted(made, key.t[rows], was.values[rows], was.units[rows], place, m)
+                fitted = np.full(len(wrong), wrong.size)
+                fitted[rows[_beside(key, guess.values[:, place], was.values[:, place], place)[rows]]] = 1
+                yield guess, fitted
+
+
+def _beside(key: Key, guess: Array, printed: Array, place: int) -> Flags:
+    """Return where a guess (n,) lies near what is printed in rows above or below: roots of chance lie anywhere."""
+    far, near = _FAR * np.max(np.abs(np.diff(key.table[:, place])), initial=0.0), np.zeros(len(guess), dtype=bool)
+    with np.errstate(invalid="ignore"):
+        for by in (1, 2):
+            close = np.abs(guess[by:] - printed[:-by]) <= far, np.abs(guess[:-by] - printed[by:]) <= far
+            near[by:] |= close[0]
+            near[:-by] |= close[1]
+    return near
+
+
+def _fitted(made: Callable[[Array, Array], Array], t: Array, cells: Array, units: Array, place: int, m: int) -> Array:
+    """Return what most of the velocities in rows of `cells` (n, m + r) have the one at a place for (n,)."""
+    count, r = len(cells), cells.shape[1] - m
+    one, printed = (np.arange(r * count), np.repeat(np.arange(r), count)), np.tile(cells[:, m:], (r, 1))
+    times, moved = np.tile(t, r), np.tile(cells, (r, 1))
+    for _ in range(_ROUNDS):
+        nearer = moved.copy()
+        nearer[:, place] += _DIFFERENCE
+        found = made(times, moved)
+        slopes = (made(times, nearer) - found) / _DIFFERENCE
+        with np.errstate(divide="ignore", invalid="ignore"):
+            moved[:, place] += np.nan_to_num(((printed - found) / slopes)[one], posinf=0.0, neginf=0.0)
+    doubt = np.tile(units[:, m:], (r, 1)) + np.abs(slopes) * np.tile(units[:, [place]], (r, 1))
+    with np.errstate(invalid="ignore"):
+        agree = (np.abs(printed - made(times, moved)) <= doubt) & (slopes != 0)
+    best = agree.sum(axis=1).reshape(r, count).argmax(axis=0)
+    return np.asarray(moved[:, place].reshape(r, count)[best, np.arange(count)])
 
 
 def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> StudentTable | None:
@@ -58,16 +197,12 @@ def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velo
 
     A misprint is what follows from nothing, and from which nothing follows, between cells that do follow.
     """
-    m, h = len(key.coordinates), key.step
+    m, h = len(key.coordinates), key.stride
     q, units = student.values[:, :m].copy(), student.units.copy()
-    misprints = ~right & ~follows
-    misprints[:-1] &= ~follows[1:]
-    misprints[:-2] &= follows[2:]
-    misprints[2:] &= (follows | right)[1:-1]
     for place in range(m):
         column, digits, rates = q[:, place].tolist(), units[:, place].tolist(), units[:, m + place].tolist()
         last = 0
-        for row in (np.flatnonzero(right[1:, place] | misprints[1:, place]) + 1).tolist():
+        for row in (np.flatnonzero(right[1:, place]) + 1).tolist():
             if follows[row, place] and last < row - 1:
                 continue
             moved = column[row - 1] + h * float(velocities[row - 1, place])
@@ -91,70 +226,3 @@ def _later(key: Key, t: Array, cells: Array) -> Array:
     for index, block in enumerate(key.blocks[1:], start=1):
         found[:, [key.velocities.index(name) for name in block]] = key.block_at(index, t, cells[:, :m], cells[:, m:])
     return found
-
-
-def _before_a_misprint(key: Key, student: StudentTable, own: OwnWays) -> Iterator[Way]:
-    """Yield the velocities of the angles that the next row was made from, where the row prints others.
-
-    An angle that is misprinted, or put right when all else is left as it was, is then one wrong cell and no more.
-    """
-    m = len(key.coordinates)
-    values, made_from = student.values, student.values[:, :m].copy()
-    broken = ~own.step.holds(values)[1:, :m] & np.isfinite(own.step.expected[1:, :m] + values[1:, :m])
-    if broken.any():
-        made_from[:-1][broken] = (values[1:, :m] - key.step * values[:-1, m : 2 * m])[broken]
-        found = np.hstack([np.full_like(made_from, np.nan), key.velocities_at(key.t, made_from)])
-        yield replace(own.angles, expected=found)
-
-
-def _before_it_was_put_right(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> Iterator[Way]:
-    """Yield the velocities of a row from one cell as it was before it was put right, where several of them tell the same.
-
-    From a coordinate all follow; from a velocity those of later blocks do.
-    """
-    m, values = len(key.coordinates), student.values
-
-    def by_angles(rows: Places, cells: Array) -> Array:
-        return key.velocities_at(key.t[rows], cells[:, :m])
-
-    def by_velocities(rows: Places, cells: Array) -> Array:
-        return _later(key, key.t[rows], cells)
-
-    unexplained = ~(right | own.holds(values))[:, m:]
-    first = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
-    for way, places, made in ((own.angles, range(m), by_angles), (own.earlier, first, by_velocities)):
-        with np.errstate(invalid="ignore"):
-            away = (np.nan_to_num(np.abs((values - way.expected) / way.tolerance)) > 1.0)[:, m:] & unexplained
-        for place in places:
-            rows = np.flatnonzero(right[:, place] & (away.sum(axis=1) >= _AGREE))
-            if len(rows):
-                expected = np.full(values.shape, np.nan)
-                expected[rows, m:] = _agreed(partial(made, rows), values[rows], place, away[rows], way.tolerance[rows, m:])
-                expected[_beside(np.isfinite(expected).any(axis=1))] = np.nan
-                yield replace(way, expected=expected)
-
-
-def _beside(rows: Flags) -> Flags:
-    """Return which rows stand beside another of them: what is so row by row was never otherwise."""
-    beside = np.zeros_like(rows)
-    beside[1:] |= rows[:-1]
-    beside[:-1] |= rows[1:]
-    return beside & rows
-
-
-def _agreed(made: Callable[[Array], Array], cells: Array, place: int, away: Flags, tolerance: Array) -> Array:
-    """Return the velocities (n, r) made from rows of `cells` with the one at a place as most that are `away` have it."""
-    m = cells.shape[1] - away.shape[1]
-    printed, moved = cells[:, m:], cells.copy()
-    for _ in range(_ROUNDS):
-        nearer = moved.copy()
-        nearer[:, place] += _DIFFERENCE
-        found = made(moved)
-        slopes = np.where(away, np.nan_to_num((made(nearer) - found) / _DIFFERENCE / tolerance), 0.0)
-        sizes = (slopes**2).sum(axis=1)
-        off = np.where(away, np.nan_to_num((printed - found) / tolerance), 0.0)
-        moved[:, place] += (slopes * off).sum(axis=1) / np.where(sizes > 0, sizes, np.inf)
-    found = made(moved)
-    with np.errstate(invalid="ignore"):
-        agrees = away & (np.abs(printed - found) <= tolerance) & (slopes != 0)
-    return np.where(agrees & (agrees.sum(axis=1, keepdims=True) >= _AGREE), found, np.nan)

@@ -10,21 +10,50 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.cells import GIVEN, MISSING, Cells, mark_cells
 from coursework.grading.marking.table.ways import KEY
 from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
 
 
-def other_starts(key: Key, cells: Cells) -> tuple[str, ...]:
-    """Return the coordinates whose start values are not the task's."""
-    return tuple(key.coordinates[place] for place in np.flatnonzero(cells.wrong[0, : len(key.coordinates)]).tolist())
+@frozen
+class OwnStart:
+    """A table marked as if the task began where it does: its `cells`, the `names` of the starts that are not the task's."""
+
+    cells: Cells
+    names: tuple[str, ...]
 
 
-def cells_from_own_start(key: Key, cells: Cells) -> Cells | None:
-    """Return the table marked as if the task began where the student does; None where the velocities of row 1 do not follow."""
+def begins_elsewhere(key: Key, cells: Cells) -> bool:
+    """Return whether row 1 has a start value that is not the task's."""
+    return bool(cells.wrong[0, : len(key.coordinates)].any())
+
+
+def own_start(key: Key, cells: Cells) -> OwnStart | None:
+    """Return the table marked from its own start; None where that is the task's or row 1 does not follow from it.
+
+    The start is what row 1 prints.  Where that is the task's, and neither its velocities nor row 2 follow, it may also
+    be what the step to row 2 was made from.
+    """
+    m, values = len(key.coordinates), cells.student.values
+    printed = np.where(np.isfinite(values[0, :m]), values[0, :m], key.table[0, :m])
+    starts = [(printed, cells.wrong[0, :m])]
+    if len(values) > 1 and not np.isin(cells.marks[0, m:], (KEY, MISSING)).all():
+        unused = (cells.marks[0, :m] == GIVEN) & np.isfinite(values[0, m : 2 * m]) & ~cells.missing[1, :m]
+        unused &= ~np.any([way.holds(values)[1, :m] for way in cells.ways], axis=0)
+        if unused.any():
+            made = np.where(unused, values[1, :m] - key.step * values[0, m : 2 * m], printed)
+            starts.append((made, cells.wrong[0, :m] | unused))
+    for start, other in starts:
+        if other.any() and (found := _marked_from(key, cells, start)):
+            return OwnStart(found, tuple(key.coordinates[place] for place in np.flatnonzero(other).tolist()))
+    return None
+
+
+def _marked_from(key: Key, cells: Cells, start: Array) -> Cells | None:
     m = len(key.coordinates)
-    own = np.where(np.isfinite(cells.student.values[0, :m]), cells.student.values[0, :m], key.table[0, :m])
-    made = mark_cells(key, cells.student, march(key, own, key.velocities_at))
+    made = mark_cells(key, cells.student, march(key, start, key.velocities_at))
+    made.marks[:1, :m][cells.marks[:1, :m] == GIVEN] = GIVEN
     made.marks[made.wrong & (cells.marks == KEY)] = KEY
     return None if made.wrong[0].any() else made
 

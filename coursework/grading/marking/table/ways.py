@@ -6,7 +6,7 @@ Enters: a `Key` and the student's table on its grid.  Leaves: `Way`s.  Used by `
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -19,9 +19,12 @@ HALF = 0.505
 SLACK = 2e-4
 # Velocities that pass through zero are judged by this part of their range.
 LEAST = 0.05
+# A tolerance beyond this part of what is usual lets anything pass.
+_VAGUE = 0.5
 # Work computed coarser than it is printed: how much larger the step errors may be, and up to where it is believed.
 _COARSE = 4.2
 _COARSE_FROM, _COARSE_NOTED = 0.2, 0.45
+_COARSE_ROWS = 0.75  # so many steps it must explain: among broken ones the median is chance
 _COARSE_MOST, _COARSE_GAP = 3e-4, 21.0
 
 
@@ -78,13 +81,17 @@ def as_printed(key: Key, units: Array) -> Array:
 
 @dataclass(frozen=True)
 class OwnWays:
-    """The ways from a student's own cells; `computed_to` decimals where the work is coarser than its print, else None."""
+    """The ways from a student's own cells; `computed_to` decimals where the work is coarser than its print, else None.
+
+    `coarse` is the floor of the tolerances then, 0 where there is none.
+    """
 
     angles: Way
     earlier: Way
     step: Way
     step_true: Way
     computed_to: int | None
+    coarse: float
 
     @property
     def tried(self) -> tuple[Way, ...]:
@@ -96,16 +103,28 @@ class OwnWays:
         return np.asarray(np.any([way.holds(values) for way in self.tried], axis=0))
 
 
-def own_ways(key: Key, student: StudentTable) -> OwnWays:
-    """Return what each cell should be by the cells that it was made from."""
-    step, coarse, computed_to = _steps(key, student)
+def own_ways(key: Key, student: StudentTable, coarse: float | None = None) -> OwnWays:
+    """Return what each cell should be by the cells that it was made from; `coarse` the floor of coarse work if known."""
+    step = _steps(key, student)
+    off = np.abs(student.values - step.expected)
+    off = off[np.isfinite(off)]
+    usual = step.tolerance[np.isfinite(step.tolerance)]
+    allowed = float(np.median(usual)) if len(usual) else 0.0
+    if coarse is None:
+        middle = float(np.median(off)) if len(off) else 0.0
+        coarse = _COARSE * middle if _COARSE_FROM * allowed < middle <= min(_COARSE_MOST, key.gap / _COARSE_GAP) else 0.0
+        if coarse and np.mean(off <= coarse) < _COARSE_ROWS:
+            coarse = 0.0
+    middle = coarse / _COARSE
+    computed_to = math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
     angles = _own_angles(key, student, coarse)
-    return OwnWays(angles, _own_velocities(key, student, coarse), step, _true_steps(key, student, angles), computed_to)
+    step = replace(step, tolerance=np.maximum(step.tolerance, coarse))
+    return OwnWays(angles, _own_velocities(key, student, coarse), step, _true_steps(key, student, angles), computed_to, coarse)
 
 
-def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:
-    """Return the step from the row before, the floor of coarse work (0 for none) and the decimals it was computed to."""
-    m, h = len(key.coordinates), key.step
+def _steps(key: Key, student: StudentTable) -> Way:
+    """Return the step from the row before."""
+    m, h = len(key.coordinates), key.stride
     values, units = student.values, student.units
     expected = np.full(values.shape, np.nan)
     tolerance = np.full(values.shape, np.nan)
@@ -113,15 +132,7 @@ def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:
     size = np.maximum(np.abs(rates), LEAST * key.usual_ranges[m : 2 * m])
     expected[1:, :m] = values[:-1, :m] + h * rates
     tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + HALF * h * units[:-1, m : 2 * m] + SLACK * h * size
-    off = np.abs(values - expected)[np.isfinite(expected) & np.isfinite(values)]
-    usual = tolerance[np.isfinite(tolerance)]
-    if not len(off) or not len(usual):
-        return Way(STEP, expected, tolerance), 0.0, None
-    middle, allowed = float(np.median(off)), float(np.median(usual))
-    if not _COARSE_FROM * allowed < middle <= min(_COARSE_MOST, key.gap / _COARSE_GAP):
-        return Way(STEP, expected, tolerance), 0.0, None
-    computed_to = math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
-    return Way(STEP, expected, np.maximum(tolerance, _COARSE * middle)), _COARSE * middle, computed_to
+    return Way(STEP, expected, tolerance)
 
 
 def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
@@ -129,6 +140,13 @@ def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -
     m = len(key.coordinates)
     size = np.maximum(np.abs(expected), LEAST * key.usual_ranges[m:])
     return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
+
+
+def clear(key: Key, expected: Array, tolerance: Array) -> Array:
+    """Return expected velocities (n, r), NaN where the digits leave them as open as they are large: anything would pass there."""
+    sizes = np.maximum(np.abs(expected), np.max(np.abs(key.table[:, len(key.coordinates) :]), axis=0))
+    with np.errstate(invalid="ignore"):
+        return np.where(tolerance > _VAGUE * sizes, np.nan, expected)
 
 
 def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
@@ -168,13 +186,14 @@ def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
 
 
 def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way:
+    expected = clear(key, expected, tolerance)
     blank = np.full((len(expected), len(key.coordinates)), np.nan)
     return Way(name, np.hstack([blank, expected]), np.hstack([blank, tolerance]))
 
 
 def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
     """Return the step from the row before with the reference's velocity at the student's own angles there."""
-    m, h = len(key.coordinates), key.step
+    m, h = len(key.coordinates), key.stride
     values, units = student.values, student.units
     expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
     expected[1:, :m] = values[:-1, :m] + h * own.expected[:-1, m : 2 * m]

@@ -15,13 +15,16 @@ from coursework.grading.reading.table.headers import unit_of
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
 _LABEL = re.compile(
     rf"[\s$]*(?:[*•‣▪◦●■◆►▶➢➤✓]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}(?!\d)[a-zа-я]?\)?\]?\s*"
-    r"[:.)]?(?!\s*:?=)(?=\s|\w|[-+−(])"
-    r"|[(\[{<](?:\d{1,3}(?:\.\d{1,3})?(?:['a-zа-я]|\.[a-zа-я])?|[A-ZА-Я]\.\d{1,3}|\*{1,3})[)\]}>]\s*[:.]?(?!=)"
-    r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[][A-ZА-Я][)\]]:?\s+|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
+    r"(?:[:)]|\.(?!\d))?(?!\s*:?=)(?=\s|\w|[-+−(.])"
+    r"|[(\[{<](?:\d{1,3}(?:\.\d{1,3})?(?:['a-zа-я]|\.[a-zа-я])?|[A-ZА-Я]\.\d{1,3}|\*{1,3})[)\]}>]\s*(?::|\.(?!\d))?(?!=)"
+    r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[][A-ZА-Я][)\]]:?\s+(?![+=*/·])|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
     r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+|(?<=[•‣▪◦●■◆►▶➢➤✓\]]\s))\s*",
     re.IGNORECASE,
 )
-_LABEL_AT_END = re.compile(r"\s(?:[-–—.…]+\s*)?[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]\s*$")
+_LABEL_AT_END = re.compile(
+    r"\s(?:[-–—.…]+\s*)?(?:[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]"
+    rf"|(?i:{_WORD})[\s.№]*\(?\d{{1,3}}\)?)\s*$"
+)
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
 _UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*$")
 _TO_BE_DONE = re.compile(r"\s\|\s*[-+*/:]\s*[\w.,()*]{1,20}\s*$")  # to both sides: "= 0 | *2"
@@ -31,12 +34,13 @@ _SAYS_SO = re.compile(
     re.IGNORECASE,
 )
 _WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+)\.?(?=[\s:,.(]|$)(?!\s*=)")
-_ASIDE = re.compile(r"[\s,.:–-]*\([^()=]{1,40}\)[\s,.:]*(?=[^\s*/^)=])")
+_ASIDE = re.compile(r"[\s,.:–-]*\(([^()=]{1,40})\)[\s,.:]*(?=[^\s*/^)=])")
 _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
 _SAID = re.compile(r"[,;.]\s+([^\W\d_]{2,})")
+_POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # of the words before: a point before a digit is the number's
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
 _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
@@ -102,12 +106,12 @@ def without_words(text: str, is_name: Callable[[str], bool]) -> str:
         if not _is_prose(found[1], is_name, start) and not _is_point(text, found, is_name, start):
             break
         start = found.end()
-        if aside := _ASIDE.match(text, start):
+        if (aside := _ASIDE.match(text, start)) and _is_said(aside[1], is_name):
             start = aside.end()
         if _COUNTED.search(text[:start]) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
             start += number.end()
     rest = text[start:]
-    return rest.lstrip(" :,.") if start and not re.match(r"\s*[*/^=(]", rest) else text
+    return _POINTS.sub("", rest) if start and not re.match(r"\s*[*/^=]|\(", rest) else text
 
 
 def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
@@ -118,6 +122,11 @@ def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
     if len(word) == 1:
         return is_axis or (after > 0 and word.isupper())
     return is_axis or not word.isupper() or len(word) > _SHORT
+
+
+def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
+    """Return whether a bracket holds a number of the sheet or words, and is no part of the equation."""
+    return aside.strip().isdigit() or any(_is_prose(word, is_name, 1) for word in re.findall(r"[^\W\d_]\w*", aside))
 
 
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:

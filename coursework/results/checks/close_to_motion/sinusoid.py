@@ -46,13 +46,13 @@ def sinusoid(evidence: Evidence) -> Finding:
     name = min(names, key=lambda key: true[key])
     unit = evidence.say("unit.of_power")
     if true[name] < SHARE:
-        return skipped(evidence.say("check.SINUSOID.not", name=name, share=100 * floored(true[name])))
+        return skipped(evidence.say("check.SINUSOID.not", name=name, share=100 * floored(true[name], 3)))
     if int(np.sum(motion.t <= window)) <= _terms(found):
         return skipped(evidence.say("check.SINUSOID.few", rows=int(np.sum(motion.t <= window)), least=_terms(found) + 1))
     own = shares(motion, names, found, window)
     column = min(names, key=lambda key: own[key])
     rows = tuple((name, own[name], unit) for name in names)
-    least = {"name": column, "share": 100 * floored(own[column]), "exact": 100 * floored(true[name])}
+    least = {"name": column, "share": 100 * floored(own[column], 3), "exact": 100 * floored(true[name], 3)}
     if own[column] < SHARE:
         return Finding("COARSE", evidence.say("check.SINUSOID.coarse", **least), own[column], SHARE, unit, column, rows=rows)
     of_exact = evidence.once("harmonics", lambda: _harmonics_of_exact(evidence, names, found, window))

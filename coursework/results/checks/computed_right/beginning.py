@@ -9,10 +9,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.motion.geometry.closure import closed_start
+from coursework.motion.geometry.closure import Closure, closed_start
 from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
+from coursework.variant.formula.tree import Formula, on_axes, signed
 from coursework.words.sentences import joined, say
 
 START_LIMIT = 1e-6  # of the largest length: five digits in the start values are enough to pass
@@ -36,9 +37,9 @@ def stopped(evidence: Evidence) -> Finding:
 
 def start(evidence: Evidence) -> Finding:
     """The start values close the mechanism; where they do not, the nearest closed start is printed."""
-    closure = evidence.closure
-    if closure is None or all(position.target != "zero" for position in evidence.equations.positions):
-        return skipped(say("check.START.skip"))
+    closure = _with_loops(evidence.closure) if evidence.closure is not None else None
+    if closure is None:
+        return Finding("SKIP", say("check.START.skip"), unjudged=say("summary.start"))
     residual, closed = closed_start(closure)
     worst = int(np.argmax(np.abs(residual)))
     value, name = float(np.abs(residual[worst])), closure.names[worst]
@@ -51,3 +52,22 @@ def start(evidence: Evidence) -> Finding:
         listed = [say("check.START.value", name=name, value=q) for name, q in zip(names, closed.tolist(), strict=True)]
         sentence = say("check.START.nearest", value=value, start=joined(listed, "join.numbers"))
     return Finding("FAIL", sentence, value, limit, "m", name, 1)
+
+
+def _with_loops(closure: Closure) -> Closure | None:
+    """Return a closure whose closed loops of [closure] are kept at zero, not at their start; None where nothing is to be zero.
+
+    C.y keeps a height that the start alone gives; (C - O - r @ phi).x says that a link reaches from O to C.
+    """
+    positions = closure.equations.positions
+    holds = iter(closure.equations.variant.holds)
+    zero = [one.target == "zero" or (one.target == "start" and _is_loop(on_axes(next(holds)))) for one in positions]
+    return replace(closure, origin=np.where(zero, 0.0, closure.origin), asked={}) if any(zero) else None
+
+
+def _is_loop(formula: Formula) -> bool:
+    """Return whether a sum leads from one point to another along a link: a difference of points, and a length by its angle."""
+    summands = list(signed(formula))
+    points = {sign: term.args[0] for term, sign in summands if term.op == "part" and term.args[0].op == "name"}
+    lengths = [term for term, _ in summands if not any(node.op == "part" for node in term.walk())]
+    return len(points) > 1 and any(node.name in {"sin", "cos"} for term in lengths for node in term.walk())

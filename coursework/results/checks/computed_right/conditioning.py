@@ -28,6 +28,8 @@ DIGITS, FEWEST = 16.0, 6.0
 # Ruiz' scaling has settled to a few percent after this many rounds, and the condition number wants no more.
 _ROUNDS = 8
 _ROUNDING = 1e-9
+# Of the largest length: a slide that is less in every row is none.
+_NONE = 1e-12
 # Digits that lengths far apart cost beyond what the equations cost: fewer are not worth a sentence.
 _TOLD_APART = 2.0
 
@@ -100,7 +102,10 @@ def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
         return None
     coordinates = [evidence.variant.coordinates[place] for place in closure.free]
     sizes = np.max(np.abs(motion.coordinates[:, closure.free]), axis=0)
-    sizes = np.where([one.unit == "rad" for one in coordinates], 1.0, np.where(sizes > 0, sizes, 1.0))
+    # A slide that is zero in every row but for round-off has no digits to lose.
+    sizes = np.where(
+        [one.unit == "rad" for one in coordinates], 1.0, np.where(sizes > _NONE * closure.scale, sizes, closure.scale)
+    )
     row, place = np.unravel_index(int(np.argmax(moved / sizes)), moved.shape)
     digits = -np.log10(max(float(moved[row, place] / sizes[place]), 10.0**-DIGITS))
     return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name

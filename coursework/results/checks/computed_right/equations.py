@@ -80,12 +80,15 @@ def open_to_doubt(closure: Closure) -> tuple[Sentence, Sentence] | None:
 
     None where it judges all of them.
     """
+    told = [say("check.AGREEMENT.zero", name=name, terms=terms) for name, terms in closure.unseen]
+    beside = [say("summary.zero", name=name, terms=terms) for name, terms in closure.unseen]
     if not closure.unjudged:
-        return None
+        return (joined(told), joined(beside, "join.semicolon")) if told else None
     names = tuple(name for name, _ in closure.unjudged)
     lacking = tuple(dict.fromkeys(unknown for _, unknowns in closure.unjudged for unknown in unknowns))
     count = {"count": len(closure.agreed), "all": len(closure.agreed) + len(names)}
     key = f"check.AGREEMENT.{'some' if closure.agreed else 'none'}"
     found = say_count(key, len(names), names=names, unknowns=lacking, **count)
     advice = [proposed(closure.equations.variant, name) for name in lacking]
-    return joined([found, *advice]), say_count("summary.not_judged", len(names), names=names, unknowns=lacking)
+    rest = say_count("summary.not_judged", len(names), names=names, unknowns=lacking)
+    return joined([found, *advice, *told]), joined([rest, *beside], "join.semicolon")

@@ -1,0 +1,56 @@
+"""Small strips of marks over an axis: one number of each of a class, alike for data, difficulty and points.
+
+Enters: numbers.  Leaves: `Strip`s, places as text for `reports/strip.html.j2`.
+Used by `assigning/` and `grading/`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from coursework.system.frozen import frozen
+
+HEIGHT = 52.0  # px
+LEFT, RIGHT, BASE = 12.0, 348.0, 34.0  # of the axis
+MARK = 2.5  # radius of a mark; marks that would touch are stacked
+HIGHEST = 90.0  # of a stack; in a higher one the marks overlap
+
+
+@frozen
+class Strip:
+    """One number of the class: its band and centre as places on the axis, a mark (x, y) a student, the ends in words."""
+
+    band: tuple[str, str]
+    centre: str
+    middle: str
+    marks: tuple[tuple[str, str], ...]
+    first: str
+    last: str
+    height: str
+
+
+def strip(values: Sequence[float], low: float, high: float, centre: float, ends: tuple[str, str], middle: str) -> Strip:
+    """Return the strip of `values` with its centre, `middle` in words, over an axis that holds the band and every value.
+
+    Marks are stacked where they would touch, in the order of the values, so that equal classes give equal pictures.
+    """
+    least, most = min([low, *values]), max([high, *values])
+    span = (most - least) or 1.0
+
+    def x(value: float) -> float:
+        return LEFT + (RIGHT - LEFT) * (value - least) / span if most > least else (LEFT + RIGHT) / 2
+
+    tops: list[list[float]] = []
+    placed: list[tuple[float, int]] = []
+    for value in sorted(values):
+        at = x(value)
+        level = next((k for k, row in enumerate(tops) if at - row[-1] >= 2 * MARK), len(tops))
+        if level == len(tops):
+            tops.append([])
+        tops[level].append(at)
+        placed.append((at, level))
+    pitch = min(2 * MARK, HIGHEST / max(1, len(tops)))
+    height = HEIGHT + pitch * max(0, len(tops) - 2)
+    base = height - (HEIGHT - BASE)
+    marks = tuple((f"{at:.1f}", f"{base - MARK - pitch * level:.1f}") for at, level in placed)
+    return Strip((f"{x(low):.1f}", f"{x(high) - x(low):.1f}"), f"{x(centre):.1f}", middle, marks, *ends, f"{height:.0f}")

@@ -1,0 +1,111 @@
+"""The box of page 1: whether the rows are computed right and close to the motion, what to take, what was asked for.
+
+Enters: a `PageContext`.  Leaves: a `Result`.  Used by `statement.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from coursework.report.sections.checks import parted
+from coursework.report.text.numbers import TIGHT
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Result, Runs
+from coursework.report.text.text_runs import runs
+from coursework.report.wording.closeness import largest_error_sentence, splits, unreturned
+from coursework.results.checks.summary import summary
+from coursework.scene.quantities import CHECKS, TABLE
+
+# Digits of a velocity in the box, and of a moment named in a sentence.
+SHOWN_DIGITS, TIME_DIGITS = 5, 4
+
+
+def answer(context: PageContext) -> Result:
+    """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
+    run, say = context.run, context.words
+    told: list[Runs] = []
+    verdict = _verdict(context)
+    if run.asks(CHECKS) and not (verdict and _says_all(context)):
+        # Where it stops is said already.
+        findings = [replace(one, option="", value=None if one.code == "STOP" else one.value) for one in run.checks]
+        told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
+    # What to take is said here and nowhere else.
+    advice = next((advice for finding in run.checks if (advice := parted(finding.sentence)[1])), "") if run.asks(CHECKS) else ""
+    told += [context.rich(advice)] if advice else []
+    if run.asks(TABLE) and len(run.motion.t):
+        told.append(runs(_checked(context)))
+    if run.asks(CHECKS):
+        told += _misses(context)
+    if not told:
+        told.append(runs(say("result.rows", rows=say.count("count.rows", len(run.motion.t)))))
+    return Result(say("result.title"), verdict, told)
+
+
+def _says_all(context: PageContext) -> bool:
+    """Return whether the verdict leaves nothing for the sentences of the summary: an ordinary run of a scheme."""
+    checks = [one for one in context.run.checks if one.code != "STOP"]
+    if context.run.tableau is None or any(one.headline or (one.unjudged and one.code != "START") for one in checks):
+        return False
+    odd = [one for one in checks if one.verdict not in {"PASS", "SKIP"}]
+    is_coarse = all(one.group == "motion" and one.verdict == "COARSE" for one in odd)
+    by_accuracy = is_coarse and any(one.code == "ACCURACY" for one in odd)
+    known = any(one.code == "ACCURACY" and one.verdict != "SKIP" for one in checks)
+    return known and (by_accuracy or not odd)
+
+
+def _verdict(context: PageContext) -> Runs:
+    """Return in few words whether the rows are computed right, and whether they are close to the motion."""
+    say, checks = context.words, context.run.checks if context.run.asks(CHECKS) else ()
+    computed = [one.verdict for one in checks if one.group == "computation" and one.code != "STOP"]
+    accuracy = next((one for one in checks if one.code == "ACCURACY"), None)
+    if not computed or not len(context.run.motion.t):
+        return []
+    open_to = {one.code for one in checks if one.unjudged}
+    right = "result.right" if not open_to else "result.right_given" if open_to == {"START"} else "result.right_partly"
+    told = [say("result.wrong" if {"FAIL", "ERROR"} & {*computed} else right)]
+    if accuracy is not None and accuracy.verdict == "PASS":
+        told.append(say("result.close"))
+    elif accuracy is not None and accuracy.verdict in {"COARSE", "FAIL"} and accuracy.value is not None and accuracy.column:
+        share = context.with_unit(context.numbers.fixed(100 * accuracy.value, 1), "%")
+        told.append(say("result.far", symbol=context.lettering(accuracy.column), share=share, row=accuracy.row or 1))
+    return context.lettered(say.sentences(told))
+
+
+def _checked(context: PageContext) -> str:
+    """Return the velocities of the row that is checked."""
+    motion, variant = context.run.motion, context.run.variant
+    row = min(variant.time.row_of_check, len(motion.t))
+    sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
+    values = context.words("result.between").join(
+        f"{context.lettering(name)}{TIGHT}={TIGHT}"
+        + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
+        for name in sought
+    )
+    time = context.quantity(float(motion.t[row - 1]), "s", TIME_DIGITS)
+    return context.words("result.row", row=row, time=time, values=values)
+
+
+def _misses(context: PageContext) -> list[Runs]:
+    """Return the row a period later minus the first, of the coordinates; of exact rows also the scheme's error."""
+    say, numbers, told = context.words, context.numbers, []
+    coordinates, left = context.run.motion.coordinate_names, unreturned(context)
+    moved = [split for split in left if split.name in coordinates]
+    row = (context.run.results.evidence.period_row or 0) + 1
+    of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on behind a whole number of periods
+    gaps = [
+        f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
+        for split in [split for split in moved if split.name not in _driven(context)] or moved
+    ]
+    if gaps:
+        told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.numbers").join(gaps))))
+    elif any(split.name in coordinates for split in splits(context)):
+        told.append(runs(say(f"result.repeats_positions{of_row}" if left else f"result.repeats{of_row}", row=row)))
+    # Beside rows that are the motion itself there is no other word of how far the scheme's are off.
+    if context.run.tableau is None and (sentence := largest_error_sentence(context)):
+        told.append(runs(sentence))
+    return told
+
+
+def _driven(context: PageContext) -> set[str]:
+    """Return the coordinates whose rate is driven: of them it is known where they are."""
+    return {c.name for c in context.run.variant.driven_coordinates}

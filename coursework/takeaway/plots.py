@@ -1,0 +1,112 @@
+"""Plots by matplotlib, as a person takes them into a text of his own.
+
+Enters: a `Run` or a study.  Leaves: matplotlib Axes with labels, units and a legend.  Raises `InputError`.
+Used by `run.py` and `study.py`; nothing else imports it, so no page waits for matplotlib.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from coursework.drawing.paper.symbols import angle_word, rate_word
+from coursework.motion.integration.motion import Motion
+from coursework.results.accuracy.record import AccuracyStudy
+from coursework.scene.scene_run import SceneRun
+from coursework.variant.record.variant import no_column
+from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+# Lines that stay apart in black and white: the rows are dots, the motion a line.
+ROWS: dict[str, Any] = {"linestyle": "--", "marker": "o", "markersize": 3.5}
+MOTION: dict[str, Any] = {"linestyle": "-", "linewidth": 1.2}
+BETWEEN = 8  # points of the exact line from row to row
+_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+def symbol(name: str) -> str:
+    """Return the name of a column as a label writes it.
+
+    >>> symbol("w3"), symbol("phi1"), symbol("u")
+    ('ω₃', 'φ₁', 'u')
+    """
+    letter, low, prime = rate_word(name) if rate_word(name)[0] == "ω" else angle_word(name)
+    return letter + (low.translate(_LOW) if low.isdigit() else f"_{low}" if low else "") + prime
+
+
+def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) -> Any:
+    """Return Axes as `Run.plot` says."""
+    listed = names or run.motion.velocity_names
+    for name in listed:
+        if name not in run.motion.names:
+            raise no_column(name, run.motion.names)
+    by_unit: dict[str, list[str]] = {}
+    for name in listed:
+        by_unit.setdefault(run.variant.unit_of(name), []).append(name)
+    if len(by_unit) == 1 or ax is not None:
+        drawn = _axes(ax)
+        _columns(drawn, run, listed, ", ".join(by_unit), exact)
+        return drawn
+    import matplotlib.pyplot as plt
+
+    _, several = plt.subplots(len(by_unit), 1, sharex=True, layout="constrained")
+    for one, (unit, group) in zip(several, by_unit.items(), strict=True):
+        _columns(one, run, group, unit, exact)
+    return several
+
+
+def _columns(ax: Axes, run: SceneRun, names: Sequence[str], unit: str, exact: bool) -> None:
+    motion = run.motion
+    alone = len(names) == 1
+    scheme = str(run.scheme_title)
+    for name in names:
+        label = scheme if alone else f"{symbol(name)}, {scheme}" if exact else symbol(name)
+        (line,) = ax.plot(motion.t, motion.column(name), label=label, **ROWS)
+        if exact:
+            t, values = _between(run, name)
+            told = str(say("exact.title"))
+            ax.plot(t, values, label=told if alone else f"{symbol(name)}, {told}", color=line.get_color(), **MOTION)
+    ax.set_xlabel("t, s")
+    ax.set_ylabel(f"{', '.join(map(symbol, names))}, {unit}" if unit else ", ".join(map(symbol, names)))
+    ax.grid(visible=True, linewidth=0.4)
+    ax.legend()
+
+
+def _between(run: SceneRun, name: str) -> tuple[Any, Any]:
+    """Return times and values of the exact motion, some between any two rows."""
+    import numpy as np
+
+    t = run.scene.exact.t
+    found: Motion = run.scene.exact
+    if len(t) > 1:
+        finer = np.linspace(0.0, float(t[-1]), BETWEEN * (len(t) - 1) + 1)
+        found = run.scene.exact_at(finer)
+    return found.t, found.column(name)
+
+
+def plot_study(study: AccuracyStudy, ax: Axes | None) -> Axes:
+    """Return Axes as `Study.plot` says."""
+    drawn = _axes(ax)
+    marks = "os^Dv*Ph<>"
+    methods = dict.fromkeys(row.method for row in study.rows if not row.failed)
+    for place, method in enumerate(methods):
+        rows = [row for row in study.rows if row.method == method and not row.failed and math.isfinite(row.max_error)]
+        points = sorted((row.evaluations, row.max_error) for row in rows)
+        drawn.plot(*zip(*points, strict=True), label=str(method), marker=marks[place % len(marks)], markersize=4, linewidth=1)
+    unit = study.rows[0].unit if study.rows else ""
+    drawn.set(xscale="log", yscale="log", xlabel="evaluations", ylabel=f"largest error, {unit}")
+    drawn.grid(visible=True, linewidth=0.4)
+    drawn.legend(fontsize="small")
+    return drawn
+
+
+def _axes(ax: Axes | None) -> Axes:
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    _, drawn = plt.subplots(layout="constrained")
+    return drawn

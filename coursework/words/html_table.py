@@ -1,0 +1,20 @@
+"""A small table as a notebook shows it: what it is, a head, rows of texts.
+
+Enters: texts.  Leaves: HTML, escaped, with the looks of the notebook.  Used by records that a person holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+
+
+def html_table(caption: str, head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """Return a table.
+
+    >>> html_table("Data", ("symbol", "value"), [("r1", 0.953)])
+    '<table><caption>Data</caption><tr><th>symbol<th>value</tr><tr><td>r1<td>0.953</tr></table>'
+    """
+    lines = [f"<tr>{''.join(f'<td>{escape(str(cell))}' for cell in row)}</tr>" for row in rows]
+    names = "".join(f"<th>{escape(name)}" for name in head)
+    return f"<table><caption>{escape(caption)}</caption><tr>{names}</tr>{''.join(lines)}</table>"

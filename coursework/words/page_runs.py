@@ -1,0 +1,71 @@
+"""Runs of a sentence as HTML: letters slanted, powers raised, what no line may break and what is typed held together.
+
+Enters: runs, as `report/text/text_runs.py` makes them; a text; a cell, which is one or the other.  Leaves: escaped HTML.
+Used by `templates.py`, which gives them to `reports/parts.html.j2`: a page asks for them some thousand times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from markupsafe import Markup
+
+from coursework.words.line_ends import line_groups
+
+_ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&#34;", "'": "&#39;"})
+_BEGIN, _END = '<span class="typed">', "</span>"
+
+
+def said(runs: Sequence[dict[str, str]]) -> Markup:
+    """Return runs as HTML; neighbours in one other language than the page's stand in one element.
+
+    >>> said([{"v": "φ", "s": "3"}, {"t": " is <small>"}, {"p": "2"}])
+    Markup('<i>φ</i><sub>3</sub> is &lt;small&gt;<sup>2</sup>')
+    """
+    groups = line_groups(runs)
+    return Markup("".join(f"{_BEGIN}{_written(group, kept)}{_END}" if kept else _written(group, kept) for kept, group in groups))
+
+
+@lru_cache(maxsize=4096)
+def said_text(text: str) -> Markup:
+    """Return a text as HTML."""
+    return said([{"t": text}])
+
+
+def said_cell(content: str | Sequence[dict[str, str]]) -> Markup:
+    """Return a cell as HTML."""
+    return said_text(content) if isinstance(content, str) else said(content)
+
+
+def _written(runs: Sequence[dict[str, str]], kept: bool) -> str:
+    parts = []
+    foreign = None
+    for run in runs:
+        language = run.get("lang")
+        if foreign is not None and language is None:
+            parts.append(_END)
+        elif foreign is None and language is not None:
+            parts.append(f'<span lang="{language.translate(_ESCAPED)}">')
+        foreign = language
+        parts.append(_one(run, kept))
+    if foreign is not None:
+        parts.append(_END)
+    return "".join(parts)
+
+
+def _one(run: dict[str, str], kept: bool) -> str:
+    if "t" in run:
+        return run["t"].translate(_ESCAPED)
+    if "o" in run:
+        return f'<span class="paper">{run["o"].translate(_ESCAPED)}</span>'
+    if "p" in run:
+        return f"<sup>{run['p'].translate(_ESCAPED)}</sup>"
+    if "c" in run:
+        typed = run["c"].translate(_ESCAPED)
+        return typed if kept else f"{_BEGIN}{typed}{_END}"
+    letter = f"<i>{run['v'].translate(_ESCAPED)}</i>"
+    if not (low := run.get("s")):
+        return letter
+    kind = "<sub>" if low.isdigit() else '<sub class="v">'
+    return f"{letter}{kind}{low.translate(_ESCAPED)}</sub>"

@@ -1,0 +1,51 @@
+"""How ten pages looked when a person last looked at them: the top of each, an eighth as large, in grey.
+
+`python -m tests.report.pages.pictures` takes them anew into `seen/`; whoever does that looks at the pages first.
+"""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import pymupdf
+
+from tests.conftest import BROWSERS
+from tests.report.pages.all_kinds import KINDS, make
+
+SEEN = Path(__file__).parent / "seen"
+HIGH, HALVINGS = 1600, 3  # px of a page, and how often it is made half as large
+# Name -> kind of page, width, colours: every kind light at 1400 px, the report on a phone and in the dark besides.
+VIEWS = {kind: (kind, 1400, "light") for kind in KINDS} | {
+    "report-phone": ("report", 390, "light"), "report-dark": ("report", 1400, "dark"),
+}  # fmt: skip
+
+
+def take(browser: Any, page: Path, width: int, colours: str) -> pymupdf.Pixmap:
+    """Return the top of a page as a small grey picture; what a clock or a machine says is covered."""
+    shown = browser.new_page(viewport={"width": width, "height": HIGH}, color_scheme=colours)
+    shown.goto(page.as_uri())
+    shown.add_style_tag(content="#lab-time, #lab-time-ratio, #lab-diagram { visibility: hidden; }")
+    picture = pymupdf.Pixmap(pymupdf.csGRAY, pymupdf.Pixmap(shown.screenshot()))
+    shown.close()
+    picture.shrink(HALVINGS)
+    return picture
+
+
+def main() -> None:
+    """Take all of them anew."""
+    from playwright.sync_api import sync_playwright
+
+    found = next(path for name in BROWSERS if (path := shutil.which(name)))
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
+        places = make(Path(folder))
+        browser = play.chromium.launch(executable_path=found, args=["--no-sandbox", "--disable-gpu"])
+        for name, (kind, width, colours) in VIEWS.items():
+            take(browser, places[kind], width, colours).save(SEEN / f"{name}.png")
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,132 @@
+"""Every kind of page as it is seen: three widths, light and dark, in print and under a thumb.
+
+`screen.js` judges letters, heads, contrast and what is cut; here is what it is asked, and what no rule of it says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pymupdf
+import pytest
+
+from tests.report.pages.all_kinds import KINDS, make
+from tests.report.pages.pictures import SEEN, VIEWS, take
+
+pytestmark = pytest.mark.browser
+
+WIDTHS = (1400, 1000, 390)
+PAPER = 642  # px: 170 mm between the margins of A4
+THUMB, POINTER = 44, 24  # px
+WIDE_TABLES = "[...document.querySelectorAll('table')].filter((one) => one.getBoundingClientRect().right > innerWidth + 1).length"
+TOP = "(which) => document.querySelector(which).getBoundingClientRect().top + scrollY"
+STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live)')].filter(
+  (one) => one.scrollWidth <= one.clientWidth + 1 && one.scrollHeight <= one.clientHeight + 1).map((one) => one.className)"""
+SMALL = """(least) => [...document.querySelectorAll('#live :is(button, select, input)')].filter((one) => one.offsetParent).filter(
+  (one) => one.getBoundingClientRect().height < least).map((one) => one.id)"""
+
+
+@pytest.fixture(scope="module")
+def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    return make(tmp_path_factory.mktemp("looks"))
+
+
+@pytest.fixture(scope="module")
+def page(browser: Any) -> Iterator[Any]:
+    context = browser.new_context(viewport={"width": 1400, "height": 900})
+    context.add_init_script(path=Path(__file__).parent / "screen.js")
+    yield context.new_page()
+    context.close()
+
+
+def sized(page: Any, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    page.evaluate("new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_page_of_every_kind_is_seen_whole(kind: str, places: dict[str, Path], page: Any) -> None:
+    sized(page, WIDTHS[0])
+    page.goto(places[kind].as_uri())
+    found = [f"{kind}: {fault}" for fault in page.evaluate("judge.access()")]
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        found += [f"{scheme}: {fault}" for fault in page.evaluate("judge.contrast()")]
+    dark = page.evaluate("getComputedStyle(document.body).backgroundColor")
+    for width in WIDTHS:
+        sized(page, width)
+        found += [f"{width}: {fault}" for fault in page.evaluate("judge.layout()")]
+    page.emulate_media(media="print", color_scheme="light")
+    sized(page, 931 if kind == "assigned" else PAPER)  # that one is printed lying
+    assert page.evaluate(WIDE_TABLES) == 0
+    page.emulate_media(media="screen")
+    assert found == []
+    assert dark == "rgb(17, 17, 17)"
+
+
+def test_the_answer_is_in_sight_and_nothing_is_marked_before_it_moves(places: dict[str, Path], page: Any) -> None:
+    page.goto(places["report"].as_uri())
+    sized(page, 1400)
+    assert page.evaluate(TOP, ".result") < 400
+    assert page.evaluate("getComputedStyle(document.querySelector('.live-cursor')).display") == "none"
+    assert "Close" not in page.inner_text(".verdict") and "φ" in page.inner_text(".verdict")
+    assert page.evaluate(STOPS) == []
+    assert page.evaluate(SMALL, POINTER) == []
+    page.evaluate("scrub.value = 12.5; scrub.dispatchEvent(new Event('input'))")
+    assert page.inner_text("#live-clock") == "between rows 13 and 14, t = 0.250 s"
+    assert page.evaluate("getComputedStyle(document.querySelector('.live-cursor')).display") == "block"
+    sized(page, 390)
+    assert page.evaluate(TOP, ".result") < page.evaluate(TOP, ".title-block")
+    assert page.evaluate(TOP, ".result") < 300
+    assert page.evaluate(SMALL, THUMB) == []
+    assert page.evaluate("document.querySelector('#contents').getBoundingClientRect().height") < 60
+
+
+def test_a_motion_that_stops_says_so_above_all(places: dict[str, Path], page: Any) -> None:
+    page.goto(places["stopped"].as_uri())
+    for width in WIDTHS:
+        sized(page, width)
+        assert page.evaluate(TOP, ".bar") < 320
+    assert page.inner_text(".bar").startswith("✗ Stops at t = 0.116889\u00a0s (dead point): 6 rows of 25.")
+    order = page.evaluate("[...document.querySelectorAll('main > section')].map((one) => one.id)")
+    assert order[:3] == ["statement", "dead_point", "live"]
+
+
+def test_the_first_wrong_cell_is_in_view_on_a_phone(places: dict[str, Path], page: Any) -> None:
+    sized(page, 390)
+    page.goto(places["feedback"].as_uri())
+    box = "(() => { const one = document.querySelector('#first').getBoundingClientRect(); return [one.left, one.right]; })()"
+    left, right = page.evaluate(box)
+    assert 0 <= left < right <= 390
+
+
+def test_scales_are_said_on_paper_only(places: dict[str, Path], page: Any) -> None:
+    page.goto(places["report"].as_uri())
+    sized(page, 1400)
+    seen = "(which) => [...document.querySelectorAll(which)].map((one) => getComputedStyle(one).display)"
+    assert {*page.evaluate(seen, ".paper")} == {"none"} and "none" not in page.evaluate(seen, ".screen")
+    page.emulate_media(media="print")
+    assert "none" not in page.evaluate(seen, ".paper") and {*page.evaluate(seen, ".screen")} == {"none"}
+    page.emulate_media(media="screen")
+
+
+def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> None:
+    page.goto(places["accuracy"].as_uri())
+    sized(page, 1400)
+    assert page.inner_text("h1") == "What accuracy costs: variant 31"
+    assert page.evaluate(TOP, "figure") < 300
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", VIEWS)
+def test_a_page_looks_as_it_did_when_a_person_looked_at_it(name: str, places: dict[str, Path], browser: Any) -> None:
+    """Faces differ from system to system; a part that moved, or lost its colour, is far more."""
+    kind, width, colours = VIEWS[name]
+    now, seen = take(browser, places[kind], width, colours), pymupdf.Pixmap(SEEN / f"{name}.png")
+    assert (now.width, now.height) == (seen.width, seen.height)
+    apart = np.abs(np.frombuffer(now.samples, np.uint8).astype(int) - np.frombuffer(seen.samples, np.uint8))
+    assert apart.mean() < 4
+    assert (apart > 96).mean() < 0.01

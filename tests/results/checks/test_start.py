@@ -1,0 +1,66 @@
+"""START: what the file says is zero is judged at the start values; what only they can give is said to be not judged."""
+
+import math
+
+import pytest
+
+import coursework
+
+# A crank and rocker of my own: its sides, and two angles of it from the cosine rule.
+A, B, C, D = 0.13, 0.41, 0.29, 0.37
+DIAGONAL = math.hypot(D, A)  # the crank stands upright
+REACH = math.atan2(-A, D)
+ROD = REACH + math.acos((B**2 + DIAGONAL**2 - C**2) / (2 * B * DIAGONAL))
+ROCKER = math.atan2(A + B * math.sin(ROD), B * math.cos(ROD) - D)
+FOUR_BAR = """
+[given]
+a = "0.13 m"
+b = "0.41 m"
+c = "0.29 m"
+d = "0.37 m"
+[drive]
+w1 = "3"
+[coordinates]
+phi1 = {{ start = "{crank!r} rad", rate = "w1" }}
+phi2 = {{ start = "{rod!r} rad", rate = "w2" }}
+phi3 = {{ start = "{rocker!r} rad", rate = "w3" }}
+[time]
+step = "0.01 s"
+end = "0.2 s"
+[points]
+O = "(0, 0)"
+Q = "(d, 0)"
+P = "O + a @ phi1"
+R = "P + b @ phi2"
+[closure]
+holds = {holds}
+[ask]
+quantities = ["table", "checks"]
+"""
+LOOP = '["(R - Q - c @ phi3).x", "(R - Q - c @ phi3).y"]'
+BY_HAND = '["R.x - Q.x - c*cos(phi3)", "R.y - Q.y - c*sin(phi3)"]'
+
+
+def solved(holds, rocker=ROCKER):
+    text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=rocker, holds=holds)
+    run = coursework.solve(coursework.parse_variant(text, "own.toml"), "rk4")
+    return run, next(finding for finding in run.checks if finding.code == "START")
+
+
+@pytest.mark.parametrize("holds", [LOOP, BY_HAND])
+def test_a_loop_that_the_file_states_judges_the_start(holds):
+    run, right = solved(holds)
+    assert right.verdict == "PASS"
+    assert "6 of 6" in run.summary or "5 of 5" in run.summary
+    run, wrong = solved(holds, ROCKER + 0.02)
+    assert (wrong.verdict, run.status()) == ("FAIL", 1)
+    off = max(abs(math.cos(ROCKER + 0.02) - math.cos(ROCKER)), abs(math.sin(ROCKER + 0.02) - math.sin(ROCKER))) * C
+    assert wrong.value == pytest.approx(off, rel=1e-9)
+    assert f"phi3 = {ROCKER:.6f}"[:-1] in str(wrong.sentence)
+    assert "START" in run.summary
+
+
+def test_a_height_that_only_the_start_gives_is_said_to_be_not_judged():
+    run, start = solved('["phi3 - phi2", "R.y"]')
+    assert start.verdict == "SKIP"
+    assert "; the start is not judged." in run.summary

@@ -1,0 +1,63 @@
+"""Plots by matplotlib, judged by what they draw: labels, units, legend, data."""
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+
+mpl.use("Agg")
+import matplotlib.pyplot as plt
+
+import coursework
+
+
+@pytest.fixture(autouse=True)
+def closed():
+    yield
+    plt.close("all")
+
+
+def test_one_column_with_the_motion_beside_it():
+    run = coursework.solve("31")
+    axes = run.plot("w3", exact=True)
+    rows, motion = axes.lines
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("t, s", "ω₃, rad/s")
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["explicit Euler", "exact motion"]
+    np.testing.assert_array_equal(rows.get_xydata(), np.column_stack([run.motion.t, run.motion.column("w3")]))
+    assert len(motion.get_xdata()) == 8 * 24 + 1
+    np.testing.assert_allclose(motion.get_ydata()[::8], run.exact.column("w3"), rtol=0, atol=1e-9)
+    assert rows.get_marker() != motion.get_marker()  # told apart without colours
+
+
+def test_names_of_one_unit_share_axes_and_others_have_their_own():
+    run = coursework.solve("example-2")
+    alone = run.plot(*run.variant.rates[:1])
+    both = run.plot("t" if False else run.motion.names[0], *run.motion.velocity_names)
+    assert alone.get_ylabel().endswith("rad/s")
+    units = [axes.get_ylabel().rpartition(", ")[2] for axes in both]
+    assert len(units) == len(set(units)) > 1
+    assert set(units) == {run.variant.unit_of(name) for name in (run.motion.names[0], *run.motion.velocity_names)}
+
+
+def test_own_axes_are_drawn_into():
+    _, axes = plt.subplots()
+    assert coursework.solve("31").plot(ax=axes) is axes
+    assert [line.get_label() for line in axes.lines] == ["ω₁", "ω₂", "ω₃", "ω₄"]
+
+
+def test_a_motion_that_stops_is_drawn_to_its_last_row():
+    run = coursework.solve(coursework.load("31").with_data({"alpha": 0.02}))
+    rows, motion = run.plot("w3", exact=True).lines
+    assert len(rows.get_xdata()) == 6
+    assert motion.get_xdata()[-1] == run.exact.t[-1]
+
+
+def test_the_study_falls_with_the_order_of_each_scheme():
+    study = coursework.solve("31", quantities=["accuracy"]).accuracy
+    axes = study.plot()
+    assert (axes.get_xscale(), axes.get_yscale()) == ("log", "log")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("evaluations", "largest error, rad")
+    drawn = {line.get_label(): line.get_xydata() for line in axes.lines}
+    assert set(drawn) == {row.method for row in study.rows if not row.failed}
+    euler = drawn["explicit Euler"]
+    slope = np.polyfit(*np.log(euler[euler[:, 1] < 0.05]).T, 1)[0]
+    assert -1.1 < slope < -0.9
