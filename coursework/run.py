@@ -98,7 +98,7 @@ class Run(SceneRun):
         """Return what each check has found."""
         from coursework.takeaway.findings import Findings
 
-        return Findings(self.results.checks)
+        return Findings(super().checks)
 
     @property
     def accuracy(self) -> Study | None:

@@ -135,7 +135,7 @@ def contacts(own: ForceAnalysis) -> list[tuple[str, Array, Array]]:
 
 def _contact(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     found = contacts(own)
-    if not found:
+    if not found or not own.reactions.rows.size:
         return skipped(say("check.CONTACT.skip"))
     name, normal, share = found[0]
     lifted = int((normal <= 0).sum())

@@ -50,7 +50,7 @@ def by_groups(scheme: ForceScheme, reactions: Reactions) -> Array | None:
     if not sets or sum(len(unknowns) for *_, unknowns in sets) != k:
         return None
     right = np.zeros(reactions.matrix.shape[:2])
-    right[:, : 3 * len(scheme.bodies)] = -reactions.wrench.reshape(count, -1)
+    right[:, : 3 * len(scheme.bodies)] = -reactions.wrench.reshape(count, 3 * len(scheme.bodies))
     right[:, 2 : 3 * len(scheme.bodies) : 3] /= reactions.length
     values = np.zeros((count, k))
     for _, equations, unknowns in sets:

@@ -112,7 +112,7 @@ def react_to(rows: Rows, actions: tuple[Action, ...]) -> Reactions:
     scheme, length, matrix = rows.scheme, rows.length, matrix_of(rows)
     wrench = wrenches(rows, actions)
     right = np.zeros(matrix.shape[:2])
-    right[:, : 3 * len(scheme.bodies)] = -wrench.reshape(rows.count, -1)
+    right[:, : 3 * len(scheme.bodies)] = -wrench.reshape(rows.count, 3 * len(scheme.bodies))
     moments = np.arange(2, 3 * len(scheme.bodies), 3)
     couples = np.array([one.direction.kind == "couple" for one in scheme.unknowns], dtype=bool)
     matrix[:, moments] /= length

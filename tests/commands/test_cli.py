@@ -199,7 +199,7 @@ def test_plan_computes_nothing(folder):
     result = call("run", "31", "--plan", "--quantities", "table")
     assert result.exit_code == 0
     assert "  motion               needed by table" in result.stdout
-    assert "  accelerations        only for point_accelerations and plans, not asked for" in result.stdout
+    assert "  accelerations        only for point_accelerations, forces and plans, not asked for" in result.stdout
     assert list(folder.iterdir()) == []
     restricted = call("run", "31", "--plan", "--quantities", "phi3", "--format", "csv")
     assert restricted.stdout.splitlines()[-1] == "In each row: the velocities (w3); left out: (w4) and (w1, w2)."

@@ -11,6 +11,7 @@ import pytest
 import coursework
 from coursework.commands.cli import main
 from tests.commands.test_cli import call
+from tests.effects.massed import text_of
 from tests.effects.test_ways import PARALLEL
 
 HEAD_31 = (
@@ -91,3 +92,10 @@ def test_new_with_something_else_is_refused(folder):
     assert call("new", "mine", "--with", "masses").exit_code == 2
     assert call("new", "mine", "--with", "forces", "--from", "31-forces").exit_code == 2
     assert not Path("mine.toml").exists()
+
+
+def test_a_motion_of_no_rows_has_tables_of_no_rows_and_no_error():
+    text = text_of("31-forces", ('start = "2.87 rad"', 'start = "2.0344439357957027 rad"'))
+    results = coursework.solve(coursework.parse_variant(text), quantities=["forces", "energy"]).results
+    assert len(results.forces.table) == 0
+    assert not [check.code for check in results.force_checks if check.verdict == "ERROR"]

@@ -25,6 +25,7 @@ from coursework.scene.quantities import ENERGY, FORCES
 
 MILLIMETRES = 1  # decimals of a length that is read to half a mm
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_ROUND_OFF = 1e-12  # of a force: a smaller component is none
 
 
 def forces(context: PageContext) -> list[Part]:
@@ -66,7 +67,7 @@ def _known(context: PageContext, found: ForceAnalysis, row: int) -> Table:
     lines: list[list[Cell]] = []
     for body in rows.scheme.bodies:
         acts = [one for one in found.actions if one.body == body.name and one.effect == "inertia"]
-        force = sum((complex(one.force[row]) for one in acts if one.force is not None), 0j)
+        force = _clear(sum((complex(one.force[row]) for one in acts if one.force is not None), 0j))
         couple = sum(float(one.couple[row]) for one in acts if one.couple is not None)
         at = complex(rows.vector(body.centre)[row])
         values = [float(rows.mass(body)[row]), float(rows.inertia(body)[row]), at.real, at.imag, force.real, force.imag, couple]
@@ -75,6 +76,12 @@ def _known(context: PageContext, found: ForceAnalysis, row: int) -> Table:
     heads = [Column(context.say("forces.link"), words=True)]
     heads += [Column(context.symbol_runs([name]), context.unit(unit)) for name, unit in symbols]
     return Table(heads, lines, context.say("forces.known", row=row + 1), id="forces-known")
+
+
+def _clear(force: complex) -> complex:
+    """Return a force without the component that is only its round-off."""
+    least = _ROUND_OFF * abs(force)
+    return complex(force.real if abs(force.real) > least else 0.0, force.imag if abs(force.imag) > least else 0.0)
 
 
 def _group(context: PageContext, plans: ForcePlans, plan: GroupPlan, number: int) -> list[Part]:

@@ -29,7 +29,9 @@ def _type_of(kind: Any) -> Any:
     if origin is Annotated:
         return Annotated[(_type_of(inner[0]), *(Field(**each.limits) for each in inner[1:]))]
     if origin in {Union, UnionType}:
-        return Union[tuple(map(_type_of, inner))]  # noqa: UP007 (a union of as many types as there are)
+        union: Any = Union[tuple(map(_type_of, inner))]  # noqa: UP007 (a union of as many types as there are)
+        first = any(get_origin(each) is dict for each in inner)  # a table of known keys before a table of any
+        return Annotated[union, Field(union_mode="left_to_right")] if first else union
     if origin in {list, dict}:
         return origin[tuple(map(_type_of, inner))]
     is_table = isinstance(kind, type) and issubclass(kind, Section)
