@@ -40,7 +40,7 @@ def names() -> list[str]:
 
     >>> import coursework
     >>> coursework.names()[:3]
-    ['31', 'andrews', 'cardan']
+    ['31', '31-forces', 'andrews']
     """
     return sorted((path.stem for path in folder("variants").glob("*.toml")), key=_natural)
 

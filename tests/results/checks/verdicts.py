@@ -68,14 +68,19 @@ def unkept(run: Any, variant: Any, scheme: str) -> list[str]:
     return found
 
 
+def driven() -> list[Any]:
+    """Return the catalogue without what forces move: that is checked by its energy, which tests/effects judges."""
+    variants = [coursework.load(entry.name) for entry in entries()]
+    return [each for each in variants if each.forces is None or each.forces.motor is None]
+
+
 def catalogue() -> Iterator[tuple[str, str, Counter[tuple[str, str]], list[str], int]]:
     """Yield (step, scheme, counts of (code, verdict), contradictions, advised steps run) over the catalogue."""
     for name, factor in STEPS.items():
         for scheme in (*SCHEMES, EXACT):
             counts: Counter[tuple[str, str]] = Counter()
             wrong, advised = [], 0
-            for entry in entries():
-                variant = coursework.load(entry.name)
+            for variant in driven():
                 run = coursework.solve(variant, scheme, step=variant.time.step * factor, quantities=["table", "checks"])
                 found = verdicts(run)
                 counts.update(found.items())
@@ -84,14 +89,14 @@ def catalogue() -> Iterator[tuple[str, str, Counter[tuple[str, str]], list[str],
                     continue
                 told = contradictions(run, judge(run)) + unkept(run, variant, scheme)
                 advised += any(finding.step is not None for finding in run.checks)
-                wrong += [f"{entry.name} {scheme} {name}: {text}" for text in told]
+                wrong += [f"{variant.name} {scheme} {name}: {text}" for text in told]
             yield name, scheme, counts, wrong, advised
 
 
 def random_variants(count: int, seed: int = 1) -> Iterator[Any]:
     """Yield variants of the catalogue with every length, angle and speed changed by up to 5 %, as many as can move."""
     random = Random(seed)
-    files = [coursework.load(entry.name).path for entry in entries()]
+    files = [variant.path for variant in driven()]
     texts = [text for text in (file.read_text(encoding="utf-8") for file in files) if "table =" not in text]
     made = 0
     while made < count:
