@@ -1,6 +1,6 @@
 """A command line that cannot be understood -> a fault with a code, in the language of the command.
 
-Enters: what click refuses.  Leaves: a line on standard error, under the usage of the command.  Used by `cli.py`.
+Enters: what click refuses.  Leaves: a line on standard error, under the usage of the command.  Used by `program.py`.
 """
 
 from __future__ import annotations

@@ -13,14 +13,13 @@ import numpy as np
 from coursework.effects.dynamics import Dynamics, FreeMotion
 from coursework.effects.equations_of_motion import EquationsOfMotion
 from coursework.motion.integration.motion import Motion
-from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT, Scheme, title_of
+from coursework.motion.schemes import COMPARED, title_of
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Time
 
 PARTS = (1, 4, 16)  # of the step
 MOST_SLOPES = 20_000  # altogether: a quarter of a second
-_SHOWN = ("euler", "semi-implicit", "heun", "rk4")
 
 
 @frozen
@@ -36,15 +35,14 @@ class Row:
 def lesson(equations: EquationsOfMotion, begin: tuple[Sequence[float], Sequence[float]], time: Time, exact: Motion) -> list[Row]:
     """Return the rows; `begin` are all coordinates and the free state at t = 0.  None for a long table."""
     steps = len(exact.t) - 1
-    schemes: list[Scheme] = [SEMI_IMPLICIT if name == SEMI_IMPLICIT.name else SCHEMES[name] for name in _SHOWN]
-    if steps < 1 or steps * sum(PARTS) * sum(one.slopes for one in schemes) > 12 * MOST_SLOPES:
+    if steps < 1 or steps * sum(PARTS) * sum(one.slopes for one in COMPARED) > 12 * MOST_SLOPES:
         return []
     places, state = begin
     count = len(equations.free)
     true = [exact.column(exact.velocity_names[place]) for place in equations.free]
     energy = _energy(equations, exact.t, exact.coordinates, np.column_stack(true))
     found = []
-    for scheme in schemes:
+    for scheme in COMPARED:
         for parts in PARTS:
             if steps * parts * scheme.slopes > MOST_SLOPES:
                 continue

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
-from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, Joint
+from coursework.mechanism.groups.joint import PIN_IN_GUIDE, PRISMATIC, Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import Bodies, fitting_linkage, in_order
@@ -174,7 +174,7 @@ class _Reader:
             to_centre = contact, named(wheels.get(on) or wheels[first])
             along, across = Direction("tangent", None, to_centre), Direction("along", None, to_centre)
         yield Unknown(f"T{_pair(off, on)}", on, off, contact, along)
-        if joint.kind is not MESHING:
+        if joint.kind.takes > 1:  # wheels that mesh only keep their speed
             yield Unknown(f"N{_pair(off, on)}", on, off, contact, across)
 
     def drives(self) -> Iterator[Unknown]:

@@ -227,6 +227,10 @@ DEFAULT_SCHEME = EULER
 PRECISE = RK4
 
 
+# What a lesson compares where forces move a mechanism: three orders, and the scheme that keeps energy in its bounds.
+COMPARED = (EULER, SEMI_IMPLICIT, HEUN, RK4)
+
+
 def scheme_of(name: str, also: tuple[str, ...] = ()) -> Scheme:
     """Return a scheme by its name; `also` are names known beside the others.  Raises `InputError` for a name that is none.
 

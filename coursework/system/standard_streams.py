@@ -1,6 +1,6 @@
 """Standard output whose reader may leave, and a disk behind it that may be full.
 
-Enters and leaves: the streams of the process, for the time of one command.  Used by `cli.py`.
+Enters and leaves: the streams of the process, for the time of one command.  Used by `program.py`.
 """
 
 from __future__ import annotations

@@ -130,7 +130,7 @@ def test_a_refinement_that_jumps_about_is_noticed(place):
 
 
 @pytest.mark.parametrize(
-    ("share", "told"), [(9.99, "999\xa0%"), (10, "10 × 100 %"), (9e5, "9e+05 × 100 %"), (1e6, "more than 1,000,000 × 100 %")]
+    ("share", "told"), [(9.99, "999.0\xa0%"), (10, "10 × 100 %"), (9e5, "9e+05 × 100 %"), (1e6, "more than 1,000,000 × 100 %")]
 )
 def test_an_error_is_no_number_of_a_hundred_digits(share, told):
     assert percent(share).replace("\xa0", " ") == told.replace("\xa0", " ")

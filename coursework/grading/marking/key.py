@@ -26,7 +26,8 @@ from coursework.scene.model.data import Data
 from coursework.scene.model.model import Model, model_of
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import CourseworkError
+from coursework.words.errors import CourseworkError, InputError
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.grading.marking.forces import ForceKey
@@ -217,6 +218,8 @@ def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
 
     `accepted_decimals` are those of its class, None for a variant alone.
     """
+    if variant.forces is not None and variant.forces.motor is not None:
+        raise InputError(say("fault.G083", name=variant.name))
     model = model_of(variant)
     solved = _solved(model, [variant])
     stop = solved.stops[0]

@@ -1,7 +1,7 @@
 """How far a table is from the motion, as numbers that several places of a page say.
 
 Enters: a `PageContext` whose run asks for checks.  Leaves: `Split`, `LargestError`, `LocalError`.
-Used by `statement.py` and `results.py`.  Of an exact table it speaks of the scheme's rows that stand beside it.
+Used by `answer.py` and `results.py`.  Of an exact table it speaks of the scheme's rows that stand beside it.
 """
 
 from __future__ import annotations

@@ -129,6 +129,8 @@ def read_bytes(path: Path) -> bytes:
         if len(content) > MAX_BYTES:
             raise InputError([_too_large(path.stat().st_size, str(path), content)])
         return content
+    except InputError:
+        raise
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         missing = isinstance(error, FileNotFoundError)

@@ -75,7 +75,7 @@ def test_the_page_shows_two_groups_and_the_summary_first():
     plain = build_model(run).plain()["sections"]
     answer = next(part for part in plain[0]["parts"] if part["kind"] == "result")
     assert answer["title"] == "Result"
-    assert answer["lead"][0]["t"] == "Computed right. Not close to the motion: "
+    assert answer["lead"][0]["t"] == "Computed right from the given start. Not close to the motion: "
     checks = next(section for section in plain if section["name"] == "checks")
     groups = [part for part in checks["parts"] if part["kind"] == "checks"]
     assert [part["title"] for part in groups] == [
