@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
-from coursework.mechanism.groups.joint import PIN_IN_GUIDE, PRISMATIC, Joint
+from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import Bodies, fitting_linkage, in_order
@@ -122,7 +122,7 @@ class _Reader:
         if rate and units.get(rate, "rad") == "rad":
             return rate
         for joint in self.bodies.linkage.joints:
-            if joint.kind is PRISMATIC and joint.bodies[0] == body and joint.bodies[1] != FRAME:
+            if joint.kind.slides and joint.kind.takes > 1 and joint.bodies[0] == body and joint.bodies[1] != FRAME:
                 return self.rate_of(joint.bodies[1])
         return ""
 
@@ -153,7 +153,7 @@ class _Reader:
         block, guide = (self.bodies.called[body] for body in joint.bodies)
         across = Direction("across", joint.along, None if joint.along is not None else self.line_of(joint.bodies[1]))
         yield Unknown(f"N{_pair(guide, block)}", block, guide, joint.where, across)
-        if joint.kind is not PIN_IN_GUIDE:
+        if joint.kind.takes > 1:  # a pin alone turns in its guide
             yield Unknown(f"K{_pair(guide, block)}", block, guide, None, Direction("couple"))
 
     def line_of(self, bar: str) -> tuple[Formula, Formula]:
