@@ -30,7 +30,7 @@ _BAR = re.compile(
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
-MARKERS = ".math{fill:none}marker{overflow:visible}"  # in units of the line, which is 1 wide
+MARKERS = ".formula .math,.math{fill:none}marker{overflow:visible}"  # in units of the line, which is 1 wide
 NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 

@@ -73,6 +73,8 @@ def test_the_answer_is_in_sight_and_nothing_is_marked_before_it_moves(places: di
     assert page.evaluate(TOP, ".result") < 400
     assert page.evaluate("getComputedStyle(document.querySelector('.live-cursor')).display") == "none"
     assert "Close" not in page.inner_text(".verdict") and "φ" in page.inner_text(".verdict")
+    drawn = "[...document.querySelectorAll('.formula .math path')].map(one => getComputedStyle(one).fill)"
+    assert set(page.evaluate(drawn)) == {"none"}  # letters stand at the corners of lines, which are not filled
     assert page.evaluate(STOPS) == []
     assert page.evaluate(SMALL, POINTER) == []
     page.evaluate("scrub.value = 12.5; scrub.dispatchEvent(new Event('input'))")
