@@ -11,7 +11,7 @@ from coursework.report.pages import build_model, render_html
 from coursework.report.pages.pdf import render_pages
 
 WARM, MEASURED = 2, 4  # reports
-LEFT = 400  # blocks of memory that a report may leave behind: the formulas of its first step stay set, up to a fixed number
+LEFT = 500  # blocks of memory that a report may leave behind: the formulas of its first step stay set, up to a fixed number
 
 
 def _page(number: int) -> tuple[object, str]:
