@@ -137,8 +137,10 @@ def _why_stopped(run: Run) -> list[str]:
 def tell_checks(run: Run) -> None:
     """Print what every check has found, group by group, and the sentences of those that did not pass or not judge all."""
     for group in GROUPS:
-        tell(say(f"checks.group.{group}"))
-        for check in (check for check in run.checks if check.group == group):
+        found_of = [check for check in run.checks if check.group == group]
+        if found_of:
+            tell(say(f"checks.group.{group}"))
+        for check in found_of:
             parts: list[str] = []
             if check.value is not None:
                 value = float(f"{never_more(check.value, check.unit, 3):.3g}")  # three digits are shown

@@ -84,8 +84,8 @@ def _energy(e: Evidence) -> Finding:
     if share <= LIMIT or e.scheme is None:
         return Finding("PASS", say("check.ENERGY.pass", **told), share, LIMIT, say("unit.relative"), row=row + 1)
     parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
-    sentence = say("check.ENERGY.coarse", **told, step=e.step / parts, parts=parts)
-    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), row=row + 1, step=e.step / parts)
+    sentence = say("check.ENERGY.coarse", **told, step=e.step / parts)
+    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), row=row + 1)
 
 
 def _accuracy(e: Evidence) -> Finding:
@@ -108,8 +108,8 @@ def _accuracy(e: Evidence) -> Finding:
     if share <= LIMIT:
         return Finding("PASS", say("check.MOTION.pass", **told), share, LIMIT, say("unit.relative"), name, row + 1)
     parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
-    sentence = say("check.MOTION.coarse", **told, step=e.step / parts, parts=parts)
-    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), name, row + 1, step=e.step / parts)
+    sentence = say("check.MOTION.coarse", **told, step=e.step / parts)
+    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), name, row + 1)
 
 
 def stiffness(e: Evidence) -> tuple[float, float]:

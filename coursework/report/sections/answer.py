@@ -108,4 +108,5 @@ def _misses(context: PageContext) -> list[Runs]:
 
 def _driven(context: PageContext) -> set[str]:
     """Return the coordinates whose rate is driven: of them it is known where they are."""
-    return {c.name for c in context.run.variant.driven_coordinates}
+    variant = context.run.variant
+    return {c.name for c in variant.coordinates if c.rate in variant.given_rates}

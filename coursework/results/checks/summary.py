@@ -24,9 +24,12 @@ def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Call
     stop = by_code.get("STOP")
     if stop is not None and stop.verdict != "PASS" and stop.value is not None:
         told.append(say("summary.steps_out" if stop.verdict == "COARSE" else "summary.stops", time=stop.value))
-    computed = _computed([finding for finding in findings if finding.group == "computation"], named)
-    told.append(computed)
+    computation = [finding for finding in findings if finding.group == "computation"]
     motion = [finding for finding in findings if finding.group == "motion"]
+    if not computation:  # what forces move is judged by its energy and by the motion alone
+        return joined([*told, *(one.sentence for one in [one for one in motion if one.verdict != "PASS"] or motion[:1])])
+    computed = _computed(computation, named)
+    told.append(computed)
     if computed != say("summary.no_rows"):
         told += _close(by_code.get("ACCURACY"), motion, named, is_motion=is_motion)
     if errors := tuple(named(finding) for finding in findings if finding.verdict == "ERROR"):
