@@ -17,11 +17,11 @@ from coursework.commands.screen import in_language, refuse_motor, tell, tell_own
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
-from coursework.results.accuracy.problem import Problem
 from coursework.results.accuracy.record import AccuracyStudy
 from coursework.results.accuracy.study import make_study
 from coursework.results.accuracy.timing import timed_once
 from coursework.run import Run
+from coursework.scene.quantities import problem_of
 from coursework.system.file_set import working_folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -58,11 +58,8 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
 def timed_study(run: Run) -> AccuracyStudy:
     """Return the study with seconds, and what importing and reducing cost beside them."""
     scene = run.scene
-    time = run.variant.time
     if scene.closure is None and run.exact.evaluations == 0:
         raise InputError(say("fault.C022"))
-    units = tuple(coordinate.unit for coordinate in run.variant.coordinates)
-    problem = Problem(scene.rates, scene.start, time.step, len(run.exact.t) - 1, scene.closure, units)
     command = [sys.executable, "-c", "import numpy"]
     overhead = (
         (say("study.imports"), timed_once(lambda: subprocess.run(command, check=True))[1]),
@@ -74,6 +71,6 @@ def timed_study(run: Run) -> AccuracyStudy:
     made = scene.results.by_scheme
     with click.progressbar(length=45, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
         return make_study(
-            problem, run.exact, made.motion.scheme,
+            problem_of(scene), run.exact, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip

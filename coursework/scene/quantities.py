@@ -19,6 +19,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.scene.motion_results import MotionResults, Named
 from coursework.scene.scene import Scene
 from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnTable
+from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from coursework.drawing.plans.plans import Plans
     from coursework.effects.analysis import ForceAnalysis
     from coursework.effects.energy import Energy
+    from coursework.results.accuracy.problem import Problem
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.kinematics.extra import ExtraTable
 
@@ -113,19 +115,24 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
     return check_graph(results.scene.mechanism, results.scene.equations, results.motion, results.scene.exact)
 
 
+def problem_of(scene: WayToMotion) -> Problem:
+    """Return what a study of accuracy works on: as many rows as the exact motion has."""
+    from coursework.results.accuracy.problem import Problem
+
+    units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
+    return Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
+
+
 @computed("stop", "rates", "start", "exact", "closure", "motion", "search")
 def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
-    from coursework.results.accuracy.problem import Problem
     from coursework.results.accuracy.study import make_study
 
     scene = results.scene
     if not scene.follows_laws or scene.stop is not None or scene.settings.columns or scene.search.passages:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
-    units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
-    problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
     results = results.by_scheme
-    return make_study(problem, scene.exact, results.motion.scheme)
+    return make_study(problem_of(scene), scene.exact, results.motion.scheme)
 
 
 @computed("mechanism", "equations", "one_period")

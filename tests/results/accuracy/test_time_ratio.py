@@ -8,18 +8,16 @@ import pytest
 import coursework
 from coursework.commands import accuracy as command
 from coursework.results.accuracy import study as making
-from coursework.results.accuracy.problem import Problem
 from coursework.results.accuracy.study import make_study as study_of
 from coursework.results.accuracy.timing import QUICK_REPEAT, REPEATS, seconds
+from coursework.scene.quantities import problem_of
 from tests.command import call
 
 
 @pytest.fixture
 def problem_and_run():
     run = coursework.solve("31", quantities=("accuracy",))
-    scene = run.scene
-    units = tuple(coordinate.unit for coordinate in run.variant.coordinates)
-    return Problem(scene.rates, scene.start, run.step, len(run.exact.t) - 1, scene.closure, units), run
+    return problem_of(run.scene), run
 
 
 def test_the_first_time_is_one_and_the_others_are_measured_by_it(problem_and_run, monkeypatch):
