@@ -60,6 +60,7 @@ def timed_study(run: Run) -> AccuracyStudy:
     scene = run.scene
     if scene.closure is None and run.exact.evaluations == 0:
         raise InputError(say("fault.C022"))
+    problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     command = [sys.executable, "-c", "import numpy"]
     overhead = (
         (say("study.imports"), timed_once(lambda: subprocess.run(command, check=True))[1]),
@@ -71,6 +72,6 @@ def timed_study(run: Run) -> AccuracyStudy:
     made = scene.results.by_scheme
     with click.progressbar(length=45, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
         return make_study(
-            problem_of(scene), run.exact, made.motion.scheme,
+            problem, run.exact, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip

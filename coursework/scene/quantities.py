@@ -19,7 +19,6 @@ from coursework.motion.integration.motion import Motion
 from coursework.scene.motion_results import MotionResults, Named
 from coursework.scene.scene import Scene
 from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnTable
-from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -31,6 +30,8 @@ if TYPE_CHECKING:
     from coursework.drawing.plans.plans import Plans
     from coursework.effects.analysis import ForceAnalysis
     from coursework.effects.energy import Energy
+    from coursework.motion.geometry.closure import Closure
+    from coursework.motion.integration.rates import Rates
     from coursework.results.accuracy.problem import Problem
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.kinematics.extra import ExtraTable
@@ -115,12 +116,12 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
     return check_graph(results.scene.mechanism, results.scene.equations, results.motion, results.scene.exact)
 
 
-def problem_of(scene: WayToMotion) -> Problem:
+def problem_of(variant: Variant, rates: Rates, start: list[float], exact: Motion, closure: Closure | None) -> Problem:
     """Return what a study of accuracy works on: as many rows as the exact motion has."""
     from coursework.results.accuracy.problem import Problem
 
-    units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
-    return Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
+    units = tuple(coordinate.unit for coordinate in variant.coordinates)
+    return Problem(rates, start, variant.time.step, len(exact.t) - 1, closure, units)
 
 
 @computed("stop", "rates", "start", "exact", "closure", "motion", "search")
@@ -131,8 +132,9 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
     scene = results.scene
     if not scene.follows_laws or scene.stop is not None or scene.settings.columns or scene.search.passages:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
+    problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     results = results.by_scheme
-    return make_study(problem_of(scene), scene.exact, results.motion.scheme)
+    return make_study(problem, scene.exact, results.motion.scheme)
 
 
 @computed("mechanism", "equations", "one_period")
