@@ -135,7 +135,7 @@ def exact(
 
 def _also(variant: Variant) -> tuple[str, ...]:
     """Return the schemes that only a scene knows that forces move."""
-    return (SEMI_IMPLICIT.name,) if variant.forces is not None and variant.forces.motor is not None else ()
+    return (SEMI_IMPLICIT.name,) if variant.motor is not None else ()
 
 
 def variant_of(path_or_name: str | Path) -> Variant:

@@ -57,7 +57,7 @@ def tell(text: str, *, err: bool = False) -> None:
 
 def refuse_motor(variant: Variant) -> None:
     """Raise `InputError` for motion under forces, whose rates no study of velocity laws follows."""
-    if variant.forces is not None and variant.forces.motor is not None:
+    if variant.motor is not None:
         raise InputError(say("fault.C077", name=variant.name))
 
 

@@ -13,9 +13,11 @@ import numpy as np
 
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import Action
+from coursework.effects.force_scheme import Body
 from coursework.effects.kinetostatics import react_to
-from coursework.effects.rows import PLACE, SECOND
+from coursework.effects.rows import PLACE, SECOND, Rows
 from coursework.system.arrays import Array
+from coursework.variant.formula.tree import Formula
 
 Slip = Callable[[ForceAnalysis], Iterator[Action]]
 
@@ -47,45 +49,47 @@ def _couple_turned(found: ForceAnalysis) -> Iterator[Action]:
         yield replace(one, couple=-one.couple) if one.effect == "inertia" and one.couple is not None else one
 
 
+def _joint_of(rows: Rows, body: str) -> Formula | None:
+    """Return the joint of a link in which somebody may think its forces act, None where it has no known place."""
+    own = rows.scheme.own_point(body)
+    return own if own is not None and (own, True, PLACE) in rows.values else None
+
+
 def _about_the_joint(found: ForceAnalysis) -> Iterator[Action]:
     """J is taken about a joint of the link, J + m d^2, although the force of inertia stands in S."""
     rows = found.rows
     for one in found.actions:
-        if one.effect == "inertia" and one.couple is not None:
-            body = next(body for body in rows.scheme.bodies if body.name == one.body)
-            own = rows.scheme.own_point(body.name)
-            if own is not None and (own, True, PLACE) in rows.values:
-                far = np.abs(rows.vector(body.centre) - rows.vector(own)) ** 2 * rows.mass(body)
-                yield replace(one, couple=one.couple - far * rows.epsilon(body))
-                continue
-        yield one
+        if one.effect == "inertia" and one.couple is not None and (own := _joint_of(rows, one.body)) is not None:
+            body = _body(rows, one)
+            far = np.abs(rows.vector(body.centre) - rows.vector(own)) ** 2 * rows.mass(body)
+            yield replace(one, couple=one.couple - far * rows.epsilon(body))
+        else:
+            yield one
 
 
 def _acceleration_of_the_joint(found: ForceAnalysis) -> Iterator[Action]:
     """The acceleration of a joint of the link stands for that of its centre of mass."""
     rows = found.rows
     for one in found.actions:
-        if one.effect == "inertia" and one.force is not None:
-            body = next(body for body in rows.scheme.bodies if body.name == one.body)
-            own = rows.scheme.own_point(body.name)
-            if own is not None and (own, True, PLACE) in rows.values:
-                arm = rows.vector(own) - rows.vector(body.centre)
-                second = rows.vector(body.centre, SECOND) + (1j * rows.epsilon(body) - rows.omega(body) ** 2) * arm
-                yield replace(one, force=np.asarray(-rows.mass(body) * second))
-                continue
-        yield one
+        if one.effect == "inertia" and one.force is not None and (own := _joint_of(rows, one.body)) is not None:
+            body = _body(rows, one)
+            arm = rows.vector(own) - rows.vector(body.centre)
+            second = rows.vector(body.centre, SECOND) + (1j * rows.epsilon(body) - rows.omega(body) ** 2) * arm
+            yield replace(one, force=np.asarray(-rows.mass(body) * second))
+        else:
+            yield one
 
 
 def _arm_of_the_joint(found: ForceAnalysis) -> Iterator[Action]:
     """Forces of inertia and weight act in a joint of the link, not in S: their moment arms lead to the wrong point."""
     rows = found.rows
     for one in found.actions:
-        if one.effect in {"inertia", "weight"} and one.force is not None:
-            own = rows.scheme.own_point(one.body)
-            if own is not None and (own, True, PLACE) in rows.values:
-                yield replace(one, at=rows.vector(own))
-                continue
-        yield one
+        own = _joint_of(rows, one.body) if one.effect in {"inertia", "weight"} and one.force is not None else None
+        yield one if own is None else replace(one, at=rows.vector(own))
+
+
+def _body(rows: Rows, action: Action) -> Body:
+    return next(body for body in rows.scheme.bodies if body.name == action.body)
 
 
 SLIPS: dict[str, Slip] = {

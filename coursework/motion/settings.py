@@ -21,8 +21,8 @@ MOST_CORRECTIONS = 20  # Newton's method has settled long before
 
 def scheme_for(variant: Variant, scheme: str | None = None) -> str:
     """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
-    by_forces = variant.forces is not None and variant.forces.motor is not None
-    return scheme or variant.time.scheme or (EXACT if is_chain(variant) and not by_forces else DEFAULT_SCHEME.name)
+    is_exact = variant.motor is None and is_chain(variant)
+    return scheme or variant.time.scheme or (EXACT if is_exact else DEFAULT_SCHEME.name)
 
 
 def stepping(variant: Variant, scheme: str | None) -> str:

@@ -25,7 +25,7 @@ from coursework.words.sentences import say
 
 def scene_of(variant: Variant, settings: Settings) -> Scene:
     """Return the scene of a variant: with rows of a scheme, or with the motion itself for its table."""
-    if variant.forces is not None and variant.forces.motor is not None:
+    if variant.motor is not None:
         from coursework.scene.motor_scene import MotorScene
 
         return MotorScene(variant, settings)

@@ -61,7 +61,7 @@ class MotorScene(Scene):
         try:
             found.slope(0.0, *self.start, *(0.0 for _ in found.free))
         except ZeroDivisionError:
-            motor = self.variant.forces.motor if self.variant.forces is not None else None
+            motor = self.variant.motor
             told = say("fault.V744", names=motor.rates if motor is not None else ())
             raise InputError([Fault(told, self.variant.file, self.variant.nearest_line("motor", "rates"))]) from None
         return found
@@ -85,7 +85,7 @@ class MotorScene(Scene):
 
     @cached_property
     def _begin(self) -> list[float]:
-        motor = self.variant.forces.motor if self.variant.forces is not None else None
+        motor = self.variant.motor
         assert motor is not None
         start = dict(motor.start)
         return [*(self.start[place] for place in self.free_equations.free), *(start.get(rate, 0.0) for rate in motor.rates)]
@@ -132,7 +132,7 @@ class MotorScene(Scene):
         return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float).T.reshape(len(t), len(found))
 
     def _free_of(self, motion: Motion) -> Array:
-        motor = self.variant.forces.motor if self.variant.forces is not None else None
+        motor = self.variant.motor
         assert motor is not None
         return np.column_stack([motion.column(rate) for rate in motor.rates])
 

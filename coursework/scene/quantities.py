@@ -234,7 +234,7 @@ def _refuse_no_forces(variant: Variant) -> Sentence | None:
 
 
 def _refuse_no_motor(variant: Variant) -> Sentence | None:
-    return say("fault.V743") if variant.forces is None or variant.forces.motor is None else None
+    return say("fault.V743") if variant.motor is None else None
 
 
 _POINT_COLUMNS = Columns(_point_columns, _moving)

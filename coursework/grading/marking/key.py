@@ -218,7 +218,7 @@ def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
 
     `accepted_decimals` are those of its class, None for a variant alone.
     """
-    if variant.forces is not None and variant.forces.motor is not None:
+    if variant.motor is not None:
         raise InputError(say("fault.G083", name=variant.name))
     model = model_of(variant)
     solved = _solved(model, [variant])

@@ -94,7 +94,7 @@ def _misses(context: PageContext) -> list[Runs]:
     of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on behind a whole number of periods
     gaps = [
         f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
-        for split in [split for split in moved if split.name not in _driven(context)] or moved
+        for split in [split for split in moved if split.name not in context.run.variant.given_coordinates] or moved
     ]
     if gaps:
         told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.numbers").join(gaps))))
@@ -104,9 +104,3 @@ def _misses(context: PageContext) -> list[Runs]:
     if context.run.tableau is None and (sentence := largest_error_sentence(context)):
         told.append(runs(sentence))
     return told
-
-
-def _driven(context: PageContext) -> set[str]:
-    """Return the coordinates whose rate is driven: of them it is known where they are."""
-    variant = context.run.variant
-    return {c.name for c in variant.coordinates if c.rate in variant.given_rates}

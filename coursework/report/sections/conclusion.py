@@ -112,7 +112,7 @@ def _return(context: PageContext) -> list[str]:
     if not found:
         return []
     row = context.run.results.evidence.period_row or 0
-    driven = {coordinate.name for coordinate in variant.coordinates if coordinate.rate in variant.given_rates}
+    driven = variant.given_coordinates
     time = context.quantity(float(context.run.motion.t[row]), "s")
     own = [split for split in left if split.name in coordinates and split.name not in driven]
     if not own:

@@ -79,8 +79,8 @@ def _task(context: PageContext) -> list[Part]:
     parts: list[Part] = []
     if variant.source:
         parts.append(Paragraph(_source(context), style="note"))
-    if variant.forces is not None and variant.forces.motor is not None:
-        parts += moved_by_forces(context, variant.forces.motor)
+    if variant.motor is not None:
+        parts += moved_by_forces(context, variant.motor)
     elif variant.drive:
         parts += _driven_laws(context)
     else:

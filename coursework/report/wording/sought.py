@@ -26,8 +26,7 @@ def sought(context: PageContext) -> list[str]:
     """
     run, words = context.run, context.words
     end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
-    motor = run.variant.forces.motor if run.variant.forces else None
-    free = motor.rates if motor else ()  # which the forces decide
+    free = run.variant.motor.rates if run.variant.motor else ()  # which the forces decide
     unknowns = words.listing([_explained(context, name) for name in dict.fromkeys((*free, *run.variant.sought))])
     told = [words("statement.find", unknowns=unknowns, end=end, step=step)]
     if STEP in run.variant.values:

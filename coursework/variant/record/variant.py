@@ -35,7 +35,7 @@ from coursework.words.html_table import html_table
 from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
-    from coursework.variant.record.forces import Forces
+    from coursework.variant.record.forces import Forces, Motor
 
 __all__ = [
     "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Binding", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law",
@@ -138,8 +138,18 @@ class Variant:
     @cached_property
     def given_rates(self) -> tuple[str, ...]:
         """Return the rates that follow a given law: those in [drive], none that forces move."""
-        free = self.forces.motor.rates if self.forces is not None and self.forces.motor is not None else ()
+        free = self.motor.rates if self.motor is not None else ()
         return tuple(rate for rate in self.known_rates if rate not in free)
+
+    @property
+    def given_coordinates(self) -> frozenset[str]:
+        """Return the coordinates whose rate follows a given law: of them it is known where they are."""
+        return frozenset(one.name for one in self.coordinates if one.rate in self.given_rates)
+
+    @property
+    def motor(self) -> Motor | None:
+        """Return what moves the mechanism where forces do, None where laws drive it."""
+        return self.forces.motor if self.forces is not None else None
 
     @property
     def driven_coordinates(self) -> tuple[Coordinate, ...]:
