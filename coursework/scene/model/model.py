@@ -196,10 +196,14 @@ class Model:
     def numbers(self, data: Data, beside: int = 0) -> Columns:
         """Return the arguments that stand for the data: floats of one set, else (count, 1, …) with `beside` further axes."""
         columns = [data.given[given.name] for given in self.variant.given]
-        ends = list(constants(self.variant).values())[len(columns) :]
         if data.count == 1:
-            return [*(float(column[0]) for column in columns), *ends]
-        return [*(column.reshape(-1, *[1] * beside) for column in columns), *ends]
+            return [*(float(column[0]) for column in columns), *self._ends]
+        return [*(column.reshape(-1, *[1] * beside) for column in columns), *self._ends]
+
+    @cached_property
+    def _ends(self) -> list[float]:
+        """The times (s) at which laws change: what stands behind the data in the arguments of a program."""
+        return list(constants(self.variant).values())[len(self.variant.given) :]
 
     def _at(self, function: Callable[..., Any], t: ArrayLike, q: ArrayLike, data: Any, more: Sequence[Array] = ()) -> Array:
         times, positions = np.asarray(t, dtype=float), np.asarray(q, dtype=float)
@@ -211,9 +215,10 @@ class Model:
         if sets.count != 1:
             shape = np.broadcast_shapes(shape, (sets.count, *[1] * (len(shape) - 1)))
         numbers = self.numbers(sets, max(0, len(shape) - 1))
-        with np.errstate(all="ignore"):
-            found = function(times, *np.moveaxis(positions, -1, 0), *more, *numbers)
-        values = np.stack([np.broadcast_to(value, shape) for value in found], axis=-1).astype(float)
+        found = function(times, *(positions[..., place] for place in range(len(self.coordinates))), *more, *numbers)
+        values = np.empty((*shape, len(found)))
+        for place, value in enumerate(found):
+            values[..., place] = value
         values[~np.isfinite(values)] = np.nan
         return values
 
