@@ -26,6 +26,7 @@ _COARSE = 4.2
 _COARSE_FROM, _COARSE_NOTED = 0.2, 0.45
 _COARSE_ROWS = 0.75  # so many steps it must explain: among broken ones the median is chance
 _COARSE_MOST, _COARSE_GAP = 3e-4, 21.0
+_RUNG, _ROUND_OFF = 1.25, 1e-6
 
 
 KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
@@ -117,6 +118,8 @@ def own_ways(key: Key, student: StudentTable, coarse: float | None = None) -> Ow
             coarse = 0.0
     middle = coarse / _COARSE
     computed_to = math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
+    # In rungs: with any cell put right the middle is a little another, and no other cell may be wrong for that.
+    coarse = _RUNG ** math.ceil(math.log(coarse, _RUNG) - _ROUND_OFF) if coarse else 0.0
     angles = _own_angles(key, student, coarse)
     step = replace(step, tolerance=np.maximum(step.tolerance, coarse))
     return OwnWays(angles, _own_velocities(key, student, coarse), step, _true_steps(key, student, angles), computed_to, coarse)
