@@ -103,7 +103,8 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     follows[:, m:] |= ways[0].holds(values)[:, m:]
     before = None
     if (marks == WRONG).any():
-        right = (marks == KEY) | alike(key, student, key.table)
+        # Among the rows of another motion the cells of that motion were always so; those of the task were put right.
+        right = marks == KEY if table is key.table else alike(key, student, key.table) & (marks != KEY)
         before = as_it_was(key, student, right, own)
         for way in from_what_was(key, student, marks == WRONG, own, before):
             holds = way.holds(values)

@@ -174,10 +174,21 @@ def _as_it_stood(key: Key, put_back: Cells) -> Flags:
 
 
 def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
-    """Return which cells are right where the velocities of a claim are the task's: slips in them are as in any table."""
+    """Return which cells are right where the velocities of a claim are the task's: slips in them are as in any table.
+
+    A cell that is the task's was the claim's before it was put right, and what follows from that costs nothing.
+    """
     own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part)
-    made = mark_cells(own, cells.student, claim.table() if claim.table else None)
-    return ~made.wrong & ~made.missing
+    table = claim.table() if claim.table else None
+    made = mark_cells(own, cells.student, table)
+    right = ~made.wrong & ~made.missing
+    if table is None:
+        return right
+    put = alike(key, cells.student, key.table) & ~alike(key, cells.student, table)
+    if not put.any():
+        return right
+    before = mark_cells(own, replace(cells.student, values=np.where(put, table, cells.student.values)), table)
+    return right | (~before.wrong & ~before.missing & ~put)
 
 
 def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
