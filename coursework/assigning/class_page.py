@@ -16,6 +16,7 @@ from coursework.assigning.variants import Assignment
 from coursework.report.graphs.strips import strip
 from coursework.report.text.words import Words
 from coursework.variant.formula.units import read
+from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
 LONGEST = 120
@@ -32,7 +33,7 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         "assigned.summary", count=len(handouts), template=clean(assignment.template.name, LONGEST), seed=clean(seed, LONGEST),
         drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws) if draws else 0.0, most=max(draws, default=0),
     )  # fmt: skip
-    return filled("assigned.html.j2", words=words, language=words.phrases.language, summary=summary,
+    return fitted(filled("assigned.html.j2", words=words, language=words.phrases.language, summary=summary,
         refused=words("assigned.refused", reasons=words("assign.refused.join").join(refused)) if refused else "",
         difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES] if accepted else [],
         data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],
@@ -40,7 +41,7 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         measures=[(words(f"assigned.{name}"), words.unit(MEASURES[name])) for name in MEASURES],
         students=[_student(handout, words) for handout in handouts],
         same=[words("join.comma").join(group) for group in _equal(accepted)],
-    )  # fmt: skip
+    ))  # fmt: skip
 
 
 def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:

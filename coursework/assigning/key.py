@@ -17,6 +17,7 @@ from coursework.report.text.readable import least_width
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import named
+from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
 
@@ -56,7 +57,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "check": _check(handout, words),
     }
     drawn = pictures(mathematics([*written, *solved]))
-    return filled("key.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
+    return fitted(filled("key.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs))
 
 
 def _rows(handout: Handout, words: Words) -> list[tuple[str, ...]]:

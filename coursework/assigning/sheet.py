@@ -19,6 +19,7 @@ from coursework.report.text.readable import least_width
 from coursework.report.text.words import Words
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import OutputError
+from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
 LONGEST = 200
@@ -58,7 +59,7 @@ def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plai
 def sheet_html(page: Plain) -> str:
     """Return a task sheet for the screen, which prints on A4 and fetches nothing."""
     drawn = pictures(mathematics(page["drive"]))
-    return filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
+    return fitted(filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs))
 
 
 def pictures(sources: Sequence[str]) -> Drawn:

@@ -17,6 +17,7 @@ from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import Run, runs
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, joined, say
+from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
 TENTHS = 10  # parts of the distribution
@@ -81,7 +82,7 @@ def class_page(
         ],
         "not_on_roster": [(clean(name), _listed(files)) for name, files in not_on_roster[:MOST_LISTED]],
     }
-    return filled("class.html.j2", say=words.said, language=words.language, **words.throughout(content))
+    return fitted(filled("class.html.j2", say=words.said, language=words.language, **words.throughout(content)))
 
 
 def _state(state: str) -> Sentence:

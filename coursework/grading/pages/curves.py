@@ -9,7 +9,7 @@ from html import escape
 
 import numpy as np
 
-from coursework.report.graphs.graph_paper import EXACT_PEN, Field, axes, dots, field_for, letters, sparse, way
+from coursework.report.graphs.graph_paper import EXACT_PEN, MOST_DOTS, Field, axes, dots, field_for, letters, sparse, way
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol, symbol
 from coursework.report.text.words import Words
@@ -20,6 +20,7 @@ SIZE = (82.0, 34.0)  # mm
 MOST_POINTS = 80
 BEYOND = 0.25  # of the key's range: what lies further out stands at the edge
 _DOTS = 'stroke="#0072b2" stroke-width="1.24" stroke-linecap="round"'
+_DOTTED = EXACT_PEN.replace('"exact"', '"exact dotted"')
 _CROSSES = 'class="crosses" fill="none" stroke="#b00020" stroke-width="0.45"'
 
 
@@ -32,8 +33,12 @@ def panel(name: Symbol, unit: str, t: Array, key: Array, found: Array, is_wrong:
     field = field_for(SIZE, [t], [key, held], numbers)
     behind = Words(words).behind
     inside = axes(field, numbers, letters(name) + escape(behind(unit)), letters(symbol("t")) + escape(behind(words.unit("s"))))
-    inside += f'<path {EXACT_PEN} d="{field.path(sparse(t, MOST_POINTS), sparse(key, MOST_POINTS))}"/>'
-    if (~is_wrong & np.isfinite(held)).any():
+    line = field.path(sparse(t, MOST_POINTS), sparse(key, MOST_POINTS))
+    is_right = ~is_wrong & np.isfinite(held)
+    if is_right.all() and len(t) <= MOST_DOTS and line == field.path(t, held):  # the corners of the key are the dots
+        return f'{inside}<path {_DOTTED} d="{line}"/>'
+    inside += f'<path {EXACT_PEN} d="{line}"/>'
+    if is_right.any():
         inside += f'<path {_DOTS} d="{dots(field, t[~is_wrong], held[~is_wrong])}"/>'
     return inside + _crosses(field, t[is_wrong], held[is_wrong])
 

@@ -27,6 +27,7 @@ from coursework.grading.reading.table.units import AS_READ
 from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import Run, runs, spelt
 from coursework.words.sentences import Phrases, say
+from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
@@ -119,7 +120,7 @@ def _page(
     final: Mapping[str, Any], student: str, name: str | None, words: Phrases, lettered: Callable[[str], str], **content: Any
 ) -> str:
     reasons = final["reasons"]
-    return filled(
+    made = filled(
         "feedback.html.j2",
         say=words.said,
         language=words.language,
@@ -134,6 +135,7 @@ def _page(
         counted=any(entry["part"] == "table" and entry["kind"] == "rule" for entry in reasons),
         **words.throughout(content),
     )
+    return fitted(made)
 
 
 def _status(final: Mapping[str, Any]) -> str:
@@ -204,7 +206,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
                 text, column = shown[place][at], columns[place]
                 whole = clean(column.texts[row], LONGEST_CELL) if column else ""
                 sign, mark = _SHUT if uncounted[row, place] else _SIGNS[cells.marks[row, place]]
-                title = whole if sign and whole.replace("-", "−") != text.rstrip() else ""
+                title = whole if mark == "wrong" and whole.replace("-", "−") != text.rstrip() else ""
                 entries.append((text, title, sign, mark, [row, place] == first))
             rows.append({"number": row + 1, "t": times[row], "cells": entries})
         blocks.append({"heads": [(heads[place], units[place]) for place in places.tolist()], "rows": rows})

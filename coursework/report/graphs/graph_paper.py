@@ -212,20 +212,22 @@ def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
     """Return frame, ticks, zero line and the words of a graph; `label` stands above, `time` at the end of its axis."""
     left, right, top, bottom = field.left, field.width - RIGHT, TOP, field.height - BOTTOM
     frame, parts = f"M{left:g} {top:g}V{bottom:g}H{right:g}", []
+    beside, below = [], []
     if field.low < 0 < field.high:
         parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left:g} {field.y(0):.2f}H{right:g}"/>')
     ticks, decimals = round_ticks(field.low, field.high, _most_ticks(field.height))
     for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
         y = field.y(value)
         frame += f"M{left:g} {round(y, 2):g}h{-TICK}"
-        parts.append(words(left - TICK - APART, y + 1.0, text, "end"))
+        beside.append(words(left - TICK - APART, y + 1.0, text))
     ticks, decimals = round_ticks(field.first, field.last, 6)
     for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
         x = field.x(value)
         frame += f"M{round(x, 2):g} {bottom:g}v{TICK}"
         if x + 0.95 * len(text) <= right - TIME_ROOM:
-            parts.append(words(x, bottom + TICK + 3.0, text, "middle"))
-    parts.append(words(right, bottom + TICK + 3.0, time, "end"))
+            below.append(words(x, bottom + TICK + 3.0, text))
+    beside.append(words(right, bottom + TICK + 3.0, time))
+    parts += [f'<g text-anchor="{anchor}">{"".join(told)}</g>' for anchor, told in (("end", beside), ("middle", below))]
     parts.append(words(left + 1.2, TOP - 2.2, label))
     return f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="{frame}"/>' + "".join(parts)
 

@@ -11,6 +11,7 @@ from typing import Any
 from coursework.report.formulas.svg import Drawn, draw
 from coursework.report.pages.model import ReportModel
 from coursework.words.errors import OutputError
+from coursework.words.stylesheets import fitted
 from coursework.words.templates import filled
 
 
@@ -18,7 +19,8 @@ def render_html(model: ReportModel) -> str:
     """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing."""
     page = model.plain()
     drawn = _drawn(page)
-    return filled("report.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live)
+    made = filled("report.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live)
+    return made if model.live else fitted(made)  # what moves, and what the desk changes, may come to need any rule
 
 
 def _drawn(page: dict[str, Any]) -> Drawn:

@@ -13,6 +13,8 @@ import numpy as np
 import pymupdf
 import pytest
 
+from coursework.words.data_folders import folder
+from coursework.words.templates import _look
 from tests.report.pages.all_kinds import KINDS, make
 from tests.report.pages.pictures import SEEN, VIEWS, take
 
@@ -21,6 +23,10 @@ pytestmark = pytest.mark.browser
 WIDTHS = (1400, 1000, 390)
 PAPER = 642  # px: 170 mm between the margins of A4
 THUMB, POINTER = 44, 24  # px
+# kB that a page may weigh: what is added to it is saved elsewhere.
+MOST = {
+    "report": 250, "stopped": 230, "accuracy": 107, "sheet": 26, "key": 43, "assigned": 16, "feedback": 17, "class": 6,
+}  # fmt: skip
 WIDE_TABLES = "[...document.querySelectorAll('table')].filter((one) => one.getBoundingClientRect().right > innerWidth + 1).length"
 TOP = "(which) => document.querySelector(which).getBoundingClientRect().top + scrollY"
 STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live)')].filter(
@@ -120,6 +126,28 @@ def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> N
     sized(page, 1400)
     assert page.inner_text("h1") == "What accuracy costs: variant 31"
     assert page.evaluate(TOP, "figure") < 300
+
+
+@pytest.mark.parametrize("kind", ["accuracy", "key", "feedback", "class"])
+def test_rules_that_a_page_has_nothing_for_are_left_out_unseen(kind: str, places: dict[str, Path], page: Any) -> None:
+    sheet = {"accuracy": "report", "key": "sheet"}.get(kind, "feedback")
+    whole = str(_look(folder("reports"), sheet))
+    sized(page, 1000)
+    page.goto(places[kind].as_uri())
+    for given in ({}, {"color_scheme": "dark"}, {"color_scheme": "light", "media": "print"}):
+        page.emulate_media(**given)
+        fitted = page.screenshot()
+        now = page.evaluate("document.querySelector('style').textContent")
+        page.evaluate("(sheet) => { document.querySelector('style').textContent = sheet; }", whole)
+        assert page.screenshot() == fitted
+        page.evaluate("(sheet) => { document.querySelector('style').textContent = sheet; }", now)
+        assert len(now) < 0.8 * len(whole)
+    page.emulate_media(media="screen")
+
+
+def test_pages_weigh_what_they_did(places: dict[str, Path]) -> None:
+    weights = {kind: len(path.read_bytes()) / 1000 for kind, path in places.items()}
+    assert {kind: weight for kind, weight in weights.items() if weight > MOST[kind]} == {}
 
 
 @pytest.mark.long

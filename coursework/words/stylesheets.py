@@ -1,0 +1,70 @@
+"""Of a page's stylesheet, the rules that the page has something for.
+
+Enters: a finished page.  Leaves: the page without rules for elements, classes, ids and attributes that occur nowhere in it.
+Used by the report and by the pages of assigning and grading; not by the desk, whose pages change.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Container
+
+_SHEET = re.compile(r"(?<=<style>).*?(?=</style>)", re.DOTALL)
+_RULE = re.compile(r"([^{};]+)\{([^{}]*)\}")
+_EMPTY = re.compile(r"@media[^{}]*\{\s*\}")
+_VARIABLE = re.compile(r"(--[\w-]+):[^;{}]*;")
+_COMMA = re.compile(r"([(),])")
+_CHOICE = re.compile(r":(?:is|where)\(([^()]*)\)")
+_LANGUAGE = re.compile(r":lang\((\w+)\)")
+_BRACKETS = re.compile(r"\([^()]*\)")
+_ASKED = re.compile(r"""[.#](?P<name>[\w-]+)|\[(?P<attribute>[\w-]+(?:="[^"]*")?)\]|(?<![\w.#:\["=-])(?P<tag>[a-z]\w*)""")
+
+
+def fitted(page: str) -> str:
+    """Return a page with the rules of its stylesheet that may concern something on it, and the variables that they name.
+
+    >>> fitted('<style>.a{top:0}.b,h1{top:1px}@media print{.c{top:2px}}</style><p class="b">')
+    '<style>.b{top:1px}</style><p class="b">'
+    """
+    sheet = _SHEET.search(page)
+    if sheet is None:
+        return page
+    rest = page[: sheet.start()] + page[sheet.end() :]
+    found: dict[str, Container[str]] = {"attribute": rest}
+    if "<script" in rest:  # which may make elements, and give them any class that it names
+        found["name"] = set(re.findall(r"[\w-]+", rest))
+    else:
+        found["name"] = {name for names in re.findall(r' (?:class|id)="([^"]*)"', rest) for name in names.split()}
+        found["tag"] = set(re.findall(r"<([a-z]\w*)", rest))
+
+    def concerns(selector: str) -> bool:
+        while choice := _CHOICE.search(selector):
+            if not any(map(concerns, choice[1].split(","))):
+                return False
+            selector = selector.replace(choice[0], "")
+        if any(f'lang="{language}' not in rest for language in _LANGUAGE.findall(selector)):
+            return False
+        while (plain := _BRACKETS.sub("", selector)) != selector:
+            selector = plain
+        asked = ((one.lastgroup or "", one[0].strip(".#[]")) for one in _ASKED.finditer(selector))
+        return all(kind not in found or name in found[kind] for kind, name in asked)
+
+    def kept(rule: re.Match[str]) -> str:
+        selectors = [one for one in _listed(rule[1]) if one.lstrip().startswith("@") or concerns(one)]
+        return f"{','.join(selectors)}{{{rule[2]}}}" if selectors else ""
+
+    fit = _EMPTY.sub("", _RULE.sub(kept, sheet[0]))
+    fit = _VARIABLE.sub(lambda one: one[0] if f"var({one[1]}" in fit or f"var({one[1]}" in rest else "", fit)
+    return page[: sheet.start()] + fit + page[sheet.end() :]
+
+
+def _listed(selectors: str) -> list[str]:
+    """Return the selectors of a list, whose own brackets may hold lists again."""
+    found, depth = [""], 0
+    for piece in _COMMA.split(selectors):
+        depth += (piece == "(") - (piece == ")")
+        if piece == "," and not depth:
+            found.append("")
+        else:
+            found[-1] += piece
+    return found
