@@ -45,7 +45,7 @@ def main() -> None:
     type=click.Path(path_type=Path),
     help="Folder for the results (default: coursework-NAME; for several coursework-runs).",
 )
-@click.option("--format", "formats", type=Formats("run"), help="Files to write (default: all of these).")
+@click.option("--format", "formats", type=Formats("run"), help="Files to write (default: html,pdf,csv).")
 @click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from coursework.commands.screen import tell
+from coursework.system.extras import installed_from
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -53,10 +54,4 @@ def _told(sentence: str) -> None:
 def _require_extra() -> None:
     """Raise `InputError` with the line that installs what serves."""
     if any(find_spec(name) is None for name in SERVERS):
-        raise InputError(say("fault.C080", python=sys.executable, folder=_checkout()))
-
-
-def _checkout() -> str:
-    """Return what pip installs the extra from: the folder of the checkout, else the package by its name."""
-    root = Path(__file__).resolve().parents[2]
-    return f'"{root}[desk]"' if (root / "pyproject.toml").is_file() else '"coursework[desk]"'
+        raise InputError(say("fault.C080", python=sys.executable, folder=installed_from("desk")))

@@ -19,7 +19,7 @@ RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusi
 
 
 class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
-    """Formats that a command offers, commas between."""
+    """Formats that a command offers, commas between; the ones that are written only when asked for stand behind the others."""
 
     name = "formats"
 

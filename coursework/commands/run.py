@@ -12,9 +12,9 @@ from typing import Any
 
 from coursework.api import make_run, step_choice, variant_of
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_own_file, tell_unprinted
+from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.motion.settings import stepping
-from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
+from coursework.report.output.formats import FORMATS, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
@@ -25,6 +25,8 @@ from coursework.system.on_demand import under_way
 from coursework.variant.reading.set_values import with_set
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
+
+WRONG_INPUT = 2
 
 
 def run_variant(
@@ -59,7 +61,7 @@ def run_variant(
         h, error = choice.step, None
     run = make_run(read, scheme, h, end, error=error, **{**options, "quantities": options["quantities"] or None})
     if plan:
-        for line in Results(run, language, live).plan(any(PAGES in each.serves for each in wanted)).lines():
+        for line in Results(run, language, live).plan(any(each.paged for each in wanted)).lines():
             tell(line)
         if read.forces is not None:
             from coursework.effects.told import effect_lines
@@ -75,7 +77,8 @@ def run_variant(
         return 0
     folder = out or Path(f"coursework-{read.name}")
     older = earlier_files(folder)
-    written = write_all(run, folder, wanted, language, live)
+    results = Results(run, language, live)
+    written = write_all(results, folder, wanted)
     tell_result = tell_run if verbose or not is_terminal() else tell_run_briefly
     tell_result(run, folder, written)
     tell_older(folder, older, written)
@@ -84,7 +87,9 @@ def run_variant(
         ledger = run.scene.ledger
         for name, seconds in ledger.seconds.items():
             tell(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
-    return run.status(strict)
+    for refused in results.refused:
+        tell_faults(refused)
+    return max(run.status(strict), WRONG_INPUT) if results.refused else run.status(strict)
 
 
 def _blocks_evaluated(run: Run) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -118,26 +123,27 @@ def tell_round_off(run: Run) -> int:
     return 0
 
 
-def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, live: bool) -> list[str]:
+def write_all(results: Results, folder: Path, formats: Sequence[Format]) -> list[str]:
     """Compute everything, then write the files as one set; return their names.
 
     Where the budget is spent before, the tables are written with what is known by then.
     """
     try:
-        return _write(Results(run, language, live), folder, formats)
+        return _write(results, folder, formats)
     except Ended:
+        run = results.run
         known = [
             one.name for one in quantities_for(run.asked).values() if one.name == TABLE.name or one.name in vars(run.results)
         ]
-        tables = [each for each in formats if PAGES not in each.serves]
+        tables = [each for each in formats if not each.paged]
         if tables and "motion" in vars(run.scene):
-            written = _write(Results(replace(run, asked=tuple(known)), language, live=False), folder, tables)
+            written = _write(Results(replace(run, asked=tuple(known)), results.language, live=False), folder, tables)
             tell(say("screen.known", out=folder, files=", ".join(written), known=", ".join(known)))
         raise
 
 
 def _write(results: Results, folder: Path, formats: Sequence[Format]) -> list[str]:
-    results.compute(any(PAGES in each.serves for each in formats))
+    results.compute(any(each.paged for each in formats))
     with under_way("writing"), working_folder(folder) as hidden:
         written = write_set(results, formats, folder, hidden)
     tell_unprinted(results.unprinted)

@@ -18,10 +18,10 @@ from typing import Any, get_args
 import click
 
 from coursework.api import make_run, variant_of
-from coursework.commands.run import run_variant
+from coursework.commands.run import WRONG_INPUT, run_variant
 from coursework.commands.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.templates import with_templates
-from coursework.report.output.formats import PAGES, chosen
+from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.results.checks.result import Verdict
@@ -42,7 +42,7 @@ COMBINED = "combined.pdf"
 VERDICTS: tuple[str, ...] = get_args(Verdict)
 MOST_JOBS = 64
 OPENED = "coursework.commands.several:opened"
-OUR_FAULT, WRONG_INPUT = 3, 2
+OUR_FAULT = 3
 
 
 @frozen
@@ -122,7 +122,7 @@ class RunTask:
         read = with_set(variant_of(item.variant), options.pop("set_values"), options.pop("check_row"))
         run = make_run(read, **{**options, "quantities": options["quantities"] or None})
         results = Results(run, self.language, live)
-        results.compute(self.combined or any(PAGES in each.serves for each in formats))
+        results.compute(self.combined or any(each.paged for each in formats))
         unfinished = hidden / item.folder
         unfinished.mkdir(exist_ok=True)
         write_set(results, formats, self.out / item.folder, unfinished)
@@ -132,7 +132,11 @@ class RunTask:
         wrong = {"FAIL", "ERROR", *(["COARSE"] if strict else [])}
         failed = "; ".join(f"{check.code}: {written(check.sentence)}" for check in checks if check.verdict in wrong)
         page = results.model.plain() if self.combined else None
-        return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed, page=page)
+        status, refused = run.status(strict), "\n".join(map(self._message, results.refused))
+        counts: Counter[str] = Counter(c.verdict for c in checks)
+        if refused:
+            return Outcome(item, max(status, WRONG_INPUT), len(run.motion.t), stop, counts, refused, page=page)
+        return Outcome(item, status, len(run.motion.t), stop, counts, failed, page=page)
 
 
 @contextmanager

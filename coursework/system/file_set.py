@@ -104,6 +104,7 @@ def publish(hidden: Path, target: Path, names: Iterable[str], record: str) -> No
         (target / record).unlink(missing_ok=True)
     for name in names:
         with refused(target / name):
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
             (hidden / name).replace(target / name)
 
 

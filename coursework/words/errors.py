@@ -126,6 +126,10 @@ class OutputError(CourseworkError):
     """
 
 
+class NotToBeHad(OutputError):
+    """A format that this run cannot have, or for which a package is missing; the others are written."""
+
+
 def visible(text: str) -> str:
     """Return text with every letter that does not print (colour codes, reversed writing …) as its code."""
     return "".join(letter if letter.isprintable() else f"\\u{ord(letter):04x}" for letter in text)

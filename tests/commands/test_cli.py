@@ -114,7 +114,7 @@ WRONG = {
     "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
     "end text": (["run", "31", "--end", "abc"], "C057 --end takes a number."),
     "aliasing": (["run", "31", "--step", "0.3"], "The step 0.3 s is too large for this drive"),
-    "format": (["run", "31", "--format", "docx"], '"docx" is not a format of the report. Formats: html, pdf, csv.'),
+    "format": (["run", "31", "--format", "rtf"], '"rtf" is not a format of the report. Formats: html, pdf, csv'),
     "format closest": (["run", "31", "--format", "htm"], 'Did you mean "html"?'),
     "quantity": (["run", "31", "--quantities", "tabel"], 'there is no quantity "tabel". Did you mean "table"?'),
     "column": (["run", "31", "--quantities", "phi4"], 'there is no quantity "phi4". Did you mean "phi3"?'),

@@ -16,7 +16,7 @@ from coursework.desk.answering.typed import Desk
 from coursework.desk.job import FORBIDDEN, OK, Answer, told
 from coursework.grading.precheck import precheck
 from coursework.grading.reading.submission import Submission, submitted_file
-from coursework.report.output.formats import PAGES, chosen
+from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.report.text.symbols import with_symbols
 
@@ -31,7 +31,7 @@ def take(desk: Desk) -> Answer:
     if offered and wanted.suffix not in offered:
         return told(FORBIDDEN, desk.language, "desk.not_offered")
     results = Results(desk.run, desk.language)
-    results.compute(pages=PAGES in wanted.serves)
+    results.compute(pages=wanted.paged)
     files = list(wanted.write(results))
     if len(files) == 1:
         name, content = files[0]

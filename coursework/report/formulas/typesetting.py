@@ -1,6 +1,6 @@
 """The one way to Typst: loaded when needed, with fonts that do not depend on the machine.
 
-Enters: a template of `reports/` and data as JSON.  Leaves: PDF bytes, or one SVG a page.
+Enters: a template of `reports/` and data as JSON.  Leaves: PDF bytes, or one SVG or PNG a page.
 Raises `OutputError` where Typst is not installed or refuses the page.
 Used by `svg.py` and `pdf.py`.
 """
@@ -104,11 +104,13 @@ def _link(source: Path, target: Path) -> None:
 
 
 def typeset(
-    template: str, data: Any, kind: Literal["pdf", "svg"], *, standard: str | None = None, everything: bool = False
-) -> Any:
+    template: str, data: Any, kind: Literal["pdf", "svg", "png"], *, standard: str | None = None, everything: bool = False,
+    ppi: float | None = None,
+) -> Any:  # fmt: skip
     """Return what Typst makes of `reports/<template>` and `data`; the same bytes for the same data.
 
-    Parameters: `standard` such as "ua-1" (checked while compiling); `everything` also uses the fonts of the machine.
+    Parameters: `standard` such as "ua-1" (checked while compiling); `everything` also uses the fonts of the machine; `ppi` are
+    the dots an inch of a PNG.
     Raises `typst.TypstError` as it comes; `OutputError` where Typst is not installed.
     """
     place = folder("reports")
@@ -119,6 +121,7 @@ def typeset(
         font_paths=_fonts(everything),
         root=str(place),
         format=kind,
+        ppi=ppi,
         timestamp=0,
         sys_inputs={"data": json.dumps(data, ensure_ascii=False)},
         pdf_standards=[standard] if standard else [],

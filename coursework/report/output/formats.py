@@ -1,12 +1,14 @@
 """The formats that results are written in, one record each.
 
 Enters: `Results`.  Leaves: the bytes of files.  Used by the command line (`--format` and its help) and `write.py`.
-To add one: write a function and a line in `FORMATS`; whatever a format needs is imported when it is written.
+To add one: write a function and a line in `FORMATS`; whatever a format needs is imported when it is written.  What a student
+takes along is made above this floor, in `takeaway/`, and named here by its module and function.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from coursework.system.frozen import frozen
@@ -22,12 +24,15 @@ Files = Iterator[tuple[str, bytes]]
 @frozen
 class Format:
     """`suffix` is its word on the command line and the ending of its files; `write` yields the name and bytes of each file;
-    `serves` lists who offers it: the commands "run" and "accuracy", and `write_report`, which writes a page alone.
+    `serves` lists who offers it: the commands "run" and "accuracy", and `write_report`, which writes a page alone.  One that is
+    `asked` for by name alone is left out where a run cannot have it; `paged` ones are made of the page.
     """
 
     suffix: str
     write: Callable[[Results], Files]
     serves: tuple[str, ...]
+    paged: bool = True
+    asked: bool = False
 
 
 def _html(results: Results) -> Files:
@@ -49,12 +54,24 @@ def _csv(results: Results) -> Files:
         yield name, text.encode("utf-8")
 
 
+def _above(place: str) -> Callable[[Results], Files]:
+    """Return what writes a format by a function of `takeaway/`, "module:function"."""
+    module, _, function = place.partition(":")
+
+    def write(results: Results) -> Files:
+        files: Files = getattr(import_module(f"coursework.takeaway.{module}"), function)(results)
+        return files
+
+    return write
+
+
 FORMATS: tuple[Format, ...] = (
     Format("html", _html, ("run", "accuracy", "write_report")),
     Format("pdf", _pdf, ("run", "accuracy", "write_report")),
-    Format("csv", _csv, ("run", "accuracy")),
+    Format("csv", _csv, ("run", "accuracy"), paged=False),
+    Format("figures", _above("figures.pictures:write"), ("run",), asked=True),
+    Format("dxf", _above("figures.dxf:write"), ("run",), asked=True),
 )
-PAGES = "write_report"  # whoever serves this makes a page
 
 
 def formats_for(user: str) -> dict[str, Format]:
@@ -63,10 +80,13 @@ def formats_for(user: str) -> dict[str, Format]:
 
 
 def chosen(suffixes: Sequence[str] | None, user: str) -> tuple[Format, ...]:
-    """Return the formats of these suffixes in the order of `FORMATS`, all for None.  Raises `InputError` for another suffix."""
+    """Return the formats of these suffixes in the order of `FORMATS`; for None all that need not be asked for.
+
+    Raises `InputError` for another suffix.
+    """
     known = formats_for(user)
     if suffixes is None:
-        return tuple(known.values())
+        return tuple(each for each in known.values() if not each.asked)
     for suffix in suffixes:
         if suffix not in known:
             hint = closest(suffix, list(known))

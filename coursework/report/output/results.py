@@ -15,6 +15,7 @@ from coursework.report.output.tables import run_tables, study_csv
 from coursework.scene.quantities import PLOTS, quantities_for
 from coursework.scene.scene_run import SceneRun
 from coursework.system.on_demand import Plan, under_way
+from coursework.words.errors import NotToBeHad
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
@@ -24,7 +25,8 @@ if TYPE_CHECKING:
 class Results:
     """A run ready to be written; `stem` names its pages, `record_name` the file that is written last.
 
-    With `live` the page of a screen has the part that moves.  `unprinted` are letters that no face had for the pages on paper.
+    With `live` the page of a screen has the part that moves.  `unprinted` are letters that no face had for the pages on paper,
+    `refused` says which formats the run cannot have.
     """
 
     stem = "report"
@@ -36,6 +38,7 @@ class Results:
         self.language = language
         self.live = live
         self.unprinted = ""
+        self.refused: list[NotToBeHad] = []
 
     def compute(self, pages: bool) -> None:
         """Compute what is asked for and look at every number, so that a fault comes before the first file."""

@@ -10,13 +10,13 @@ import hashlib
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursework.report.output.formats import PAGES, Format, formats_for
+from coursework.report.output.formats import Format, formats_for
 from coursework.report.output.record import as_json
 from coursework.report.output.results import Results
 from coursework.scene.scene_run import SceneRun
 from coursework.system.file_set import publish
 from coursework.system.whole_files import refused, write_bytes, write_through
-from coursework.words.errors import Fault, OutputError
+from coursework.words.errors import Fault, NotToBeHad, OutputError
 from coursework.words.sentences import either, say
 
 
@@ -49,7 +49,7 @@ def write_report(run: SceneRun, *paths: Path | str, language: str = "en") -> Non
 
 
 def _page_format(target: Path) -> Format:
-    known = formats_for(PAGES)
+    known = formats_for("write_report")
     suffix = target.suffix.lower().removeprefix(".")
     if suffix not in known:
         endings = either([f".{each}" for each in known])
@@ -61,14 +61,19 @@ def write_set(results: Results, formats: Sequence[Format], folder: Path, hidden:
     """Write results to `folder` as one set and return the names of its files, the record last.
 
     Everything is written to `hidden` (on the same disk, see `working_folder`) before anything in `folder` is touched.
-    The record names the stamp of the run and the SHA-256 of each file.
+    The record names the stamp of the run and the SHA-256 of each file.  A format that was asked for and that this run cannot
+    have is left out, with the reason in `results.refused`.
     """
     digests: dict[str, str] = {}
     for each in formats:
-        for name, content in each.write(results):
-            with refused(folder / name):
-                write_through(hidden / name, content)
-            digests[name] = hashlib.sha256(content).hexdigest()
+        try:
+            for name, content in each.write(results):
+                with refused(folder / name):
+                    (hidden / name).parent.mkdir(parents=True, exist_ok=True)
+                    write_through(hidden / name, content)
+                digests[name] = hashlib.sha256(content).hexdigest()
+        except NotToBeHad as error:
+            results.refused.append(error)
     record = {**results.record(), "stamp": results.stamp, "files": digests}
     with refused(folder / results.record_name):
         write_through(hidden / results.record_name, as_json(record))

@@ -1,0 +1,199 @@
+"""A drawing of this tool read back into what a drawing office draws with: segments, chains, circles, arrows, hatching, words.
+
+Enters: SVG that the drawing board made.  Leaves: shapes in mm of the sheet, y up.  Used by `dxf.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from xml.etree import ElementTree  # of our own SVG: its words are escaped, and it declares nothing
+
+from coursework.system.frozen import frozen
+
+_SVG = "{http://www.w3.org/2000/svg}"
+_STEP = re.compile(r"([MLlHhVvZz])([^MLlHhVvZz]*)")
+_NUMBER = re.compile(r"-?[\d.]+(?:e-?\d+)?")
+SAME = 0.02  # mm: two places that are one
+HEAD_CORNERS = 3
+
+
+@frozen
+class Pen:
+    """How a line is drawn: mm wide, its dashes (mm), what the drawing says it is (data of the element)."""
+
+    width: float
+    dashes: tuple[float, ...]
+    data: Mapping[str, str]
+
+
+@frozen
+class Chain:
+    """A line through points; `fill` is "", "white", "black" or "grey"."""
+
+    points: tuple[complex, ...]
+    closed: bool
+    fill: str
+    pen: Pen
+
+
+@frozen
+class Circle:
+    """A circle."""
+
+    middle: complex
+    radius: float
+    fill: str
+    pen: Pen
+
+
+@frozen
+class Arrow:
+    """A line that ends in a head, its tip first."""
+
+    points: tuple[complex, ...]
+    head: float
+    pen: Pen
+
+
+@frozen
+class Hatching:
+    """Strokes of one direction, one beside the other: where each begins and how far each goes."""
+
+    begins: tuple[complex, ...]
+    lean: complex
+    pen: Pen
+
+
+@frozen
+class Words:
+    """Words from a place on their base line: pieces with the height of their letters (mm) and how far below they stand."""
+
+    at: complex
+    pieces: tuple[tuple[str, float, float], ...]
+    size: float
+    italic: bool
+    bold: bool
+    pen: Pen
+
+
+Shape = Chain | Circle | Arrow | Hatching | Words
+
+
+def shapes_of(svg: str, height: float) -> Iterator[Shape]:
+    """Yield the shapes from behind to front; what a screen alone shows is left out."""
+    open_chain: Chain | None = None
+    for shape in _read(ElementTree.fromstring(svg), height):
+        if isinstance(shape, Chain) and _is_head(shape):
+            arrow, rest = _headed(open_chain, shape)
+            if rest is not None:
+                yield rest
+            yield arrow
+            open_chain = None
+            continue
+        if open_chain is not None:
+            yield open_chain
+            open_chain = None
+        if isinstance(shape, Chain) and not shape.closed:
+            open_chain = shape
+        else:
+            yield shape
+    if open_chain is not None:
+        yield open_chain
+
+
+def _is_head(shape: Chain) -> bool:
+    return shape.closed and shape.fill == "black" and len(shape.points) == HEAD_CORNERS
+
+
+def _headed(line: Chain | None, head: Chain) -> tuple[Arrow, Chain | None]:
+    """Return a head with the line that leads to it; where none does, the head alone and the line as it was."""
+    tip, *sides = head.points
+    neck = sum(sides) / 2
+    size = abs(tip - neck)
+    if line is not None and abs(line.points[-1] - neck) < SAME:
+        return Arrow((tip, *reversed(line.points[:-1])), size, line.pen), None
+    return Arrow((tip, neck), size, head.pen), line
+
+
+def _read(element: ElementTree.Element, height: float) -> Iterator[Shape]:
+    for one in element:
+        if element.get("class") == "paper":
+            one.set("data-bar", "")  # the bar by which a print is checked, with its ticks
+        kind = one.tag.removeprefix(_SVG)
+        if kind == "g" and one.get("display") != "none":
+            yield from _read(one, height)
+        elif kind == "line":
+            ends = (complex(float(one.get(f"x{k}", 0)), height - float(one.get(f"y{k}", 0))) for k in (1, 2))
+            yield Chain(tuple(ends), False, "", _pen(one))
+        elif kind == "circle":
+            middle = complex(float(one.get("cx", 0)), height - float(one.get("cy", 0)))
+            yield Circle(middle, float(one.get("r", 0)), _fill(one), _pen(one))
+        elif kind == "path":
+            yield from _paths(one, height)
+        elif kind == "text":
+            yield _words(one, height)
+
+
+def _pen(element: ElementTree.Element) -> Pen:
+    has_line = element.get("stroke", "none") not in ("none", "white")
+    dashes = tuple(map(float, _NUMBER.findall(element.get("stroke-dasharray", ""))))
+    data = {name.removeprefix("data-"): value for name, value in element.attrib.items() if name.startswith("data-")}
+    return Pen(float(element.get("stroke-width", 0)) if has_line else 0.0, dashes, data)
+
+
+def _fill(element: ElementTree.Element) -> str:
+    colour = element.get("fill", "black")
+    if colour == "none":
+        return "white" if element.get("stroke") == "white" else ""
+    return colour if colour in ("white", "black") else "grey"
+
+
+def _paths(element: ElementTree.Element, height: float) -> Iterator[Shape]:
+    pieces = list(_pieces(element.get("d", ""), height))
+    pen, fill = _pen(element), _fill(element)
+    leans = {complex(round((points[1] - points[0]).real, 3), round((points[1] - points[0]).imag, 3)) for points, _ in pieces
+             if len(points) == 2}  # fmt: skip
+    if "l" in element.get("d", "") and len(leans) == 1 and all(len(points) == 2 for points, _ in pieces):
+        yield Hatching(tuple(points[0] for points, _ in pieces), leans.pop(), pen)
+        return
+    for points, closed in pieces:
+        yield Chain(points, closed, fill, pen)
+
+
+def _pieces(way: str, height: float) -> Iterator[tuple[tuple[complex, ...], bool]]:
+    """Yield the pieces of a path."""
+    points: list[complex] = []
+    for letter, rest in _STEP.findall(way):
+        numbers = list(map(float, _NUMBER.findall(rest)))
+        at = points[-1] if points else 0j
+        if letter in "Zz":
+            yield tuple(points), True
+            points = points[:1]
+            continue
+        if letter == "M" and points:
+            if len(points) > 1:
+                yield tuple(points), False
+            points = []
+        if letter in "ML":
+            points += [complex(x, height - y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+        elif letter == "l":
+            for x, y in zip(numbers[::2], numbers[1::2], strict=True):
+                points.append(points[-1] + complex(x, -y))
+        else:
+            place = {"H": complex(numbers[0], at.imag), "h": at + numbers[0], "V": complex(at.real, height - numbers[0]),
+                     "v": at - 1j * numbers[0]}  # fmt: skip
+            points.append(place[letter])
+    if len(points) > 1:
+        yield tuple(points), False
+
+
+def _words(element: ElementTree.Element, height: float) -> Words:
+    size = float(element.get("font-size", 3.2))
+    low, pieces = 0.0, [(element.text or "", size, 0.0)]
+    for span in element:
+        low += float(span.get("dy", 0))
+        pieces.append((span.text or "", float(span.get("font-size", size)), low))
+    at = complex(float(element.get("x", 0)), height - float(element.get("y", 0)))
+    italic, bold = element.get("font-style") == "italic", element.get("font-weight") == "bold"
+    return Words(at, tuple(piece for piece in pieces if piece[0]), size, italic, bold, _pen(element))

@@ -1,0 +1,57 @@
+"""`--format figures`: every drawing of the page three times, of the size that the page gives it."""
+
+import json
+import struct
+
+import pymupdf
+import pytest
+
+from coursework.report.text.parts import Figure, Panels
+from coursework.variant.catalogue import names
+from tests.command import call
+from tests.sample import sampled
+from tests.takeaway.taken import results_of, taken
+
+MM = 72 / 25.4  # points
+DOTS = 300 / 25.4
+
+
+@pytest.mark.parametrize("name", sampled(names()))
+def test_every_drawing_of_the_page_is_there_as_three_files(name):
+    files = taken(name, "figures")
+    parts = [part for section in results_of(name).model.sections for part in section.parts]
+    drawings = [part.svg for part in parts if isinstance(part, Figure)]
+    drawings += [item.svg for part in parts if isinstance(part, Panels) for item in part.items]
+    assert sorted(content.decode() for path, content in files.items() if path.endswith(".svg")) == sorted(drawings)
+    stems = {path.rpartition(".")[0] for path in files}
+    assert set(files) == {f"{stem}.{ending}" for stem in stems for ending in ("svg", "pdf", "png")}
+
+
+def test_sizes_are_those_of_the_page():
+    files, parts = taken("31", "figures"), [part for one in results_of("31").model.sections for part in one.parts]
+    (sheet,) = [part for part in parts if getattr(part, "id", "") == "graph-check"]
+    with pymupdf.open(stream=files["figures/graph-check.pdf"]) as paper:
+        assert len(paper) == 1
+        assert (paper[0].rect.width, paper[0].rect.height) == pytest.approx((sheet.width * MM, sheet.height * MM), abs=0.1)
+        assert "must measure 100 mm" in paper[0].get_text()
+    picture = files["figures/graph-check.png"]
+    assert struct.unpack(">II", picture[16:24]) == pytest.approx((sheet.width * DOTS, sheet.height * DOTS), abs=1)
+    density = picture.index(b"pHYs") + 4
+    assert struct.unpack(">IIB", picture[density : density + 9]) == (11811, 11811, 1)  # dots a metre
+
+
+def test_names_say_what_is_drawn():
+    stems = {path.removesuffix(".svg") for path in taken("31", "figures") if path.endswith(".svg")}
+    assert stems == {f"figures/{one}" for one in (
+        "mechanism", "tangent", "graph-phi1", "graph-phi2", "graph-phi3", "graph-w1", "graph-w2", "graph-w3", "graph-w4",
+        "graph-check", "accuracy",
+    )}  # fmt: skip
+
+
+@pytest.mark.usefixtures("folder")
+def test_they_are_written_on_request_only_and_listed(folder):
+    assert call("run", "31", "--quantities", "table", "--format", "csv,figures", "--out", "taken").exit_code == 0
+    record = json.loads((folder / "taken/run.json").read_text(encoding="utf-8"))
+    assert {*record["files"]} == {"table.csv", *(f"figures/mechanism.{ending}" for ending in ("svg", "pdf", "png"))}
+    there = {path.relative_to(folder / "taken").as_posix() for path in (folder / "taken").rglob("*") if path.is_file()}
+    assert there == {*record["files"], "run.json"}
