@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from coursework import solve
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.vocabulary import GROUP_KINDS
-from tests.desk.desks import VARIANTS, desk
+from tests.desk.desks import TEXT, VARIANTS, desk
 
 
 @pytest.fixture(scope="module")
@@ -21,8 +23,8 @@ def put(client, text: str, kind: str, *on: str) -> dict:
 
 def test_each_kind_is_shown_with_what_it_asks(client):
     found = client.get("/api/pieces", params={"language": "zh"}).json()
-    assert [each["kind"] for each in found] == list(GROUP_KINDS)
-    assert [len(each["asks"]) for each in found] == [0, 1, 1, 1, 1, 1]
+    assert [each["kind"] for each in found] == [*GROUP_KINDS, "point", "guide", "wheel"]
+    assert [len(each["asks"]) for each in found] == [0, 1, 1, 1, 1, 1, 0, 1, 1]
     assert all("<animate" in each["svg"] and each["title"] for each in found)
 
 
@@ -34,7 +36,8 @@ def test_from_an_empty_text_to_a_chain_of_every_kind(client):
         variant = parse_variant(text)
         assert variant.groups[-1].kind == kind
         rest = iter(text.split("\n"))
-        assert all(any(line == own for own in rest) or "hinges" in line for line in before.split("\n") if "hinges" not in line)
+        longer = ("hinges", "rails")
+        assert all(any(line == own for own in rest) for line in before.split("\n") if not line.startswith(longer))
         lines = text.split("\n")
         assert all(lines[one["line"] - 1] != before for one in found["ranges"])
     told = client.post("/api/check", json={"text": text}).json()
@@ -62,3 +65,58 @@ def test_a_piece_on_a_mechanism_of_the_catalogue(client):
 
 def test_a_text_with_faults_is_told_them(client):
     assert put(client, "[given", "RRR", "B")["faults"]
+
+
+def test_from_an_empty_text_to_a_wheel_that_rolls(client):
+    """A driven point, a rod with a slider, a wheel about the slider; each is computed at once and drawn once."""
+    text = put(client, "", "point")["text"]
+    for kind, point in (("guide", "A"), ("wheel", "B"), ("guide", "M")):
+        text = put(client, text, kind, point)["text"]
+        assert client.post("/api/check", json={"text": text}).json()["faults"] == []
+    variant = parse_variant(text)
+    assert [(link.name, link.points, link.wheel, link.contact) for link in variant.links[2:]] == [
+        ("3", ("A", "B"), None, None), ("4", (), "B", "C"), ("5", ("M", "E"), None, None),
+    ]  # fmt: skip
+    # The wheel rolls on a line through its contact, in the place of the guide of its centre.
+    assert [through.name for through, _ in variant.frame.rails] == ["C", "E"]
+    run = solve(variant, quantities=["table"])
+    column = run.motion.column
+    slides = -0.5 * column("w1") * np.sin(column("phi1")) - variant.values["r3"] * column("w3") * np.sin(column("phi3"))
+    assert column("w4") * variant.values["R4"] == pytest.approx(-slides, abs=1e-9)
+
+
+def test_equations_of_ones_own_are_not_left_without_those_of_a_piece(client):
+    found = put(client, TEXT, "guide", "A")
+    assert client.post("/api/check", json={"text": found["text"]}).json()["faults"] == []
+    assert parse_variant(found["text"]).constraints[-1].name not in {"11", "12", "16", "18"}
+    assert [line for line in TEXT.split("\n") if "# " in line and line not in found["text"]] == [
+        'holds  = ["C.y"]               # scalar expressions that keep their start value'
+    ]
+
+
+def test_a_rod_with_a_slider_on_a_chain_is_its_group(client):
+    text = put(client, put(client, "", "crank")["text"], "guide", "B")["text"]
+    assert parse_variant(text).groups[-1].kind == "RRP"
+
+
+def test_a_wheel_under_the_slider_of_a_chain_that_lists_its_links(client):
+    text = (VARIANTS / "example-2.toml").read_text(encoding="utf-8")
+    group = parse_variant(text).groups[-1]
+    found = put(client, text, "wheel", group.meets)
+    told = client.post("/api/check", json={"text": found["text"]}).json()
+    assert (told["faults"], parse_variant(found["text"]).links[-1].wheel) == ([], group.meets)
+
+
+@pytest.mark.parametrize(
+    ("begun", "kind", "on", "word"),
+    [
+        ("", "wheel", "B", "кривошипа или точки с заданным движением"),
+        ("", "guide", "B", "кривошипа или точки с заданным движением"),
+        (TEXT, "point", "", "начните с пустого"), (TEXT, "RRR", "A", "RRR"),
+        (TEXT, "wheel", "A", "A не скользит"),
+    ],
+)  # fmt: skip
+def test_what_does_not_go_together_says_why(client, begun, kind, on, word):
+    found = put(client, begun, kind, *([on] if on else []))
+    assert (found["text"], found["ranges"]) == (begun, [])
+    assert word in found["sentence"]

@@ -31,12 +31,17 @@ def equations(desk: Desk) -> dict[str, Any] | Answer:
     """Return the text with the equations which the written ones lack, as it is where they lack none."""
     if not desk.setup.policy.equations:
         return told(FORBIDDEN, desk.language, "desk.not_offered")
+    lines = lacking_lines(desk)
+    return {**with_lines(desk.text, _line(desk), lines), "number": lines.count("[[constraint]]")}
+
+
+def lacking_lines(desk: Desk) -> list[str]:
+    """Return the equations which the written ones lack, as a text has them."""
     found = differentiate(build(desk.variant))
     lacking = [one for one in _lacking(found) if _parts(one, found) <= MOST_PARTS]
     taken = {constraint.name for constraint in desk.variant.constraints}
     names = (str(number) for number in range(1, 1000) if str(number) not in taken)
-    lines = [line for name, one in zip(names, lacking, strict=False) for line in _written(name, one, found, desk)]
-    return {**with_lines(desk.text, _line(desk), lines), "number": len(lacking)}
+    return [line for name, one in zip(names, lacking, strict=False) for line in _written(name, one, found, desk)]
 
 
 def _lacking(found: VelocityEquations) -> Iterator[VelocityEquation]:

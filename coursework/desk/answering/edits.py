@@ -7,12 +7,24 @@ Used by `controls.py`, `derived.py`, `drag.py` and `pieces.py`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import field
 from typing import Any
 
-from coursework.variant.toml.positions import KeyPath
+from coursework.system.frozen import frozen
+from coursework.variant.toml.positions import KeyPath, locate
 from coursework.variant.toml.rewriting import place_of
 
 Piece = tuple[int, int, str]  # where a part of a text begins and ends (letters from 0), and what comes there
+TABLES = ("group", "constraint")  # sections that there may be several of: what is added brings its own head
+
+
+@frozen
+class Additions:
+    """What a text gets: lines at the end of `sections`, values as written at the end of lists (`entries`), other `values`."""
+
+    sections: dict[str, list[str]]
+    entries: dict[KeyPath, list[str]] = field(default_factory=dict)
+    values: dict[KeyPath, str] = field(default_factory=dict)
 
 
 def value_place(text: str, path: KeyPath) -> dict[str, int] | None:
@@ -32,6 +44,42 @@ def with_lines(text: str, behind: int, lines: Iterable[str]) -> dict[str, Any]:
     own = text.split("\n")[:behind]
     at = len("\n".join(own))
     return changed(text, [(at, at, "".join(f"\n{line}" for line in lines))])
+
+
+def with_additions(text: str, more: Additions) -> dict[str, Any]:
+    """Return the `text` with lines and values at the ends of its sections and lists, and their `ranges`.
+
+    A section that is missing comes last.
+    """
+    found = locate(text)
+    last = {str(path[0]): 0 for path in found.keys}
+    for path, (line, _) in (*found.keys.items(), *found.values.items()):
+        last[str(path[0])] = max(last[str(path[0])], line)
+    for path, (_, end) in found.spans.items():
+        last[str(path[0])] = max(last[str(path[0])], text.count("\n", 0, end) + 1)
+    pieces: list[Piece] = [(*place, value) for path, value in more.values.items() if (place := place_of(text, path))]
+    sections = {section: [*lines] for section, lines in more.sections.items()}
+    for path, values in more.entries.items():
+        if path in found.spans and values:
+            begin, end = found.spans[path]
+            before = text[begin + 1 : end - 1].rstrip()
+            pieces.append(
+                (begin + 1 + len(before), end - 1, f"{', ' if before.strip() else ''}{', '.join(values)}{_gap(before)}")
+            )
+        elif values:
+            sections.setdefault(str(path[0]), []).append(f"{path[1]} = [{', '.join(values)}]")
+    ends = [*(len(line) for line in text.split("\n"))]
+    for section, added in sections.items():
+        if added:
+            at = sum(ends[: last[section]]) + last[section] - 1 if section in last else len(text.rstrip("\n"))
+            head = [] if section in last or section in TABLES else ["", f"[{section}]"]
+            pieces.append((at, at, "".join(f"\n{line}" for line in (*head, *added))))
+    return changed(text, pieces)
+
+
+def _gap(before: str) -> str:
+    """Return what stands before the end of a list whose author left a space after its beginning."""
+    return " " if before.startswith(" ") else ""
 
 
 def changed(text: str, pieces: list[Piece]) -> dict[str, Any]:

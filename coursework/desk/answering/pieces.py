@@ -1,4 +1,4 @@
-"""Groups as pieces to build from: a picture of each, and its lines put into a text, on points that the text has.
+"""Pieces to build from, groups and what is none: a picture of each, and its lines put into a text, on points that it has.
 
 Enters: a `Desk`, a kind, the points it hangs on.  Leaves: the text with it.  Used by `bench.py`.
 """
@@ -6,26 +6,28 @@ Enters: a `Desk`, a kind, the points it hangs on.  Leaves: the text with it.  Us
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from coursework.api import make_run, variant_in
-from coursework.desk.answering.edits import Piece, changed
+from coursework.desk.answering.derived import lacking_lines
+from coursework.desk.answering.edits import Additions, changed, with_additions
 from coursework.desk.answering.pictures import picture
+from coursework.desk.answering.point_pieces import ASKS, GUIDE, POINT, WHEEL, led, size_about, slider_of, with_guide, with_wheel
 from coursework.desk.answering.typed import Desk
 from coursework.desk.job import OK, Answer, plain
 from coursework.drawing.outline.poses import all_rows, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.mechanism.drafts.candidates import ROWS, End
-from coursework.mechanism.drafts.chain import DoesNotClose, Draft, draft_of, draft_on
+from coursework.mechanism.drafts.chain import DoesNotClose, draft_of, draft_on, letters
 from coursework.mechanism.drafts.text import additions, text_of
 from coursework.scene.quantities import ACCELERATIONS, CHECKS, GRAPH_CHECK, PLOTS, POINTS, TABLE
 from coursework.scene.scene import Scene
 from coursework.variant.record.roles import role, title
 from coursework.variant.record.vocabulary import GROUP_KINDS, GROUP_SHAPES
-from coursework.variant.toml.positions import locate
+from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import CourseworkError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -37,47 +39,93 @@ DRIVEN = next(kind for kind, shape in GROUP_SHAPES.items() if shape.driven)
 
 def pieces(desk: Desk) -> Answer:
     """Return each kind with its title, its picture, and what it asks: the point it hangs on."""
-    return plain(OK, [_piece(kind, desk) for kind in GROUP_KINDS])
+    return plain(OK, [*(_group(kind, desk) for kind in GROUP_KINDS), *_by_points(desk)])
 
 
-def _piece(kind: str, desk: Desk) -> dict[str, Any]:
-    shape, written = GROUP_SHAPES[kind], desk.words.written
+def _group(kind: str, desk: Desk) -> dict[str, Any]:
+    shape = GROUP_SHAPES[kind]
     letters = shape.named()
     means = role(shape, "from", letters, 1) if shape.points else say("desk.rides_on")
-    asks = [] if shape.driven else [{"key": "from", "means": written(means)}]
-    scene = make_run(variant_in(_alone(kind, desk), kind, {})).scene
-    return {"kind": kind, "title": written(title(shape, letters)), "svg": picture(scene), "asks": asks}
+    return _shown(kind, title(shape, letters), _alone(kind, desk), [] if shape.driven else [means], desk)
+
+
+def _by_points(desk: Desk) -> Iterator[dict[str, Any]]:
+    """Yield the pieces that are no groups, each drawn on the one before it."""
+    text, on = "", ""
+    for kind, on in zip(ASKS, ("", "A", "B"), strict=True):
+        text = piece(Desk({"kind": kind, "on": [on] if on else [], "text": text}, desk.language, desk.setup))["text"]
+        yield _shown(kind, say(f"desk.piece.{kind}"), text, [say(ASKS[kind])] if on else [], desk)
+
+
+def _shown(kind: str, title: Sentence | str, text: str, asks: Sequence[Sentence | str], desk: Desk) -> dict[str, Any]:
+    written = desk.words.written
+    svg = picture(make_run(variant_in(text, kind, {})).scene)
+    return {"kind": kind, "title": written(title), "svg": svg, "asks": [{"key": "from", "means": written(one)} for one in asks]}
 
 
 def _alone(kind: str, desk: Desk) -> str:
-    """Return a whole text with one group of a kind, and the crank that moves it."""
+    """Return a whole text that begins with a piece: one group of a kind and the crank that moves it, or a driven point."""
+    if kind in ASKS:
+        return led(desk.name, desk.words.written, [one.name for one in ASKED])
     draft = draft_of([DRIVEN] if kind == DRIVEN else [DRIVEN, kind])
     return text_of(draft, desk.name, desk.words.written, [one.name for one in ASKED])
 
 
 def piece(desk: Desk) -> dict[str, Any]:
-    """Return `text` and `ranges` with one more group, and a `sentence` where it cannot be had there."""
+    """Return `text` and `ranges` with one more piece, and a `sentence` where it cannot be had there."""
     kind, hung = str(desk.body["kind"]), [str(name) for name in desk.body["on"]]
-    if kind not in GROUP_KINDS:
+    if kind not in GROUP_KINDS and kind not in ASKS:
         return _without(desk, say("desk.no_file", name=kind[:40]))
-    if not desk.text.strip():
+    if not desk.text.strip() and kind not in (GUIDE, WHEEL):
         return changed("", [(0, 0, _alone(kind, desk))])
+    if kind == POINT or not desk.text.strip():
+        return _without(desk, say("desk.piece.first" if kind == POINT else "desk.piece.later"))
+    if kind in GROUP_KINDS and not desk.variant.groups:
+        return _without(desk, say("desk.piece.no_chain", kind=kind))
     scene = make_run(desk.variant).scene
-    known = _ends(scene)
+    known, taken = _ends(scene), {*desk.variant.names, *(name for name, _ in scene.mechanism.points)}
     if not hung and kind != DRIVEN:
         return _without(desk, say("desk.piece_does_not_close", kind=kind))
     if missing := [name for name in hung if name not in known]:
         return _without(desk, say("desk.no_joint", joint=missing[0][:40]))
     if kind != DRIVEN and all(known[name].amplitude < STILL for name in hung):
         return _without(desk, say("desk.piece_on_still", point=hung[0]))
-    beside = [*known.values()][-1:] if kind == DRIVEN else []  # so that it does not stand on another
     digits = [int(found) for name in desk.variant.names for found in re.findall(r"\d{1,3}", name)]
+    number = max((*digits, *(int(link.name) for link in desk.variant.links if link.name.isdecimal())), default=0) + 1
+    if kind in ASKS and not (kind == GUIDE and desk.variant.groups):
+        return _put_to(kind, hung[0], known, number, taken, desk)
+    beside = [*known.values()][-1:] if kind == DRIVEN else []  # so that it does not stand on another
+    return _hang("RRP" if kind == GUIDE else kind, [known[name] for name in hung] or beside, number, taken, desk)
+
+
+def _put_to(kind: str, on: str, known: dict[str, End], number: int, taken: set[str], desk: Desk) -> dict[str, Any]:
+    """Return the text with a piece that is no group; where it has equations of its own, with those of the piece too."""
+    letter = next(letter for letter in letters() if letter not in taken)
+    slider = slider_of(desk.variant, on)
+    if kind == GUIDE:
+        more = with_guide(known[on], known.values(), number, letter)
+    elif slider is None:
+        return _without(desk, say("desk.piece.not_straight", point=on))
+    elif not desk.variant.links:
+        return _without(desk, say("desk.piece.no_links"))
+    else:
+        more = with_wheel(known[on], slider, size_about(known[on], known.values()), number, letter, desk.words.written)
+    if desk.variant.constraints and not desk.variant.groups and desk.setup.policy.equations:
+        text = with_additions(desk.text, more)["text"]
+        more.sections["constraint"] = lacking_lines(Desk({**desk.body, "text": text}, desk.language, desk.setup))
+    return with_additions(desk.text, more)
+
+
+def _hang(kind: str, ends: list[End], number: int, taken: set[str], desk: Desk) -> dict[str, Any]:
+    """Return the text with one more group."""
     try:
-        taken = [name for name, _ in scene.mechanism.points]
-        draft = draft_on(kind, [known[name] for name in hung] or beside, taken, max(digits, default=0) + 1)
+        draft = draft_on(kind, ends, taken, number)
     except (DoesNotClose, CourseworkError, ArithmeticError):
         return _without(desk, say("desk.piece_does_not_close", kind=kind))
-    return changed(desk.text, _put_in(desk.text, additions(draft, len(desk.variant.groups) + 1, desk.words.written), draft))
+    lines = additions(draft, len(desk.variant.groups) + 1, desk.words.written)
+    rails = [f'{{ through = "{guide.through}", angle = "{guide.angle}" }}' for guide in draft.rails]
+    entries: dict[KeyPath, list[str]] = {("frame", "hinges"): [f'"{name}"' for name in draft.hinges], ("frame", "rails"): rails}
+    return with_additions(desk.text, Additions(lines, entries))
 
 
 def _without(desk: Desk, why: Sentence) -> dict[str, Any]:
@@ -100,26 +148,3 @@ def _ends(scene: Scene) -> dict[str, End]:
         places = np.interp(at, rows, path.real) + 1j * np.interp(at, rows, path.imag)
         found[name] = End(name, places, turns, np.interp(at, rows, angle))
     return found
-
-
-def _put_in(text: str, lines: Mapping[str, Sequence[str]], draft: Draft) -> list[Piece]:
-    """Return the pieces of text that a draft adds, each at the end of its section; one that is missing comes last."""
-    found = locate(text)
-    last = {str(path[0]): 0 for path in found.keys}
-    for path, (line, _) in (*found.keys.items(), *found.values.items()):
-        last[str(path[0])] = max(last[str(path[0])], line)
-    for path, (_, end) in found.spans.items():
-        last[str(path[0])] = max(last[str(path[0])], text.count("\n", 0, end) + 1)
-    ends = [*(len(line) for line in text.split("\n"))]
-    made = []
-    for section, added in lines.items():
-        if added:
-            at = sum(ends[: last[section]]) + last[section] - 1 if section in last else len(text.rstrip("\n"))
-            head = [] if section in last or section == "group" else ["", f"[{section}]"]
-            made.append((at, at, "".join(f"\n{line}" for line in (*head, *added))))
-    span = found.spans.get(("frame", "hinges"))
-    if draft.hinges and span is not None:
-        inside = text[span[0] + 1 : span[1] - 1].strip()
-        names = ", ".join(f'"{name}"' for name in draft.hinges)
-        made.append((span[1] - 1, span[1] - 1, f", {names}" if inside else names))
-    return made

@@ -10,10 +10,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
 
 Segment = tuple[complex, complex]
 Rectangle = tuple[float, float, float, float]
+CLOSE = 1e-9  # mm: what is no farther off is looked at exactly
 STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own
 
 
@@ -70,12 +71,17 @@ class Lines:
 
     def within(self, low: Array, high: Array) -> tuple[Array, Array, Array]:
         """Return in how many plain segments each rectangle (n,) has a part, how long those parts are, and in how many others."""
-        reached = (self.low - self.free <= high.max(axis=0)) & (self.high + self.free >= low.min(axis=0))
-        near = np.flatnonzero(np.all(reached, axis=1))
-        plain = int(np.searchsorted(near, self.plain))
-        part = clipped(low, high, self.begin[near], self.step[near], self.free[near])
-        met = part > 0
-        return met[:, :plain].sum(axis=1), part[:, :plain] @ self.length[near[:plain]], met[:, plain:].sum(axis=1)
+        (left, top), (right, bottom) = (low - CLOSE).T[:, :, None], (high + CLOSE).T[:, :, None]
+        (begins, starts), (ends, stops) = (self.low - self.free).T, (self.high + self.free).T
+        # Most lines are far from most rectangles: only those that may meet are clipped.
+        one, line = np.nonzero((begins <= right) & (ends >= left) & (starts <= bottom) & (stops >= top))
+        part = clipped(low[one, None], high[one, None], self.begin[line, None], self.step[line, None], self.free[line, None])
+        part, plain = part.ravel(), line < self.plain
+
+        def each(values: Array | Flags) -> Array:
+            return np.bincount(one, values, len(low)).astype(np.float64)
+
+        return each((part > 0) & plain), each(np.where(plain, part * self.length[line], 0.0)), each((part > 0) & ~plain)
 
     def feet(self, points: Array) -> Array:
         """Return the point (n, m, 2) of each segment that is nearest to each point (n, 2)."""

@@ -6,9 +6,8 @@ Used by `sheet.py`.
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import field
 
 import numpy as np
@@ -20,7 +19,7 @@ from coursework.system.frozen import changing, frozen
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
 DIRECTIONS = 16  # in which a place is looked for
 RINGS = (0.0, 1.0, 2.0, 3.2, 4.5, 6.0, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last only where words would meet
-FIRST, FURTHER = 32, 64  # places looked at together, by what they cost at least
+FIRST, FURTHER = 32, 4  # places looked at together, by what they cost at least; then so many times more
 FARTHER = 0.5  # mm of lines that a word rather covers than standing 1 mm farther off
 TURNED = 0.6  # the same for a quarter turn away from the direction it should have
 NEXT = 0.6  # the same for each place after the first
@@ -112,7 +111,7 @@ class Taken:
         ats = (near + units * (gaps + rings + reach)).ravel()
         begins = np.broadcast_to(near + units * np.maximum(gaps - TOUCH, 0.0), (len(RINGS), *units.shape)).ravel()
         ranked = np.argsort(leasts, kind="stable")  # where the first ones are good, the others need no look
-        for begin, end in itertools.pairwise((0, *range(FIRST, len(ranked), FURTHER), len(ranked))):
+        for begin, end in _growing(len(ranked)):
             kept = np.sort(ranked[begin:end][leasts[ranked[begin:end]] < best])
             if not kept.size:
                 break
@@ -156,3 +155,11 @@ class Taken:
         for boxes, worth in ((self.words, LEADER_CROSSES[1]), (self.boxes, LEADER_CROSSES[2])):
             price = price + worth * through(begin, step, boxes)
         return price
+
+
+def _growing(count: int) -> Iterator[tuple[int, int]]:
+    """Yield where parts of so many things begin and end: a few first, then more and more."""
+    begin, size = 0, FIRST
+    while begin < count:
+        yield begin, min(begin + size, count)
+        begin, size = begin + size, FURTHER * size

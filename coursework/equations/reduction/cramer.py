@@ -37,7 +37,8 @@ class Cramer:
 def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> tuple[Cramer | None, ...]:
     """Return the working of each `wanted` block, None for those that are not of two.
 
-    The leading coefficient of each row is made positive, as it is written by hand.
+    The leading coefficient of each row is made positive, as it is written by hand.  No datum changes it: it is worked out once
+    for all variants of a template.
 
     >>> import coursework
     >>> scene = coursework.solve("31", quantities=["table"]).scene
@@ -46,7 +47,8 @@ def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
     >>> (one, two), spelled(both.determinant), [spelled(side) for side in both.right_sides]
     ((None, None), 'r2*r1*sin(phi1 - phi2)', ['-2*r3*w3*sin(phi3)', 'r3*w3*sin(phi3)'])
     """
-    return tuple(_worked(equations, reduction, wanted))
+    key = ("cramer", *wanted, *((block.equations, block.unknowns) for block in reduction.blocks))
+    return equations.once(key, lambda: tuple(_worked(equations, reduction, wanted)))
 
 
 def _worked(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> Iterator[Cramer | None]:

@@ -155,7 +155,7 @@ class _Drafting:
         self.draft = Draft()
         self.waiting = list(ends)
         self._swinging = swinging
-        self._letters = (letter for letter in _letters() if letter not in taken)
+        self._letters = (letter for letter in letters() if letter not in taken)
         self._bodies, self._first_crank = itertools.count(body), body
         self._turning: dict[str, int] = {}  # pins of cranks that turn all the way round
 
@@ -244,7 +244,7 @@ class _Drafting:
         return name
 
 
-def _letters() -> Iterator[str]:
+def letters() -> Iterator[str]:
     """Yield A, B, C … Z, A2, B2 …"""
     for turn in itertools.count(1):
         for code in range(ord("A"), ord("Z") + 1):

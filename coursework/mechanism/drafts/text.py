@@ -34,6 +34,11 @@ def text_of(draft: Draft, name: str, said: Callable[[str], str], asked: Sequence
         title=lambda group: said(title(group.kind.shape, group.letters)),
         role=lambda group, key, place: said(role(group.kind.shape, key, group.letters, place)),
     )  # fmt: skip
+    return commented(text)
+
+
+def commented(text: str) -> str:
+    """Return a filled template with what stands behind each tab as a comment, all in one column."""
     return "".join(f"{_written(*line.partition(chr(9))[::2])}\n" for line in text.rstrip("\n").split("\n"))
 
 

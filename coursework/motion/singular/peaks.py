@@ -55,6 +55,7 @@ class Peaks:
     beside: list[tuple[Piece, ...]]
     last: Piece | None = field(default=None)
     way: list[tuple[Array, Array]] = field(default_factory=list)
+    _between: dict[tuple[int, float], list[tuple[float, float]]] = field(default_factory=dict)
 
     @staticmethod
     def of(count: int) -> Peaks:
@@ -63,6 +64,7 @@ class Peaks:
 
     def see(self, piece: Piece) -> None:
         """Take note of a step that was made; one that is made again, shorter, takes the place of its first try."""
+        self._between.clear()
         if self.last is not None and self.last.state is piece.state:
             self.last.length = piece.length
             return
@@ -89,7 +91,7 @@ class Peaks:
                 continue
             seen = [(rate, self.when[coordinate])]
             if coordinate in turning and rate >= _NEAR * most:
-                seen += [_highest(piece, coordinate, end) for piece in self._rising(coordinate)]
+                seen += self._inside(coordinate, end)
             listed.append(max(seen))
         return tuple(listed)
 
@@ -121,6 +123,13 @@ class Peaks:
             return float(np.max(gone(begin + step) - gone(begin), initial=0.0))
 
         return longest
+
+    def _inside(self, coordinate: int, end: float) -> list[tuple[float, float]]:
+        """Return the largest rate with its time in each step where it may be; each table that is judged asks for it."""
+        key = (coordinate, end)
+        if key not in self._between:
+            self._between[key] = [_highest(piece, coordinate, end) for piece in self._rising(coordinate)]
+        return self._between[key]
 
     def _rising(self, coordinate: int) -> list[Piece]:
         """Return the step, of the two beside the largest rate seen, in which the rate is larger still."""

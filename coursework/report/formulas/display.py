@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import lru_cache
 
 from coursework.report.formulas.typst_math import Setter, text_equation
 from coursework.report.text.numbers import POINT
@@ -46,9 +47,13 @@ def math_equation(left: Formula, right: Formula, rates: Rates = NO_RATES) -> str
 
 def display(left: Formula, right: Formula, rates: Rates = NO_RATES, name: str = "", before: Runs | None = None) -> Display:
     """Return "left = right" with its number at the margin and the words before it."""
-    return Display(
-        math_equation(left, right, rates), text_equation(left, right, rates), name=clean(name, 40), before=before or []
-    )
+    math, text = _set(left, right, rates)
+    return Display(math, text, name=clean(name, 40), before=before or [])
+
+
+@lru_cache(maxsize=2048)  # a page has about thirty, and the next page of a template the same
+def _set(left: Formula, right: Formula, rates: Rates) -> tuple[str, str]:
+    return math_equation(left, right, rates), text_equation(left, right, rates)
 
 
 def marked(one: Display, mark: str) -> Display:

@@ -30,7 +30,12 @@ def script_of(functions: str, pieces: Sequence[str]) -> str:
 
     Everything stands inside one function, so that no name is left behind on the page.
     """
-    first, *others = map(_piece, pieces)
+    return _whole(functions, tuple(map(_piece, pieces)))
+
+
+@lru_cache(maxsize=16)  # data are no part of it: a page with other data has the same one
+def _whole(functions: str, pieces: tuple[str, ...]) -> str:
+    first, *others = pieces
     functions = _tight(functions)
     reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
     whole = "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
@@ -47,6 +52,13 @@ def embedded(data: Mapping[str, Any]) -> str:
     return text.replace("</", "<\\/").replace("<!--", "<\\u0021--")
 
 
+@lru_cache(maxsize=16)
+def names_in(script: str) -> frozenset[str]:
+    """Return the words that a script names."""
+    return frozenset(re.findall(r'(?<=["]|[.])\w+\b', script))
+
+
+@lru_cache(maxsize=16)
 def hash_of(script: str) -> str:
     """Return how a content security policy names a script: the hash of exactly its bytes."""
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode("utf-8")).digest()).decode("ascii")

@@ -57,3 +57,13 @@ def test_a_pulse_between_two_rows_counts_by_its_way_to_and_fro(way, verdict):
     found = peak(coursework.solve(parse_variant(four_bar(law, scheme="rk4", end=0.2))))
     assert found.verdict == verdict
     assert found.value == pytest.approx(2 * way, rel=1e-4)
+
+
+def test_the_tables_that_are_judged_share_what_was_sought_between_the_steps():
+    """The own table, that of a finer step and that of a better scheme are judged by one search of the exact motion."""
+    search = coursework.solve("31", quantities=["table", "checks"]).scene.search
+    first = search.fastest([0, 1, 2])
+    flow = search.peaks.last.clock.flow
+    before = flow.evaluations
+    assert search.fastest([0, 1, 2]) == first
+    assert flow.evaluations == before
