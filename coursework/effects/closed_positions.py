@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.equations.algebra.expression import ZERO, add
+from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.codegen.programs import Statement
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.equations import VelocityEquations
@@ -28,10 +28,10 @@ _RANK = 1e-9
 
 def newton_statements(
     equations: VelocityEquations, start: Sequence[float], others: Sequence[int]
-) -> tuple[list[Statement], tuple[float, ...]]:
-    """Return what gives Newton's correction of the other coordinates, and the values that the positions keep."""
+) -> tuple[list[Statement], tuple[float, ...], list[Expression]]:
+    """Return what gives Newton's correction of the other coordinates, the values that the positions keep, and what has them."""
     if not others:
-        return [], ()
+        return [], (), []
     variant, symbols = equations.variant, equations.symbols
     names = [variant.coordinates[place].name for place in others]
     listed = [one for one in equations.positions if one.target in {"zero", "start"}]
@@ -61,7 +61,7 @@ def newton_statements(
         statements += block_statements(block, index, targets)
         done += columns
     kept = tuple(0.0 if listed[row].target == "zero" else float(found[row]) for row in used)
-    return statements, kept
+    return statements, kept, [ZERO if listed[row].target == "zero" else values[row] for row in used]
 
 
 def _independent(matrix: Any) -> list[int]:

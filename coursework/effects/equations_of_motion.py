@@ -56,15 +56,18 @@ def equations_of_motion(
     equations: VelocityEquations, reduction: Reduction, scheme: ForceScheme, start: Sequence[float]
 ) -> EquationsOfMotion:
     """Return the equations of motion of a file with a motor.  Raises `InputError` where they cannot be made."""
-    return _Maker(equations, reduction, scheme, tuple(start)).made()
+    return MotionWriter(equations, reduction, scheme, tuple(start)).made()
 
 
 @dataclass(slots=True)
-class _Maker:
+class MotionWriter:
+    """What a mechanism's equations of motion are as statements; `weights` its masses and inertias, `numbers` their values."""
+
     equations: VelocityEquations
     reduction: Reduction
     scheme: ForceScheme
     start: tuple[float, ...]
+    weights: dict[str, Expression] = field(default_factory=dict)
     numbers: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -72,26 +75,43 @@ class _Maker:
         assert self.scheme.forces.motor is not None
         return self.scheme.forces.motor.rates
 
+    @property
+    def free(self) -> tuple[int, ...]:
+        """Return the places of the free coordinates."""
+        by_rate = {c.rate: place for place, c in enumerate(self.equations.variant.coordinates)}
+        return tuple(by_rate[rate] for rate in self.rates)
+
+    @property
+    def others(self) -> tuple[int, ...]:
+        """Return the places of the coordinates that follow from closed positions."""
+        return tuple(place for place in range(len(self.equations.variant.coordinates)) if place not in self.free)
+
+    @property
+    def solved(self) -> list[Expression]:
+        """Return the symbols of the free accelerations."""
+        return [local(f"_acc{k}") for k in range(len(self.rates))]
+
+    def statements(self) -> list[Statement]:
+        """Return what gives all velocities and the free accelerations where masses and inertias are known."""
+        self._weigh()
+        return [*self._velocities(), *self._motion(), *self._solved(self.solved)]
+
     def made(self) -> EquationsOfMotion:
+        """Return the equations as functions."""
         variant = self.equations.variant
         names = [c.name for c in variant.coordinates]
-        by_rate = {c.rate: place for place, c in enumerate(variant.coordinates)}
-        free = tuple(by_rate[rate] for rate in self.rates)
-        others = tuple(place for place in range(len(names)) if place not in free)
-        self._weigh()
-        common = [*self._velocities(), *self._motion()]
+        free, others, solved, common = self.free, self.others, self.solved, self.statements()
+        values = compile_values(self.equations, [*self.weights.values()])[0](0.0, *self.start) if self.weights else ()
+        self.numbers = dict(zip(self.weights, map(float, values), strict=True))
         arguments = [private(name) for name in ("t", *names, *self.rates)]
-        solved = [local(f"_acc{k}") for k in range(len(free))]
         own = [symbol(variant.coordinates[place].rate) for place in others]
-        slope = self._compiled("slope", [*common, *self._solved(solved)], [*solved, *own], arguments)
-        blocks, kept = newton_statements(self.equations, self.start, others)
+        slope = self._compiled("slope", common, [*solved, *own], arguments)
+        blocks, kept, _ = newton_statements(self.equations, self.start, others)
         deltas = [local(f"_step{place}") for place in others]
         newton = self._compiled(
             "newton", [*blocks], deltas, [*map(private, ("t", *names)), *(f"_kept{k}" for k in range(len(kept)))]
         )
-        return EquationsOfMotion(
-            free, others, slope, newton, kept, self._table(common, solved, arguments), len(self.reduction.blocks)
-        )
+        return EquationsOfMotion(free, others, slope, newton, kept, self._table(common, arguments), len(self.reduction.blocks))
 
     def _compiled(
         self, name: str, statements: Sequence[Statement], results: Sequence[Expression], arguments: Sequence[str],
@@ -126,7 +146,7 @@ class _Maker:
 
     def _weigh(self) -> None:
         """Put masses and inertias among the numbers: they do not change with the motion."""
-        symbols, wanted = self.equations.symbols, dict[str, Expression]()
+        symbols, wanted = self.equations.symbols, self.weights
         for place, body in enumerate(self.scheme.bodies):
             if body.mass is None:
                 continue
@@ -142,8 +162,6 @@ class _Maker:
         flywheel = self.scheme.forces.flywheel
         if flywheel is not None and flywheel.inertia is not None:
             wanted["_jf"] = symbols.scalar(flywheel.inertia)
-        values = compile_values(self.equations, list(wanted.values()))[0](0.0, *self.start) if wanted else ()
-        self.numbers |= dict(zip(wanted, map(float, values), strict=True))
 
     def _analog_of(self, expression: Expression, k: int) -> Expression:
         """Return how fast an expression of the positions changes with the free rate k."""
@@ -180,8 +198,8 @@ class _Maker:
                 continue
             centre = symbols.vector(body.centre)
             mass = local(f"_m{place}") if body.mass is not None else ZERO
-            inertia = local(f"_j{place}") if f"_j{place}" in self.numbers else ZERO
-            if flywheel and "_jf" in self.numbers and self.scheme.body_named(flywheel.on) == body.name:
+            inertia = local(f"_j{place}") if f"_j{place}" in self.weights else ZERO
+            if flywheel and "_jf" in self.weights and self.scheme.body_named(flywheel.on) == body.name:
                 inertia = inertia + local("_jf")
             ways = [tuple(self._analog_of(part, k) for part in centre) for k in range(count)]
             second = tuple(second_rate(self.equations, symbols.rate(part)) for part in centre)
@@ -259,17 +277,18 @@ class _Maker:
         yield Assign(targets[0], (first * c - b * second) / local("_mass"))
         yield Assign(targets[1], (a * second - b * first) / local("_mass"))
 
-    def _table(self, common: Sequence[Statement], solved: Sequence[Expression], arguments: Sequence[str]) -> Callable[..., Any]:
+    def acceleration_of(self, name: str) -> Expression:
+        """Return the derivative of a velocity, behind the statements."""
+        if name in self.rates:
+            return self.solved[self.rates.index(name)]
+        return _bias(name) + add(*[_analog(k, name) * one for k, one in enumerate(self.solved)])
+
+    def _table(self, common: Sequence[Statement], arguments: Sequence[str]) -> Callable[..., Any]:
         variant = self.equations.variant
         names = (*variant.rates, *(name for name, _ in variant.unknowns))
-        second = [
-            solved[self.rates.index(name)] if name in self.rates
-            else _bias(name) + add(*[_analog(k, name) * solved[k] for k in range(len(solved))])
-            for name in names
-        ]  # fmt: skip
-        results = [*map(symbol, names), *second, local("_kinetic"), local("_potential")]
+        results = [*map(symbol, names), *map(self.acceleration_of, names), local("_kinetic"), local("_potential")]
         results += [local(f"_det{index}") for index in range(len(self.reduction.blocks))]
-        return self._compiled("table", [*common, *self._solved(solved)], results, arguments, numpy=True)
+        return self._compiled("table", common, results, arguments, numpy=True)
 
 
 def _analog(k: int, name: str) -> Expression:

@@ -6,3 +6,8 @@ declare const data: any;
 declare function rates(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
 declare function places(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
 declare function closing(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
+/** Of a page with forces: what acts on the links; of one that forces move: slopes, Newton's corrections, what positions keep. */
+declare function acting(t: number, q: ArrayLike<number>, u: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
+declare function slope(t: number, q: ArrayLike<number>, v: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
+declare function corrected(t: number, q: ArrayLike<number>, k: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
+declare function held(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;

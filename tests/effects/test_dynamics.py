@@ -237,9 +237,3 @@ def test_studies_of_drives_are_refused(arguments, tmp_path, monkeypatch):
     told = call(*arguments)
     assert told.exit_code == 2
     assert "C077" in told.stderr
-
-
-def test_the_page_of_a_motor_has_no_script_of_velocity_laws(tmp_path):
-    page = tmp_path / "report.html"
-    coursework.write_report(solved("falling-arm", "euler"), page)
-    assert 'id="live"' not in page.read_text(encoding="utf-8")

@@ -10,6 +10,7 @@ import pytest
 
 import coursework
 from coursework.commands.cli import main
+from coursework.report.text.words import load_words
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
 from tests.effects.test_ways import PARALLEL
@@ -99,3 +100,9 @@ def test_a_motion_of_no_rows_has_tables_of_no_rows_and_no_error():
     results = coursework.solve(coursework.parse_variant(text), quantities=["forces", "energy"]).results
     assert len(results.forces.table) == 0
     assert not [check.code for check in results.force_checks if check.verdict == "ERROR"]
+
+
+def test_units_of_forces_are_said_in_the_language_of_the_page():
+    said = [load_words("ru").unit(unit) for unit in ("N*m", "kg·m²", "J", "N*s/m")]
+    assert said == ["Н·м", "кг·м²", "Дж", "Н·с/м"]
+    assert load_words("zh").unit("N*m") == "N·m"

@@ -140,3 +140,10 @@ def test_no_mass_and_no_load_is_statics_of_nothing():
     # A link without mass is a two-force member: its two reactions are equal.
     assert np.abs(light.column("R12x") - light.column("R23x")).max() < 1e-10
     assert np.abs(light.column("R12x") - heavy.column("R12x")).max() > 1
+
+
+def test_rows_of_a_scheme_whose_links_have_drifted_apart_are_analysed_and_judged_by_the_exact_ones():
+    run = coursework.solve("example-1-forces", scheme="euler")
+    found = {one.code: one.verdict for one in run.results.force_checks}
+    assert found["VIRTUAL-POWER"] == "PASS"
+    assert found["FORCE-ACCURACY"] == "COARSE"

@@ -6,8 +6,8 @@ Used by the live page and by the test that runs every variant of the catalogue i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import field, replace
 from typing import Any
 
 from coursework.equations.codegen.javascript import called_tables, javascript_function
@@ -16,6 +16,7 @@ from coursework.equations.codegen.programs import Assign, Bound, Statement
 from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
+from coursework.motion.schemes import Scheme, Sum
 from coursework.scene.scene import Scene
 from coursework.system.frozen import frozen
 from coursework.variant.record.changes import follow_from
@@ -38,21 +39,44 @@ class Functions:
     followed: tuple[str, ...]
 
 
-def live_functions(scene: Scene, places: Sequence[Any]) -> Functions:
+@frozen
+class Piece:
+    """A function `name`(t, q, …, d, out) that writes `wanted`, behind the statements `before` it.
+
+    `arrays` are what it takes between q and d, each with the private names of what lies in it; those of `given` are arguments
+    even where laws define them.
+    """
+
+    name: str
+    before: Sequence[Statement]
+    wanted: Sequence[Any]
+    arrays: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    given: Sequence[Any] = ()
+
+
+def rates_of(scene: Scene) -> Piece:
+    """Return the velocities of a scene that laws drive, and the determinant of each block."""
+    variant, blocks = scene.variant, scene.reduction.blocks
+    velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
+    statements = [one for index, block in enumerate(blocks) for one in block_statements(block, index)]
+    return Piece("rates", statements, [*map(symbol, velocities), *(local(f"_det{index}") for index in range(len(blocks)))])
+
+
+def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] = ()) -> Functions:
     """Return the functions of a scene; `places` are the expressions (m or rad) that are drawn.
 
-    The data are arguments: all variants of a template have the same functions.
+    `moving` are the functions of its motion where those are others than `rates`.  The data are arguments: all variants of a
+    template whose velocities follow laws have the same functions.
     """
+    if moving:
+        return _written(scene, places, moving)
     key = ("live functions", *places, *((block.equations, block.unknowns) for block in scene.reduction.blocks))
-    found = scene.equations.once(key, lambda: _written(scene, places))
+    found = scene.equations.once(key, lambda: _written(scene, places, [rates_of(scene)]))
     return replace(found, numbers=tuple(constants(scene.variant).values()))
 
 
-def _written(scene: Scene, places: Sequence[Any]) -> Functions:
+def _written(scene: Scene, places: Sequence[Any], moving: Sequence[Piece]) -> Functions:
     variant, equations = scene.variant, scene.equations
-    blocks = scene.reduction.blocks
-    velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
-    statements = [one for index, block in enumerate(blocks) for one in block_statements(block, index)]
     followed = {given.name: follow_from(variant, [("given", given.name)]) for given in variant.given}
     names = {name for follow in followed.values() for name in follow}
     moved = tuple(place for place, c in enumerate(variant.coordinates) if c.name in names)
@@ -60,18 +84,17 @@ def _written(scene: Scene, places: Sequence[Any]) -> Functions:
     slopes = [
         equations.symbols.partial(expression, symbol(variant.coordinates[place].name)) for expression in zero for place in moved
     ]
-    bodies: tuple[tuple[str, Sequence[Statement], Sequence[Any]], ...] = (
-        ("rates", statements, [*map(symbol, velocities), *(local(f"_det{index}") for index in range(len(blocks)))]),
-        ("places", [], places),
-        ("closing", [], [*zero, *slopes] if moved else []),
-    )
-    programs = [(name, _program(scene, before, wanted), len(wanted)) for name, before, wanted in bodies]
-    numbers = constants(variant)
-    arrays = {"t": (), "q": [private(c.name) for c in variant.coordinates], "d": [*numbers]}
+    pieces = (*moving, Piece("places", [], places), Piece("closing", [], [*zero, *slopes] if moved else []))
+    programs = [(piece, _program(scene, piece)) for piece in pieces]
+    numbers, q = constants(variant), [private(c.name) for c in variant.coordinates]
     functions = [
-        javascript_function(name, arrays, body, [f"_out{place}" for place in range(count)]) for name, body, count in programs
-    ]
-    laws = {name: law for _, body, _ in programs for name, law in called_tables(body).items()}
+        javascript_function(
+            piece.name, {"t": (), "q": q, **piece.arrays, "d": [*numbers]}, body,
+            [f"_out{place}" for place in range(len(piece.wanted))],
+        )
+        for piece, body in programs
+    ]  # fmt: skip
+    laws = {name: law for _, body in programs for name, law in called_tables(body).items()}
     called = [f'const {name} = law("{key}", {order});' for name, (key, order) in sorted(laws.items())]
     return Functions(
         "\n".join((*called, *functions)), tuple(numbers.values()), _tables(scene, laws.values()), len(zero), moved,
@@ -79,9 +102,9 @@ def _written(scene: Scene, places: Sequence[Any]) -> Functions:
     )  # fmt: skip
 
 
-def _program(scene: Scene, before: Sequence[Statement], wanted: Sequence[Any]) -> Bound:
-    outs = [Assign(local(f"_out{place}"), value) for place, value in enumerate(wanted)]
-    return scene_program(scene.equations, [*before, *outs]).free()
+def _program(scene: Scene, piece: Piece) -> Bound:
+    outs = [Assign(local(f"_out{place}"), value) for place, value in enumerate(piece.wanted)]
+    return scene_program(scene.equations, [*piece.before, *outs], piece.given).free()
 
 
 def _tables(scene: Scene, called: Iterable[tuple[str, int]]) -> dict[str, dict[str, Any]]:
@@ -91,3 +114,13 @@ def _tables(scene: Scene, called: Iterable[tuple[str, int]]) -> dict[str, dict[s
         name: {"first": law.first, "step": law.step, "spline": law.method == "spline", "levels": [*map(list, law.levels)]}
         for name, law in laws.items()
     }
+
+
+def tableau(scheme: Scheme) -> dict[str, Any]:
+    """Return a tableau with the common factor of each row taken out, fractions as pairs of whole numbers."""
+    nodes = [[node.numerator, node.denominator] for node in scheme.nodes]
+    return {"order": scheme.order, "nodes": nodes, "inner": [*map(_row, scheme.inner)], "outer": _row(scheme.outer)}
+
+
+def _row(row: Sum) -> dict[str, Any]:
+    return {"factor": [row.factor.numerator, row.factor.denominator], "terms": [*map(list, row.terms)]}

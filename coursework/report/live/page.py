@@ -6,7 +6,7 @@ Enters: a `SceneRun`, the words of a language, the writers of symbols and units.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -16,13 +16,14 @@ from coursework.drawing.check_sheet.graph_words import letter_of_centres
 from coursework.equations.reduction.blocks import angles_in_determinants
 from coursework.motion.geometry.drive import breaks, resolution, resolved
 from coursework.motion.integration.integrate import WIDEST_STEP
-from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, Scheme, Sum, title_of
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
-from coursework.report.live.functions import Functions, live_functions
-from coursework.report.live.script import embedded, hash_of, names_in, script_of
+from coursework.report.live.functions import Functions, live_functions, tableau
+from coursework.report.live.script import embedded, hash_of, names_in, script_of, shortened
 from coursework.report.text.tables import given_constants
 from coursework.report.text.words import Words
+from coursework.scene.quantities import ENERGY, FORCES
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
 from coursework.variant.formula.units import UNITS
@@ -50,7 +51,8 @@ _ROUNDING = 1e-12
 class LivePart:
     """`words` of what stands still by key, `speeds` (value, text); `last` row from 0; `script` with its `hash`; `data` as JSON.
 
-    Without a `laboratory` the page shows a motion that was computed before.
+    Without a `laboratory` the page shows a motion that was computed before; with `forces` it has reactions and energy too, with a
+    `watch` it tells the time of a table.
     """
 
     words: dict[str, str]
@@ -60,6 +62,8 @@ class LivePart:
     script: str
     hash: str
     data: str
+    forces: bool = False
+    watch: bool = True
 
     @property
     def size(self) -> int:
@@ -74,30 +78,51 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
 
     `label` writes the name of a quantity or a point, `unit` a unit, both as text.
     """
-    if not len(run.motion.t) or not run.scene.follows_laws or not resolution(run.scene.equations).met:
-        return None  # its script knows velocities that follow from time and positions
+    driven = run.scene.follows_laws
+    if not len(run.motion.t) or (driven and not resolution(run.scene.equations).met):
+        return None
     drawn = drawn_of(run.scene, label)
     said = _said(run, drawn, phrases, label, unit)
     sliders = sliders_of(run, unit) if len(run.motion.t) <= MOST_ROWS else {}
-    sudden = bool(sliders) and not followed(run, sliders, run.step / FINE)
+    sudden = driven and bool(sliders) and not followed(run, sliders, run.step / FINE)
     if len(run.motion.t) <= MOST_ROWS and not sudden:
-        functions = live_functions(run.scene, drawn.places)
-        data = said | live_numbers(run, functions) | {"sliders": sliders, "given_order": list(run.variant.values)}
-        script = script_of(functions.text, _LABORATORY)
-        part = _part(run, phrases, script, embedded(_asked(data, script) | {"most_cells": MOST_CELLS}), True)
-        if part.size <= MOST_BYTES:
-            return part
+        for part in _laboratories(run, drawn, said, phrases, label, unit):
+            if part.size <= MOST_BYTES:
+                return part
     script = script_of("", _RECORDED)
     said = _asked(said, script)
     room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
-    part = _part(run, phrases, script, embedded(said | frames_of(run, drawn, room)), False)
+    part = _part(run, phrases, script, said | frames_of(run, drawn, room))
     return replace(part, words=part.words | {"no_laboratory": part.words["sudden"]}) if sudden else part
 
 
-def _part(run: SceneRun, phrases: Phrases, script: str, data: str, laboratory: bool) -> LivePart:
+def _laboratories(
+    run: SceneRun, drawn: Drawn, said: dict[str, Any], phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
+) -> Iterator[LivePart]:
+    """Yield the laboratory of a run: with forces where they are asked for, without the stop-watch, without forces."""
+    if not run.scene.follows_laws or (run.variant.forces is not None and (run.asks(FORCES) or run.asks(ENERGY))):
+        from coursework.report.live.by_forces import moved_by, said_of
+
+        found = moved_by(run, drawn.places)
+        heavy = replace(run, scene=found.scene)
+        own = said | said_of(found, said, phrases, label, unit)
+        data = own | live_numbers(run, found.functions) | {"sliders": sliders_of(heavy, unit)} | found.numbers
+        data |= {"given": heavy.variant.values, "given_order": list(heavy.variant.values)}
+        for pieces in (found.pieces(_LABORATORY), found.pieces([one for one in _LABORATORY if one != "stop_watch"])):
+            script = script_of(shortened(found.functions.text), pieces)
+            part = _part(run, phrases, script, _asked(data, script) | {"most_cells": MOST_CELLS}, laboratory=True)
+            yield replace(part, forces=True, watch="stop_watch" in pieces)
+    if run.scene.follows_laws:
+        functions = live_functions(run.scene, drawn.places)
+        data = said | live_numbers(run, functions) | {"sliders": sliders_of(run, unit), "given_order": list(run.variant.values)}
+        script = script_of(functions.text, _LABORATORY)
+        yield _part(run, phrases, script, _asked(data, script) | {"most_cells": MOST_CELLS}, laboratory=True)
+
+
+def _part(run: SceneRun, phrases: Phrases, script: str, data: dict[str, Any], *, laboratory: bool = False) -> LivePart:
     mark = phrases.template("decimal")
     speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
-    return LivePart(_words(phrases), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), data)
+    return LivePart(_words(phrases), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), embedded(data))
 
 
 def _said(
@@ -199,18 +224,8 @@ def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
         "widest": WIDEST_STEP,
         "breaks": list(breaks(variant)),
         "stop": None if scene.stop is None else scene.stop.time,
-        "schemes": {scheme.name: _tableau(scheme) for scheme in SCHEMES.values()},
+        "schemes": {scheme.name: tableau(scheme) for scheme in SCHEMES.values()},
         "scheme": run.scheme if run.scheme in SCHEMES else DEFAULT_SCHEME.name,
         "own": run.scheme in SCHEMES and scene.correction is None,
         "precise": PRECISE.name,
     }
-
-
-def _tableau(scheme: Scheme) -> dict[str, Any]:
-    """Return a tableau with the common factor of each row taken out, fractions as pairs of whole numbers."""
-    nodes = [[node.numerator, node.denominator] for node in scheme.nodes]
-    return {"order": scheme.order, "nodes": nodes, "inner": [*map(_row, scheme.inner)], "outer": _row(scheme.outer)}
-
-
-def _row(row: Sum) -> dict[str, Any]:
-    return {"factor": [row.factor.numerator, row.factor.denominator], "terms": [*map(list, row.terms)]}

@@ -12,7 +12,9 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from itertools import product
 from pathlib import Path
+from string import ascii_letters
 from typing import Any
 
 from coursework.words.data_folders import folder
@@ -22,6 +24,10 @@ _TEXT = re.compile(r"""("(?:[^"\\\n]|\\.)*"|`[^`\n]*`)""")
 _NEEDLESS = re.compile(r";?\n(?=})|(?<=[;{,(\[])\n|\n(?=[)\]])")
 _SIGN = r"[-=+*/<>?:,;{}()\[\]&|!]"
 _BESIDE = re.compile(rf" (?={_SIGN})|(?<={_SIGN}) ")
+# Names in generated functions, those that stay (of what they call, and of the language), lines that keep something.
+_WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+_KEPT = ("do", "if", "in", "of", "as", "const", "return")
+_TOGETHER = re.compile(r"(?:^const [^\n]*;\n)+(?!const)", re.MULTILINE)
 _NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$", re.MULTILINE)  # lines of comment, empty ones, margins
 
 
@@ -40,6 +46,34 @@ def _whole(functions: str, pieces: tuple[str, ...]) -> str:
     reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
     whole = "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
     return _NEEDLESS.sub("", whole)
+
+
+def shortened(functions: str) -> str:
+    r"""Return generated functions with short names of what they keep, one `const` for what is kept together.
+
+    >>> print(shortened("const f = (t, out) => {\nconst k0 = sin(t);\nconst k1 = 2*k0;\nout[0] = k1;\nreturn out;\n};"))
+    const f = (t, out) => {
+    const a = sin(t),
+    b = 2*a;
+    out[0] = b;
+    return out;
+    };
+    """
+    taken = {*_WORD.findall(functions), *_KEPT}
+    short = [name for size in (1, 2) for name in map("".join, product(ascii_letters, repeat=size)) if name not in taken]
+    written, known, inside = list[str](), dict[str, str](), False
+    for line in functions.split("\n"):
+        if line.endswith("=> {") or line == "};":
+            known, inside = {}, line != "};"
+        elif inside and line.startswith("const "):
+            kept = _WORD.findall(line.partition(" = ")[0].removeprefix("const "))
+            known |= dict(zip(kept, short[len(known) :], strict=False))
+        written.append(_renamed(line, known))
+    return _TOGETHER.sub(lambda lines: lines[0].replace(";\nconst ", ",\n"), "\n".join(written))
+
+
+def _renamed(line: str, known: Mapping[str, str]) -> str:
+    return _WORD.sub(lambda word: known.get(word[0], word[0]), line)
 
 
 def embedded(data: Mapping[str, Any]) -> str:

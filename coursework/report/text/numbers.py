@@ -177,8 +177,8 @@ def _needed_decimals(value: float) -> int:
 
 
 def unit_text(unit: str) -> str:
-    """Return a unit as it is printed: "m/s^2" -> "m/s²"; a bare number has none."""
-    return "" if unit in {"", "1"} else unit.replace("^2", "²").replace("deg", "°").replace("°/s", "deg/s")
+    """Return a unit as it is printed: "m/s^2" -> "m/s²", "N*m" -> "N·m"; a bare number has none."""
+    return "" if unit in {"", "1"} else unit.replace("^2", "²").replace("*", "·").replace("deg", "°").replace("°/s", "deg/s")
 
 
 def with_unit(number: str, unit: str) -> str:

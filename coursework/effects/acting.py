@@ -1,0 +1,202 @@
+"""Everything that acts on the links as expressions of a row: what a page that moves is computed from.
+
+Enters: velocity equations, a `ForceScheme`.  Leaves: `Acting`.
+Used by `report/live/by_forces.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from coursework.effects.force_scheme import Body, ForceScheme, Unknown
+from coursework.equations.algebra.calculus import derivative as derivative_by
+from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, add
+from coursework.equations.algebra.functions import call, cosine, sine
+from coursework.equations.codegen.programs import Statement
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.statements import block_statements
+from coursework.equations.reduction.symbolic import Vector, placed, symbol
+from coursework.mechanism.joints import FRAME
+from coursework.motion.geometry.time_derivatives import acceleration_rest, derivative, second_rate
+from coursework.system.frozen import frozen
+from coursework.variant.formula.tree import Formula, named
+from coursework.variant.record.forces import DISC, ROD
+
+COUPLE = 2
+_KINDS = {"x": 0, "y": 1, "couple": COUPLE}  # an unknown along a line has 3 and the number of its direction
+
+
+@frozen
+class Acting:
+    """`wanted` in order: of each body its centre (x, y), force and moment about it; x and y of each place; each direction;
+    kinetic and potential energy.  `unknowns`: name, bodies (-1: the frame) that it acts on with + and with -, place, kind,
+    whether it drives.
+    """
+
+    wanted: tuple[Expression, ...]
+    bodies: int
+    pins: int
+    unknowns: tuple[tuple[str, int, int, int, int, int], ...]
+    places: int
+
+
+def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[Statement]:
+    """Yield the derivatives of the velocities of every block, where laws drive the mechanism."""
+    rests = {one.name: acceleration_rest(equations, one) for one in equations.equations}
+    slopes = {one.name: one.coefficients for one in equations.equations}
+    earlier: list[str] = []
+    for index, block in enumerate(reduction.blocks):
+        sides = tuple(
+            rests[name] - add(ZERO, *[slopes[name][e] * derivative(e) for e in earlier if e in slopes[name]])
+            for name in block.equations
+        )
+        yield from block_statements(replace(block, sides=sides), index, [derivative(name) for name in block.unknowns])
+        earlier += block.unknowns
+
+
+def acting_on(equations: VelocityEquations, scheme: ForceScheme) -> Acting:
+    """Return what acts on every body where all velocities and their derivatives are known."""
+    return _Writer(equations, scheme).acting()
+
+
+@dataclass(slots=True)
+class _Writer:
+    equations: VelocityEquations
+    scheme: ForceScheme
+
+    def acting(self) -> Acting:
+        names = [body.name for body in self.scheme.bodies] + list(self.scheme.pins)
+        index = {name: place for place, name in enumerate(names)} | {FRAME: -1}
+        places: dict[Formula, Vector] = {}
+        ways: list[Expression] = []
+        unknowns = []
+        for one in self.scheme.unknowns:
+            if one.at is not None and one.at not in places:
+                places[one.at] = self.vector(one.at)
+            kind = _KINDS.get(one.direction.kind)
+            if kind is None:
+                kind = 3 + len(ways) // 2
+                ways += self.along(one)
+            at = -1 if one.at is None else list(places).index(one.at)
+            unknowns.append((one.name, index[one.on], index[one.off], at, kind, int(bool(one.is_drive))))
+        wrenches = [part for body in self.scheme.bodies for part in self.wrench(body)]
+        of_places = [part for both in places.values() for part in both]
+        size = 3 * len(self.scheme.bodies) + 2 * len(self.scheme.pins)
+        return Acting(
+            (*wrenches, *of_places, *ways, *self.energies()), len(self.scheme.bodies), len(self.scheme.pins),
+            tuple(unknowns) if size == len(unknowns) else (), len(places),
+        )  # fmt: skip
+
+    def vector(self, formula: Formula) -> Vector:
+        with placed(self.equations.variant, "forces", 1):
+            return self.equations.symbols.vector(formula)
+
+    def scalar(self, formula: Formula | None) -> Expression:
+        with placed(self.equations.variant, "forces", 1):
+            return ZERO if formula is None else self.equations.symbols.scalar(formula)
+
+    def rate(self, parts: Vector) -> Vector:
+        x, y = map(self.equations.symbols.rate, parts)
+        return x, y
+
+    def second(self, expression: Expression) -> Expression:
+        """Return the second derivative of an expression of the positions."""
+        return self.changed(self.equations.symbols.rate(expression))
+
+    def changed(self, rate: Expression) -> Expression:
+        """Return the derivative of an expression of the velocities; laws say nothing of how free rates change, forces do."""
+        free = self.scheme.forces.motor.rates if self.scheme.forces.motor else ()
+        return add(second_rate(self.equations, rate), *[derivative_by(rate, symbol(name)) * derivative(name) for name in free])
+
+    def turned(self, body: Body) -> tuple[Expression, Expression]:
+        """Return angular velocity and acceleration."""
+        if body.rate:
+            return symbol(body.rate), self.changed(symbol(body.rate))
+        if body.span is None or body.span[0] == body.span[1]:
+            return ZERO, ZERO
+        first, last = map(self.vector, body.span)
+        way = last[0] - first[0], last[1] - first[1]
+        moved, second = self.rate(way), (self.second(way[0]), self.second(way[1]))
+        square = way[0] ** 2 + way[1] ** 2
+        return _cross(way, moved) / square, _cross(way, second) / square
+
+    def inertia(self, body: Body) -> Expression:
+        found = ZERO
+        if isinstance(body.inertia, str):
+            assert body.span is not None
+            (ax, ay), (bx, by) = map(self.vector, body.span)
+            found = self.scalar(body.mass) * ((bx - ax) ** 2 + (by - ay) ** 2) / {ROD: 12, DISC: 2}[body.inertia]
+        elif body.inertia is not None:
+            found = self.scalar(body.inertia)
+        wheel = self.scheme.forces.flywheel
+        if wheel is not None and self.scheme.body_named(wheel.on) == body.name:
+            found = found + self.scalar(wheel.inertia)
+        return found
+
+    def wrench(self, body: Body) -> Iterator[Expression]:
+        """Yield the centre of a body, the force on it and its moment about the centre: inertia, weight, loads, springs."""
+        centre, mass, forces = self.vector(body.centre), self.scalar(body.mass), self.scheme.forces
+        gravity = tuple(map(self.scalar, forces.gravity)) if forces.gravity else (ZERO, ZERO)
+        x, y = (mass * (g - self.second(part)) for g, part in zip(gravity, centre, strict=True))
+        inertia = self.inertia(body)
+        moment = -inertia * self.turned(body)[1] if inertia is not ZERO else ZERO
+        for at, force, torque in (*self.loads(body), *self.pulls(body)):
+            x, y = x + force[0], y + force[1]
+            moment = add(moment, torque, _cross((at[0] - centre[0], at[1] - centre[1]), force))
+        yield from (*centre, x, y, moment)
+
+    def loads(self, body: Body) -> Iterator[tuple[Vector, Vector, Expression]]:
+        for load in self.scheme.forces.loads:
+            if self.scheme.body_named(load.on) == body.name:
+                still = self.vector(body.centre), (ZERO, ZERO), self.scalar(load.torque)
+                yield still if load.at is None or load.force is None else (self.vector(load.at), self.vector(load.force), ZERO)
+
+    def pulls(self, body: Body) -> Iterator[tuple[Vector, Vector, Expression]]:
+        for spring in self.scheme.forces.springs:
+            first, last = (self.vector(named(end)) for end in spring.ends)
+            way = last[0] - first[0], last[1] - first[1]
+            length = call("sqrt", way[0] ** 2 + way[1] ** 2)
+            pull = self.scalar(spring.stiffness) * (length - self.scalar(spring.free)) if spring.stiffness is not None else ZERO
+            pull = (pull + self.scalar(spring.damping) * self.equations.symbols.rate(length)) / length
+            for end, at, sign in ((spring.ends[0], first, ONE), (spring.ends[1], last, -ONE)):
+                if self.scheme.holder(end) == body.name:
+                    yield at, (sign * pull * way[0], sign * pull * way[1]), ZERO
+
+    def along(self, one: Unknown) -> Vector:
+        """Return the unit vector of an unknown, or the force at the end of an arm that is a couple on it (1/m)."""
+        way = one.direction
+        if way.kind == "slope":
+            assert one.at is not None
+            x, y = (self.equations.symbols.partial(part, symbol(way.coordinate)) for part in self.vector(one.at))
+            return x / (x**2 + y**2), y / (x**2 + y**2)
+        if way.through is not None:
+            (ax, ay), (bx, by) = map(self.vector, way.through)
+            length = call("sqrt", (bx - ax) ** 2 + (by - ay) ** 2)
+            unit = (bx - ax) / length, (by - ay) / length
+        else:
+            angle = self.scalar(way.angle)
+            unit = cosine(angle), sine(angle)
+        return {"along": unit, "across": (-unit[1], unit[0]), "tangent": (unit[1], -unit[0])}[way.kind]
+
+    def energies(self) -> Vector:
+        forces = self.scheme.forces
+        gravity = tuple(map(self.scalar, forces.gravity)) if forces.gravity else (ZERO, ZERO)
+        kinetic, potential = [ZERO], [ZERO]
+        for body in self.scheme.bodies:
+            centre, mass = self.vector(body.centre), self.scalar(body.mass)
+            (x, y), inertia = self.rate(centre), self.inertia(body)
+            kinetic += [HALF * mass * (x**2 + y**2)]
+            kinetic += [HALF * inertia * self.turned(body)[0] ** 2] if inertia is not ZERO else []
+            potential.append(-mass * (gravity[0] * centre[0] + gravity[1] * centre[1]))
+        for spring in forces.springs:
+            if spring.stiffness is not None:
+                (ax, ay), (bx, by) = (self.vector(named(end)) for end in spring.ends)
+                stretch = call("sqrt", (bx - ax) ** 2 + (by - ay) ** 2) - self.scalar(spring.free)
+                potential.append(HALF * self.scalar(spring.stiffness) * stretch**2)
+        return add(*kinetic), add(*potential)
+
+
+def _cross(arm: Vector, force: Vector) -> Expression:
+    return arm[0] * force[1] - arm[1] * force[0]

@@ -1,0 +1,113 @@
+// What acts on the links: reactions as arrows on the drawing, what drives and the energy beside the rows of the table.
+// Enters: `motion`, `acts`.  Leaves: `forces`; drawing, graphs and columns are asked for more than before.
+const forces = {
+  kept: new Map(), largest: 0, scale: 0,
+  // What acts in one motion at t (s); false where it has no such time.
+  at(true_, t) {
+    const rows = true_ ? motion.truth : motion.rows;
+    if (!rows?.n || t > (rows.n - 1) * rows.h * (1 + 1e-9)) return false;
+    return acts.on(t, interpolated(rows, t, new Float64Array(m)), motion.d);
+  },
+  // The energy and each drive in all rows of one motion.
+  columns(rows) {
+    if (!this.kept.has(rows)) {
+      const made = names_.map(() => new Float64Array(rows.n));
+      for (let i = 0; i < rows.n; i++) {
+        acts.on(i * rows.h, rows.q.slice(i * m, i * m + m), motion.d);
+        const found = made.length > 1 ? acts.reactions() : [];
+        for (let k = 0; k < made.length; k++) made[k][i] = k ? found[drives[k - 1]] : acts.energy;
+      }
+      this.kept.set(rows, made);
+    }
+    return this.kept.get(rows);
+  },
+  // Those forces that are drawn: at a place (m), along x and y (N), with a name.
+  arrows() {
+    const found = acts.reactions();
+    return data.forces.arrows.map(([name, ...columns]) => {
+      let x = 0, y = 0;
+      for (const column of columns) {
+        const way = acts.way(unknowns[column][4]);
+        x += found[column] * way[0];
+        y += found[column] * way[1];
+      }
+      return { name, at: acts.place(unknowns[columns[0]][3]), x, y, size: Math.hypot(x, y) };
+    });
+  },
+  draw(t) {
+    this.layer.replaceChildren();
+    if (!this.at(true, t)) return this.tell([], NaN, t);
+    const all = this.arrows(), found = acts.reactions(), { energy } = acts;
+    if (additions.on.forces && this.largest > 0) {
+      for (const { name, at, x, y } of all) {
+        const px = drawing.x(at[0]), py = drawing.y(at[1]), long = 90 / this.largest, dx = x * long, dy = -y * long, far = Math.hypot(dx, dy);
+        additions.arrow(this.layer, px, py, dx, dy);
+        if (far < 14) continue;
+        const text = svg("text", { x: f1(px + dx + (9 * dx) / far), y: f1(py + dy + 5 + (9 * dy) / far), "text-anchor": dx < 0 ? "end" : "start" }, this.layer);
+        symbolic(text, name);
+      }
+      for (const path of this.layer.querySelectorAll("path")) Object.assign(path.style, { stroke: COLOUR, fill: COLOUR });
+    }
+    this.tell(all.toSorted((a, b) => b.size - a.size).slice(0, 1), energy, t, found);
+  },
+  // What drives, the largest reaction and the energy, the dashed mechanism's behind them.
+  tell(first, energy, t, found = []) {
+    const own = this.at(false, t), other = own ? acts.reactions() : [], there = own ? acts.energy : NaN;
+    const lines = drives.map((column, k) => say("force_drive", {
+      name: label(names_[k + 1]).replace("_", ""), value: shown(found[column], 4), own: shown(other[column], 4), unit: data.unit_words[names_[k + 1]],
+    }));
+    for (const { name, size } of first) lines.push(say("force_largest", { name: name.replace("_", ""), value: shown(size, 4) }));
+    write(byId("live-drive"), lines.join(" "));
+    tell("live-energy", say("force_energy", { value: shown(energy, 4), own: shown(there, 4) }), String(there));
+    const off = there - energy, part = Math.abs(off) > 0.05 * this.scale;
+    tell("live-gained", part ? say(off > 0 ? "force_gained" : "force_lost", { off: shown(Math.abs(off), 3), share: shown((100 * Math.abs(off)) / this.scale, 3) }) : "");
+  },
+  // After the motion has changed: the scale of the arrows, and how much energy there is to be off by.
+  renew() {
+    this.kept.clear();
+    this.largest = this.scale = 0;
+    if (!drawing.layers) return;
+    this.layer ??= svg("g", { class: "live-arrows" }, drawing.field);
+    for (let i = 0; i < motion.count; i += Math.ceil(motion.count / 100)) {
+      if (!this.at(true, i * motion.h)) continue;
+      this.scale = Math.max(this.scale, acts.kinetic);
+      for (const { size } of additions.on.forces ? this.arrows() : []) if (size < Infinity) this.largest = Math.max(this.largest, size);
+    }
+    tell("live-force", this.largest > 0 ? say("force_scale", { force: shown(this.largest, 3) }) : "");
+  },
+};
+const COLOUR = "var(--centre)";
+// The columns that forces add to the graphs: the energy, then each drive.
+const names_ = ["E", ...data.forces.drives], drives = data.forces.drives.map((name) => unknowns.findIndex(([own]) => own === name));
+
+// What stands before asks for more: drawing, columns, graphs, the start of a free motion.
+const before = { renew: additions.renew, draw: additions.draw, column: motion.column, prepare: panels.prepare, truth: panels.truth };
+additions.on.forces = true;
+additions.renew = () => {
+  before.renew.call(additions);
+  forces.renew();
+};
+additions.draw = (place, t) => {
+  before.draw.call(additions, place, t);
+  if (forces.layer) forces.draw(t);
+};
+motion.column = (true_, name) => {
+  const place = names_.indexOf(name), rows = true_ ? motion.truth : motion.rows;
+  if (place < 0) return before.column.call(motion, true_, name);
+  const found = rows?.n ? forces.columns(rows)[place] : [];
+  return { n: rows?.n ?? 0, h: rows?.h ?? 0, value: (i) => found[i] };
+};
+panels.prepare = () => {
+  const { shown: own } = data;
+  data.shown = [...names_, ...own];
+  before.prepare.call(panels);
+  data.shown = own;
+};
+// An energy that keeps its value is a line all the same.
+panels.truth = (one) => {
+  before.truth.call(panels, one);
+  const [low, high] = one.range, room = 0.02 * Math.abs(high);
+  if (high - low > 1e-3 * room) return;
+  one.range = [low - room, high + room];
+  change(one.line, "d", panels.along.map((x) => `${x}500`).join(""));
+};

@@ -1,0 +1,3 @@
+// Where a script has no room for the stop-watch nothing is timed.
+// Leaves: `watch`.
+const watch = { open() {}, later() {}, draw() {} };
