@@ -1,11 +1,14 @@
 """What nobody asked for is not even imported: asked of a fresh interpreter."""
 
 import json
+import os
 import subprocess
 import sys
 
 import pytest
 
+import coursework
+from coursework.report.output.tables import run_tables
 from tests.grading.batch.classroom import hand_in
 
 LOOK = """
@@ -105,3 +108,24 @@ def test_the_libraries_of_a_command(arguments, others, tmp_path):
     assert "numpy.ma" not in modules
     rooms = {name.split(".")[1] for name in modules if name.startswith("coursework.")}
     assert rooms & {"grading", "assigning"} == ({"grading"} if arguments[0] == "grade" else set())
+
+
+# SymPy is not installed, and the home folder is a file: no folder can be made or read there.
+BARE = """
+import sys
+sys.modules["sympy"] = None
+"""
+
+
+def test_a_run_without_sympy_or_a_home_is_the_same(tmp_path):
+    (tmp_path / "home").write_text("")
+    home = {name: str(tmp_path / "home") for name in ("HOME", "USERPROFILE", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "APPDATA")}
+    run = command("run", "31", "--format", "csv,html", "--out", "bare")
+    done = subprocess.run(
+        [sys.executable, "-c", BARE + run], capture_output=True, text=True, cwd=tmp_path, env=os.environ | home, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    whole = coursework.solve("31")
+    assert (tmp_path / "bare" / "table.csv").read_bytes() == dict(run_tables(whole))["table.csv"].encode()
+    versions = json.loads((tmp_path / "bare" / "run.json").read_bytes())["versions"]
+    assert versions == {name: version for name, version in whole.versions.items() if name != "sympy"}

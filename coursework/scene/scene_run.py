@@ -290,8 +290,6 @@ class SceneRun:
 
     @property
     def versions(self) -> dict[str, str]:
-        """Return the versions that made the numbers."""
-        return {
-            "coursework": VERSION, "python": platform.python_version(),
-            "numpy": np.__version__, "sympy": sympy_version(),
-        }  # fmt: skip
+        """Return the versions that made the numbers, of SymPy where it is installed."""
+        made = {"coursework": VERSION, "python": platform.python_version(), "numpy": np.__version__, "sympy": sympy_version()}
+        return {name: version for name, version in made.items() if version}

@@ -38,8 +38,11 @@ def symbolic(part: Expression) -> sp.Expr:
 
 
 def sympy_version() -> str:
-    """Return the version of SymPy without loading it: the metadata of a package take forty times as long as its own file."""
+    """Return the version of SymPy, "" where it is not installed: no table and no page needs it.
+
+    It is not loaded: the metadata of a package take forty times as long as its own file.
+    """
     spec = find_spec("sympy")
-    assert spec is not None
-    assert spec.origin is not None
+    if spec is None or spec.origin is None:
+        return ""
     return Path(spec.origin).with_name("release.py").read_text(encoding="utf-8").split('"')[1]
