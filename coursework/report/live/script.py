@@ -22,7 +22,7 @@ _TEXT = re.compile(r"""("(?:[^"\\\n]|\\.)*"|`[^`\n]*`)""")
 _NEEDLESS = re.compile(r";?\n(?=})|(?<=[;{,(\[])\n|\n(?=[)\]])")
 _SIGN = r"[-=+*/<>?:,;{}()\[\]&|!]"
 _BESIDE = re.compile(rf" (?={_SIGN})|(?<={_SIGN}) ")
-_NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$", re.MULTILINE)  # lines of comment, empty ones, margins
+_NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$|/\*\* .*? \*/ ", re.MULTILINE)  # comments, types, empty lines, margins
 
 
 def script_of(functions: str, pieces: Sequence[str]) -> str:
