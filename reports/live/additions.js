@@ -1,14 +1,15 @@
 // What a switch adds to the drawing: traces of the points, velocities as arrows, instantaneous centres as they move.
 // Enters: positions at any time.  Leaves: `additions`, and `offRail`, by how much the table's mechanism has left its guides.
 // The velocity of every point at t (s), flat, m/s: from where it is a little before and a little after.
+/** @type {(true_: boolean, t: number) => any} */
 const velocities = (true_, t) => {
   const h = motion.grain, before = Math.max(0, t - h), after = Math.min(motion.duration, t + h);
   const from = motion.at(true_, before), to = motion.at(true_, after);
   return from && to ? from.map((value, k) => (to[k] - value) / (after - before)) : null;
 };
 
-const additions = {
-  on: { traces: false, velocities: false, centres: false },
+const additions = /** @type {Additions} */ ({
+  on: { traces: false, velocities: false, centres: false }, fastest: 0,
   // After the motion has changed: its traces, and the scale of the arrows.
   renew() {
     this.fastest = 0;
@@ -63,6 +64,7 @@ const additions = {
     svg("path", { d: `M${f1(x)} ${f1(y)}L${f1(neck[0])} ${f1(neck[1])}` }, layer);
     if (!head) return;
     const side = [0.35 * head * uy, -0.35 * head * ux];
+    /** @type {(sign: number) => string} */
     const wing = (sign) => `${f1(neck[0] + sign * side[0])} ${f1(neck[1] + sign * side[1])}`;
     svg("path", { d: `M${f1(tip[0])} ${f1(tip[1])}L${wing(1)}L${wing(-1)}Z`, class: "live-filled" }, layer);
   },
@@ -72,6 +74,7 @@ const additions = {
     const [a, b] = [bar.points[0], bar.points[bar.points.length - 1]];
     const dx = X(place, b) - X(place, a), dy = Y(place, b) - Y(place, a), size = dx * dx + dy * dy;
     const wheel = data.wheels.some((one) => one.link === bar.name);
+    /** @type {any} */
     let turning = bar.rate ? motion.rate(true, t, bar.rate) : null;
     if (turning === null && size > 0 && !wheel) {
       turning = (dx * (Y(speeds, b) - Y(speeds, a)) - dy * (X(speeds, b) - X(speeds, a))) / size;
@@ -88,11 +91,14 @@ const additions = {
     const text = svg("text", { ...at, "text-anchor": wx < 0 ? "end" : "start" }, layer);
     symbolic(text, `${data.centre}_${bar.name}`);
   },
-};
+});
 
 // The farthest that a point of the table's mechanism has left its rail or its fixed circle: which, point and distance (m).
+/** @type {(ghost: Place) => Off | null} */
 const offRail = (ghost) => {
+  /** @type {any} */
   let worst = null;
+  /** @type {(guide: string, point: string, distance: number) => void} */
   const take = (guide, point, distance) => {
     if (!worst || distance > worst.distance) worst = { guide, point, distance };
   };
@@ -102,6 +108,7 @@ const offRail = (ghost) => {
     const dx = X(ghost, rail.rider) - X(drawing.first, rail.at), dy = Y(ghost, rail.rider) - Y(drawing.first, rail.at);
     take("rail", rail.rider, Math.abs(ux * dy - uy * dx));
   }
+  /** @type {(place: Place, a: string, b: string) => number} */
   const distance = (place, a, b) => Math.hypot(X(place, a) - X(place, b), Y(place, a) - Y(place, b));
   for (const track of data.tracks) {
     const radius = distance(drawing.first, track.centre, track.rim);
@@ -115,7 +122,9 @@ const offRail = (ghost) => {
 };
 
 // The point of the table's mechanism that is farthest from where it should be: point and distance (m).
+/** @type {(ghost: Place, right: Place) => Off | null} */
 const offPlace = (ghost, right) => {
+  /** @type {any} */
   let worst = null;
   for (const name of data.shown_points) {
     const distance = Math.hypot(X(ghost, name) - X(right, name), Y(ghost, name) - Y(right, name));

@@ -5,6 +5,7 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 let now = 0, playing = false, begun = 0, asked = 0, pictures = 0;
 
 // Show the time t (s), what is written of it too or not; the scrub stands at the row, counted from 0 with a fraction.
+/** @type {(t: number, inWords?: boolean) => void} */
 const show = (t, inWords = true) => {
   now = Math.min(Math.max(t, 0), motion.duration);
   // Nothing is marked before the first move.
@@ -25,6 +26,7 @@ const show = (t, inWords = true) => {
   const { right, ghost } = places_ ?? {};
   const rail = ghost && offRail(ghost), away = ghost && right && offPlace(ghost, right);
   // What differs by less than 50 nm is where it should be.
+  /** @type {(found: Off, there: string, away_: string) => string} */
   const off = (found, there, away_) =>
     say(found.distance < 5e-8 ? there : away_, { point: label(found.point), distance: shown(found.distance * 1000, 3) });
   tell("live-rail", rail ? off(rail, "on_" + rail.guide, "off_" + rail.guide) : "", rail ? String(rail.distance) : "");
@@ -39,6 +41,7 @@ const changed = () => {
   show(now);
 };
 
+/** @type {FrameRequestCallback} */
 const frame = (stamp) => {
   if (!playing) return;
   const past = Math.min(stamp - begun, 100) / 1000;
@@ -52,6 +55,7 @@ const frame = (stamp) => {
 const tick = () => {
   if (playing) show(now >= motion.duration * (1 - 1e-9) ? 0 : (Math.floor(now / motion.h + 1e-6) + 1) * motion.h);
 };
+/** @type {(on: boolean) => void} */
 const run = (on) => {
   playing = on;
   play.setAttribute("aria-pressed", String(on));
@@ -67,6 +71,7 @@ const run = (on) => {
   }
 };
 
+/** @type {Record<string, () => void>} */
 const KEYS = {
   " ": () => run(!playing),
   ArrowLeft: () => show((Math.ceil(now / motion.h - 1e-6) - 1) * motion.h),

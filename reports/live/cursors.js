@@ -1,6 +1,6 @@
 // Where the animation stands, on the rest of the page: a line in every graph, the row of every table.
 // Enters: graphs [data-panel] with the box of their axes and its times; rows [data-row].  Leaves: `cursors`.
-const cursors = {
+const cursors = /** @type {Cursors} */ ({
   panels: [],
   tables: [],
   // A graph, or the drawing in it, says data-box="left top right bottom" in its own units and data-time="first last" (s).
@@ -46,4 +46,4 @@ const cursors = {
       table.lit = reached;
     }
   },
-};
+});

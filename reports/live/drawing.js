@@ -1,17 +1,22 @@
 // The mechanism on the screen: the true one solid, the one of the table dashed over it, what a switch adds to them.
 // Enters: `motion` and the outline in `data` (names of points).  Leaves: `drawing`, redrawn for any time.
+/** @type {{ get(name: string): any }} */
 const index = new Map(data.points.map((name, i) => [name, 2 * i]));
+/** @type {(place: Place, name: string) => number} */
 const X = (place, name) => place[index.get(name)];
+/** @type {(place: Place, name: string) => number} */
 const Y = (place, name) => place[index.get(name) + 1];
+/** @type {(place: Place, base: string, toward: string) => Point} */
 const along = (place, base, toward) => {
   const x = X(place, toward) - X(place, base), y = Y(place, toward) - Y(place, base);
   const size = Math.hypot(x, y) || 1;
   return [x / size, y / size];
 };
 // A circle as part of a path.
+/** @type {(x: number, y: number, r: number) => string} */
 const round = (x, y, r) => `M${f1(x - r)} ${f1(y)}a${r} ${r} 0 1 0 ${f1(2 * r)} 0a${r} ${r} 0 1 0 ${f1(-2 * r)} 0`;
 
-const drawing = {
+const drawing = /** @type {Drawing} */ ({
   field: byId("live-field"),
   prepare() {
     if (!data.points.length) return;
@@ -22,6 +27,7 @@ const drawing = {
         name, svg("g", { class: `live-${name}` }, this.field),
       ]),
     );
+    /** @type {(layer: string) => any} */
     const line = (layer) => svg("path", {}, this.layers[layer]);
     this.paths = Object.fromEntries(["ground", "ghost", "body", "pins"].map((name) => [name, line(name)]));
     this.paths.hatch = svg("path", { class: "live-hatch" }, this.layers.ground);
@@ -32,6 +38,7 @@ const drawing = {
   refit() {
     if (!data.points.length) return;
     // Where there is little room the drawing has fewer units, so that its letters keep their size.
+    /** @type {(width: string) => boolean} */
     const fits = (width) => matchMedia(width).matches;
     this.WIDE = fits("(max-width: 359px)") ? 350 : fits("(max-width: 599px), (min-width: 721px) and (max-width: 1199px)") ? 380 : 640;
     // The true motion is looked through once, also while step and scheme are moved.
@@ -55,6 +62,7 @@ const drawing = {
   // Where everything is in a hundred rows of a motion at most, from the start to a time (s), and the box around it (m).
   extent(true_, last, h) {
     const box = [Infinity, Infinity, -Infinity, -Infinity], rows = [];
+    /** @type {(x: number, y: number, room?: number) => void} */
     const take = (x, y, room = 0) => {
       box[0] = Math.min(box[0], x - room);
       box[1] = Math.min(box[1], y - room);
@@ -62,6 +70,7 @@ const drawing = {
       box[3] = Math.max(box[3], y + room);
     };
     const count = 1 + Math.round(last / h);
+    /** @type {(place: Place, round: { centre: string }, rim: string) => void} */
     const circle = (place, { centre }, rim) =>
       take(X(place, centre), Y(place, centre), Math.hypot(X(place, rim) - X(place, centre), Y(place, rim) - Y(place, centre)));
     for (let i = 0; i < count; i += Math.ceil(count / 100)) {
@@ -86,6 +95,7 @@ const drawing = {
   // Rails, fixed circles and hinges, hatched where they are held.
   ground() {
     let lines = "", thin = "";
+    /** @type {(...at: number[]) => void} */
     const hatch = (x1, y1, x2, y2, leanX, leanY) => {
       const count = Math.max(2, Math.round(Math.hypot(x2 - x1, y2 - y1) / 8));
       for (let i = 0; i < count; i++) {
@@ -137,17 +147,20 @@ const drawing = {
     }
     this.slots.forEach(({ slot, beside, low, high }) => {
       const [ux, uy] = along(place, slot.base, slot.toward), [x, y] = this.put(place, slot.at);
+      /** @type {(s: number, n: number) => string} */
       const on = (s, n) => `${f1(x + s * ux - n * uy)} ${f1(y - s * uy - n * ux)}`;
       path += `M${on(low, beside)}L${on(high, beside)}`;
       if (Math.abs(beside) > 1) path += `M${on(0, 0)}L${on(0, beside)}`;
     });
     this.racks.forEach(({ slot, low, high }) => {
       const [ux, uy] = along(place, slot.base, slot.toward), [x, y] = this.put(place, slot.at);
+      /** @type {(s: number, n: number) => string} */
       const corner = (s, n) => `${f1(x + s * ux - n * uy)} ${f1(y - s * uy - n * ux)}`, deep = 7 * slot.side;
       path += `M${corner(low, 0)}L${corner(high, 0)}L${corner(high, deep)}L${corner(low, deep)}Z`;
     });
     for (const block of data.blocks) {
       const [ux, uy] = along(place, block.base, block.toward), [x, y] = this.put(place, block.at);
+      /** @type {(a: number, b: number) => string} */
       const corner = (a, b) => `${f1(x + a * ux - b * uy)} ${f1(y - a * uy - b * ux)}`;
       path += block.open
         ? `M${corner(-14, 7)}L${corner(14, 7)}M${corner(-14, -7)}L${corner(14, -7)}`
@@ -211,4 +224,4 @@ const drawing = {
     change(this.paths.pins, "d", rings);
     change(this.paths.filled, "d", dots);
   },
-};
+});

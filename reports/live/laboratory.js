@@ -5,9 +5,10 @@
 const MOMENT = 7000, PIECE = 1500, NEXT = 3;
 // An error below this (rad or m) is none, as in the checks of the page.
 const ROUND_OFF = 1e-10;
-const laboratory = {
+const laboratory = /** @type {Laboratory} */ ({
   turn: 0,
   prepare() {
+    /** @type {(list: any, value: string, textContent: string) => void} */
     const option = (list, value, textContent) => list.append(element("option", { value, textContent }));
     for (const name of Object.keys(data.schemes)) option(byId("lab-scheme"), name, data.words["scheme_" + name]);
     byId("lab-scheme").value = tried.scheme;
@@ -131,7 +132,7 @@ const laboratory = {
     if (error < 0.1) return say("less", { error: shown(Number((1 / error).toPrecision(2)), 2), work: plain(work, 2) });
     return say("more", { error: plain(error, 2), work: plain(work, 2) });
   },
-};
+});
 
 const begin = () => {
   motion.choose();
@@ -141,4 +142,5 @@ const furnish = () => {
   panels.prepare();
   laboratory.prepare();
 };
+/** @type {(row: number, moving: boolean) => void} */
 const light = (row, moving) => lines.light(row, moving);

@@ -2,15 +2,19 @@
 // Enters: `data`, the generated functions, `march` and `follow`.  Leaves: `motion`, which the drawing and the panels read.
 // Points of the true motion from row to row of the file.
 const FINE = 16;
+/** @type {string[]} */
 const names = data.given_order.filter((name) => name in data.sliders);
+/** @type {Tried} */
 const tried = { halvings: 0, scheme: data.scheme, datum: names[0] ?? null, value: null };
 
 // Newton's rule on what the links close, with the least change; false where it does not settle.
+/** @type {(q: Float64Array, d: any) => boolean} */
 const settle = (q, d) => {
   const f = data.moved.length, k = data.closed;
   const out = new Float64Array(k * (1 + f));
   for (let tries = 0; tries < 25; tries++) {
     closing(0, q, d, out);
+    /** @type {(r: number, c: number) => number} */
     const J = (r, c) => out[k + r * f + c];
     const n = Math.min(k, f), wide = k <= f;
     const entries = [], right = [];
@@ -44,6 +48,7 @@ const settle = (q, d) => {
 };
 
 // The start for other data: the position that closes, followed from that of the file; null where there is none.
+/** @type {(d: any) => Float64Array | null} */
 const startFor = (d) => {
   const q = Float64Array.from(data.start);
   if (tried.value === null || !data.followed.includes(tried.datum)) return q;
@@ -56,6 +61,7 @@ const startFor = (d) => {
   return q;
 };
 
+/** @type {(rows: Rows, t: number, into: Float64Array) => Float64Array} */
 const interpolated = (rows, t, into) => {
   const i = Math.min(Math.max(Math.floor(t / rows.h), 0), Math.max(rows.n - 2, 0)), share = t / rows.h - i;
   const from = i * m, to = i + 1 < rows.n ? from + m : from;
@@ -63,7 +69,7 @@ const interpolated = (rows, t, into) => {
   return into;
 };
 
-const motion = {
+const motion = /** @type {Motion} */ ({
   d: null, start: null, h: data.step, truth: null, rows: table(), worst: null, first: null,
   // The true motion of `made` is kept while only step and scheme are moved; `drawn` tells one true motion from another.
   made: "", drawn: "", fine: table(), next: table(), rough: table(), spare: table(), timed: table(),
@@ -84,6 +90,7 @@ const motion = {
   },
   // How many evaluations `compute` will make.
   get cost() {
+    /** @type {(h: number) => number} */
     const steps = (h) => Math.max(1, wholeSteps(h, data.end));
     const own = steps(this.h) * data.schemes[tried.scheme].inner.length;
     return own + (this.wanted === this.made ? 0 : steps(data.step / FINE) * this.inside * data.schemes[data.precise].inner.length);
@@ -112,6 +119,7 @@ const motion = {
     this.first ??= { ...this.worst, evaluations: this.rows.evaluations };
   },
   // March once more, with what is tried now or another scheme: what the stop-watch times.
+  /** @this {Motion} */
   *again(into = this.timed, h = this.h, truth = this.truth, scheme = tried.scheme) {
     if (truth) yield* march(into, scheme, h, this.start, this.d, truth.dead);
     else Object.assign(clear(into, h, 0), { lost: true });
@@ -147,8 +155,8 @@ const motion = {
   },
   // The column of a coordinate or velocity in one motion: how many rows, and the value of each.
   column(true_, name) {
-    const rows = (true_ ? this.truth : this.rows) ?? { n: 0 }, place = data.coordinates.indexOf(name);
+    const rows = (true_ ? this.truth : this.rows) ?? table(), place = data.coordinates.indexOf(name);
     const from = place < 0 ? data.velocities.indexOf(name) : place, [values, step] = place < 0 ? [rows.u, width] : [rows.q, m];
     return { n: rows.n, h: rows.h, value: (i) => values[i * step + from] };
   },
-};
+});

@@ -2,8 +2,8 @@
 // Enters: `motion`.  Leaves: `lines`.  Lines are as high as the stylesheet says, so that nobody has to measure them.
 // How many cells that have to be written making one costs; px; cells that are spelled out together.
 const NEW_CELL = 5, HEIGHT = 22, SPELLED = 60;
-const lines = {
-  columns: ["t", ...data.shown], made: [], groups: [], count: 0, lit: null, inSight: 15, top: 0,
+const lines = /** @type {Lines} */ ({
+  columns: ["t", ...data.shown], made: [], groups: [], count: 0, lit: null, inSight: 15, top: 0, few: 0, wanted: 0, value: [], decimals: [],
   prepare() {
     const row = element("tr");
     row.setAttribute("role", "row");
@@ -21,6 +21,7 @@ const lines = {
     this.box.addEventListener("scroll", () => (this.top = this.box.scrollTop), { passive: true });
     // How many lines are on the screen, told at every tenth of the box.
     const threshold = [...Array(11).keys()].map((k) => k / 10);
+    /** @type {(one: IntersectionObserverEntry) => void} */
     const see = ({ isIntersecting, intersectionRect }) => (this.inSight = isIntersecting ? Math.ceil(intersectionRect.height / HEIGHT) : 0);
     new IntersectionObserver((entries) => entries.forEach(see), { threshold }).observe(this.box);
     this.few = Math.ceil(SPELLED / this.columns.length);
@@ -110,4 +111,4 @@ const lines = {
     next?.classList.add("live-now");
     this.lit = next;
   },
-};
+});

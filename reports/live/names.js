@@ -1,8 +1,9 @@
 // Names of the points and numbers of the links, in the drawing beside what they name.
 // Enters: places of a drawing, and `data.spots`, chosen clear of the motion.  Leaves: `words`, moved with the mechanism.
-const words = {
+const words = /** @type {Words} */ ({
   prepare(layer) {
     layer.setAttribute("lang", "en"); // Latin letters in every language: a Chinese face is taller than the room chosen for them
+    /** @type {(points: string[], given: Attributes, text: string) => { made: any; points: string[] }} */
     const add = (points, given, text) => {
       const made = svg("text", { dy: 5, ...given }, layer);
       symbolic(made, text);
@@ -28,4 +29,4 @@ const words = {
       change(made, "y", f1(y));
     });
   },
-};
+});

@@ -1,7 +1,8 @@
 // What the scripts of the live page find beside each other, for whoever checks their types: nothing of this is sent.
+/// <reference path="./types.d.ts" />
 
 /** The numbers and words of the page, as `coursework/report/live/` writes them. */
-declare const data: any;
+declare const data: Data;
 /** The generated functions of a variant: velocities and determinants, places of what is drawn, what the links close. */
 declare function rates(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
 declare function places(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;

@@ -2,28 +2,33 @@
 // Enters: `motion`.  Leaves: `panels`; each bears the box of its axes, so that the cursor finds it.
 const WIDE = 300, HIGH = 143, LEFT = 58, RIGHT = 292, TOP = 23, BOTTOM = 103;
 // Some round numbers from low to high.
+/** @type {(low: number, high: number, most: number) => [number, string][]} */
 const ticks = (low, high, most) => {
   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw));
-  const step = power * [1, 2, 5, 10].find((part) => part * power >= raw * (1 - 1e-9));
+  const step = power * ([1, 2, 5, 10].find((part) => part * power >= raw * (1 - 1e-9)) ?? NaN);
+  /** @type {number[]} */
   const found = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) found.push(i * step);
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   return found.map((value) => [value, fixed(Math.abs(value) < step / 2 ? 0 : value, Math.min(decimals, 9))]);
 };
 
+/** @type {(range: number[], value: number) => void} */
 const widen = (range, value) => {
   if (value < range[0]) range[0] = value;
   if (value > range[1]) range[1] = value;
 };
 // The ends of an axis, at halves of its round numbers: they stay where they are while the values change a little.
+/** @type {(...range: number[]) => Point} */
 const ends = (least, most) => {
   const room = 0.04 * (most - least) || Math.max(0.5, 0.1 * Math.abs(most)), low = least - room, high = most + room;
   const half = 10 ** Math.floor(Math.log10((high - low) / 3)) / 2;
   return [Math.floor(low / half) * half, Math.ceil(high / half) * half];
 };
 
-const panels = {
+const panels = /** @type {Panels} */ ({
   prepare() {
+    /** @type {(t: number) => number} */
     this.x = (t) => f1(LEFT + ((RIGHT - LEFT) * t) / data.end);
     this.all = data.shown.map((name) => {
       const home = element("div");
@@ -53,6 +58,7 @@ const panels = {
       const line = svg("path", { class: "live-true" }, clip), rows = svg("path", { class: "live-table" }, clip);
       const dots = svg("path", { class: "live-dots" }, clip), dead = svg("path", { class: "live-dead" }, panel);
       const ticked = svg("path", {}, scale), zero = svg("path", { class: "live-zero" }, scale);
+      /** @type {Panel} */
       const made = { turn: 0, panel, name, scale, ticked, zero, texts: [], line, rows, dots, dead, draw: () => this.draw(made) };
       return made;
     });
@@ -65,11 +71,14 @@ const panels = {
     const dead = motion.dead === null ? "" : `M${this.x(motion.dead)} ${TOP}V${BOTTOM}`;
     if (one.drawn !== motion.drawn) this.truth(one);
     const { n, h, value } = motion.column(false, one.name);
+    /** @type {any} */
     const range = [...one.range];
     for (let i = 0; i < n && !dead; i++) widen(range, value(i));
     const [low, high] = ends(...range);
+    /** @type {(value: number) => number} */
     const y = (value) => f1(Math.max(-999, Math.min(999, BOTTOM - ((BOTTOM - TOP) * (value - low)) / (high - low))));
     // The line of the true motion is kept; what changes is how its range lies in the panel.
+    /** @type {number[]} */
     const [from, to] = one.range.map(y);
     change(one.line, "transform", `translate(0 ${from}) scale(1 ${(to - from) / 1000})`);
     // At most thirty dots, or they are a rope.
@@ -127,4 +136,4 @@ const panels = {
     change(one.ticked, "d", marks.map(([value]) => `M${LEFT - 3} ${y(value)}h3`).join(""));
     change(one.zero, "d", low < 0 && high > 0 ? `M${LEFT} ${y(0)}H${RIGHT}` : "");
   },
-};
+});

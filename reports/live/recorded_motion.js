@@ -1,6 +1,6 @@
 // A motion that was computed before: positions of all that is drawn, row by row, where a page cannot compute them itself.
 // Enters: `data.frames`.  Leaves: `motion`, which the drawing reads.
-const motion = {
+const motion = /** @type {Recorded} */ ({
   h: data.step,
   count: data.rows,
   grain: data.frames.step,
@@ -13,12 +13,12 @@ const motion = {
     // Of a long table every n-th row is kept; what lies behind the last of these stands still.
     const place = Math.min(t / data.frames.step, rows.length - 1), i = Math.floor(place);
     if (!rows.length || t > rows.length * data.frames.step) return null;
+    /** @type {number[]} */
     const from = rows[i], to = rows[i + 1] ?? from, share = place - i;
     return from.map((value, k) => value + share * (to[k] - value));
   },
-  /** @type {(...given: any[]) => any} */
   rate: () => null,
-};
+});
 const begin = () => {};
 const furnish = () => {};
 /** @type {(...given: any[]) => void} */

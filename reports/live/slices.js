@@ -3,6 +3,7 @@
 // may wait until what is done so far is on the screen.  Leaves: `work`.
 const AT_ONCE = 8000, SLICE = 4000, FRAME = -1;
 
+/** @type {Work} */
 const work = {
   waiting: 0,
   // Do a job in place of the one before it: so much of it now, the rest whenever the page has nothing else to do.

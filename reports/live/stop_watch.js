@@ -1,6 +1,7 @@
 // The time that a table takes on this very machine, and the diagram of error against time: every scheme with the step of the
 // page has a mark from the beginning, and each try leaves one.
 // Enters: `motion`.  Leaves: `watch`.  Nothing here is ever printed, and no number of the report depends on it.
+/** @type {Record<string, string>} */
 const MARKS = {
   euler: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", midpoint: "M-4 4h8l-4 -8z", heun: "M-4 -4h8v8h-8z",
   ralston: "M-4 -4h8l-4 8z", rk4: "M0 -5l5 5l-5 5l-5 -5z",
@@ -10,9 +11,10 @@ const MOST_TABLES = 2 ** 16;
 const OWN_ROUNDS = 6, OTHER_ROUNDS = 3;
 const OTHER_MARK = "M-4 -4l8 8m-8 0l8 -8";
 // The marks as letters, for the line below the diagram.
+/** @type {Record<string, string>} */
 const SIGNS = { euler: "○", midpoint: "△", heun: "□", ralston: "▽", rk4: "◇" };
 
-const watch = {
+const watch = /** @type {Watch} */ ({
   tries: [], schemes: [],
   // What is tried now has not been measured yet.
   open() {
@@ -78,6 +80,7 @@ const watch = {
     tell("lab-time-ratio", say("time_ratio", { ratio: plain(best / this.first, 2) }));
     const error = motion.worst.value;
     if (!(error > 0)) return;
+    /** @type {(one: Try) => boolean} */
     const known = (one) => one.error === error && one.scheme === tried.scheme && one.h === motion.h;
     this.tries = [...this.tries.filter((one) => !known(one)).slice(-59), { scheme: tried.scheme, h: motion.h, error, time: best }];
     this.draw();
@@ -87,17 +90,21 @@ const watch = {
     // One mark is no diagram.
     byId("lab-diagram").closest("figure").hidden = this.schemes.length + this.tries.length < 2;
     const field = byId("lab-diagram"), left = 62, right = 330, top = 20, bottom = 174;
+    /** @type {(values: number[]) => Point} */
     const powers = (values) => {
       const low = Math.floor(Math.log10(Math.min(...values)) - 0.05), high = Math.ceil(Math.log10(Math.max(...values)) + 0.05);
       return [low, high];
     };
     // A scheme that has been tried with this step has the mark of the try.
+    /** @type {(one: Try) => boolean} */
     const again = (one) => this.tries.some((own) => own.scheme === one.scheme && own.h === one.h && own.error === one.error);
     const marks = [...this.schemes.filter((one) => one.time > 0 && !again(one)), ...this.tries], own = this.tries.at(-1);
     // Nothing is measured yet: the axes stand there all the same.
     const [t0, t1] = marks.length ? powers(marks.map((one) => one.time)) : [0, -1];
     const [e0, e1] = marks.length ? powers(marks.map((one) => one.error)) : [0, -1];
+    /** @type {(time: number) => number} */
     const x = (time) => left + ((right - left) * (Math.log10(time) - t0)) / (t1 - t0);
+    /** @type {(error: number) => number} */
     const y = (error) => bottom - ((bottom - top) * (Math.log10(error) - e0)) / (e1 - e0);
     field.replaceChildren();
     let path = `M${left} ${top}V${bottom}H${right}`;
@@ -110,13 +117,18 @@ const watch = {
       svg("text", { x: left - 7, y: f1(y(10 ** power) + 4), "text-anchor": "end" }, field).textContent = `10${raised(power)}`;
     }
     svg("path", { d: path, class: "live-axes" }, field);
+    /** @type {(text: string, x: number, y: number, anchor: string) => void} */
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
     title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 17, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
     // The tries of a scheme are joined.
-    const ways = {}, place = (one) => `${f1(x(one.time))} ${f1(y(one.error))}`;
+    /** @type {Record<string, string>} */
+    const ways = {};
+    /** @type {(one: Try) => string} */
+    const place = (one) => `${f1(x(one.time))} ${f1(y(one.error))}`;
     for (const one of this.tries.toSorted((a, b) => a.time - b.time)) ways[one.scheme] = (ways[one.scheme] ? ways[one.scheme] + "L" : "M") + place(one);
     svg("path", { d: Object.values(ways).join(""), class: "live-tries" }, field);
+    /** @type {Point[]} */
     const taken = [];
     for (const one of marks) {
       const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: one === own ? "live-mark live-last" : "live-mark" }, field);
@@ -136,4 +148,4 @@ const watch = {
     // No line breaks within the name of a scheme.
     tell("lab-key", [...new Set(marks.map((one) => one.scheme))].map((name) => `\ue003${SIGNS[name] ?? "×"} ${data.words["scheme_" + name]}\ue004`).join(", "));
   },
-};
+});

@@ -28,7 +28,7 @@ _BESIDE = re.compile(rf" (?={_SIGN})|(?<={_SIGN}) ")
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 _KEPT = ("do", "if", "in", "of", "as", "const", "return")
 _TOGETHER = re.compile(r"(?:^const [^\n]*;\n)+(?!const)", re.MULTILINE)
-_NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$", re.MULTILINE)  # lines of comment, empty ones, margins
+_NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$|/\*\* .*? \*/ ", re.MULTILINE)  # comments, types, empty lines, margins
 
 
 def script_of(functions: str, pieces: Sequence[str]) -> str:
