@@ -3,6 +3,7 @@
 const { bodies, places: joints, unknowns, size } = data.forces;
 const acted = new Float64Array(size), changing = new Float64Array(width + (data.forces.more ?? 0));
 
+/** @type {Acts} */
 const acts = {
   // A driven position has its velocities from the time, a free one from the rates in it, which closes it too.
   on(t, q, d) {
@@ -12,15 +13,15 @@ const acts = {
   // The unknown forces and couples in the joints: three equations a body, two a pin; none where they are too many.
   reactions() {
     const n = unknowns.length, entries = new Array(n * n + n).fill(0);
-    unknowns.forEach(([, on, off, at, kind], column) => {
+    for (const [column, [, on, off, at, kind]] of unknowns.entries()) {
       const [x, y] = this.way(kind);
       for (const [body, sign] of [[on, 1], [off, -1]]) {
         if (body < 0) continue;
-        const row = body < bodies ? 3 * body : bodies + 2 * body, put = (k, value) => (entries[(row + k) * n + column] = sign * value);
+        const row = body < bodies ? 3 * body : bodies + 2 * body, put = (/** @type {number} */ k, /** @type {number} */ value) => (entries[(row + k) * n + column] = sign * value);
         if (kind !== 2) put(0, x), put(1, y);
         if (body < bodies) put(2, kind === 2 ? 1 : this.arm(at, 5 * body, x, y));
       }
-    });
+    }
     for (let k = 0; k < (n && 3 * bodies); k++) entries[n * n + k] = -acted[5 * Math.floor(k / 3) + 2 + (k % 3)];
     return _solve(entries);
   },

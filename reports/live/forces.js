@@ -1,5 +1,6 @@
 // What acts on the links: reactions as arrows on the drawing, what drives and the energy beside the rows of the table.
 // Enters: `motion`, `acts`.  Leaves: `forces`; drawing, graphs and columns are asked for more than before.
+/** @type {Forces} */
 const forces = {
   kept: new Map(), largest: 0, scale: 0,
   // What acts in one motion at t (s); false where it has no such time.
@@ -10,16 +11,16 @@ const forces = {
   },
   // The energy and each drive in all rows of one motion.
   columns(rows) {
-    if (!this.kept.has(rows)) {
-      const made = names_.map(() => new Float64Array(rows.n));
-      for (let i = 0; i < rows.n; i++) {
-        acts.on(i * rows.h, rows.q.slice(i * m, i * m + m), motion.d);
-        const found = made.length > 1 ? acts.reactions() : [];
-        for (let k = 0; k < made.length; k++) made[k][i] = k ? found[drives[k - 1]] : acts.energy;
-      }
-      this.kept.set(rows, made);
+    const known = this.kept.get(rows);
+    if (known) return known;
+    const made = names_.map(() => new Float64Array(rows.n));
+    for (let i = 0; i < rows.n; i++) {
+      acts.on(i * rows.h, rows.q.slice(i * m, i * m + m), motion.d);
+      const found = made.length > 1 ? acts.reactions() : [];
+      for (let k = 0; k < made.length; k++) made[k][i] = k ? found[drives[k - 1]] : acts.energy;
     }
-    return this.kept.get(rows);
+    this.kept.set(rows, made);
+    return made;
   },
   // Those forces that are drawn: at a place (m), along x and y (N), with a name.
   arrows() {

@@ -9,6 +9,7 @@ const early = { step: 0, further: new Float64Array(others.length) }, later = new
 const spare = new Float64Array(data.velocities.length + data.determinants);
 
 // Closes the position, then writes rates, free accelerations, other velocities and determinants; no numbers where none closes.
+/** @type {(t: number, q: Float64Array, d: any, out: Float64Array) => Float64Array} */
 const moving = (t, q, d, out) => {
   for (let i = 0; early.step && t > 0 && i < others.length; i++) q[others[i]] += early.further[i];
   for (let tries = 0, size = 1; others.length && size > CLOSED; tries++) {
@@ -25,6 +26,7 @@ const moving = (t, q, d, out) => {
   return out;
 };
 // Free coordinates go by the rates at the end of the step, and the others with them.
+/** @type {(t: number, q: Float64Array, d: any, out: Float64Array) => void} */
 const takeEarly = (t, q, d, out) => {
   for (let k = 0; k < free.length; k++) later[k] = q[positions + k] + early.step * out[positions + k];
   slope(t, q, later, d, spare);

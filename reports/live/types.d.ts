@@ -5,7 +5,7 @@ type Attributes = Record<string, any>;
 /** The rows of a tableau: a fraction, and (index, weight) of each slope. */
 type Share = [number, number];
 type Sum = { factor: Share; terms: [number, number][] };
-type Scheme = { order: number; nodes: Share[]; inner: Sum[]; outer: Sum };
+type Scheme = { order: number; nodes: Share[]; inner: Sum[]; outer: Sum; early?: boolean };
 
 /** The rows of one motion: positions `q`, velocities and determinants `u`; from `dead` (s) on there is none. */
 interface Rows {
@@ -111,8 +111,22 @@ interface Data {
   labels: Record<string, string>;
   breaks: number[];
   guarded: number[];
+  forces: Loads;
   [key: string]: any;
 }
+/** What acts: how many bodies and joints there are, each unknown with its two bodies, its joint and its kind. */
+type Loads = {
+  bodies: number;
+  places: number;
+  size: number;
+  more?: number;
+  unknowns: [string, number, number, number, number][];
+  arrows: [string, ...number[]][];
+  drives: string[];
+  free: number[];
+  others: number[];
+  held: number;
+};
 type Bar = { name: string; points: string[]; rate: string | null };
 type Wheel = { link: string; centre: string; contact: string };
 type Track = { centre: string; rim: string; inward: number };
@@ -250,8 +264,33 @@ interface Laboratory {
   tellMoved(): void;
   tellFound(): void;
   otherDatum(): string;
-  amount(one: Worst): string;
+  amount(one: Pick<Worst, "value" | "place">): string;
   ratio(): string;
+}
+
+/** What acts on the links at the position that was asked for last; `kind` 0: along x, 1: along y, 2: a couple, more: a guide. */
+interface Acts {
+  on(t: number, q: Float64Array, d: any): boolean;
+  reactions(): number[];
+  way(kind: number): Float64Array | number[];
+  place(at: number): Point;
+  arm(at: number, centre: number, x: number, y: number): number;
+  readonly kinetic: number;
+  readonly energy: number;
+}
+/** A force that is drawn at a place (m): x, y and its size in N. */
+type Arrow = { name: string; at: Point; x: number; y: number; size: number };
+interface Forces {
+  kept: Map<Rows, Float64Array[]>;
+  largest: number;
+  scale: number;
+  layer?: any;
+  at(true_: boolean, t: number): boolean;
+  columns(rows: Rows): Float64Array[];
+  arrows(): Arrow[];
+  draw(t: number): void;
+  tell(first: Arrow[], energy: number, t: number, found?: number[]): void;
+  renew(): void;
 }
 
 /** An element of the page by its id, whatever it is. */
