@@ -13,7 +13,7 @@ from pathlib import Path
 import click
 
 from coursework.api import make_run, variant_of
-from coursework.commands.screen import in_language, refuse_motor, tell, tell_own_file, title_of
+from coursework.commands.screen import in_language, tell, tell_own_file, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
@@ -32,7 +32,6 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     wanted = chosen(formats, "accuracy")
     tell_own_file(variant)
     read = variant_of(variant)
-    refuse_motor(read)
     run = make_run(read, quantities=("accuracy",))
     if run.stop is not None:
         tell(say("screen.nothing_to_study", sentence=run.stop.sentence))
@@ -58,6 +57,8 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
 def timed_study(run: Run) -> AccuracyStudy:
     """Return the study with seconds, and what importing and reducing cost beside them."""
     scene = run.scene
+    if not scene.follows_laws:
+        return _by_motor(run)
     if scene.closure is None and run.exact.evaluations == 0:
         raise InputError(say("fault.C022"))
     problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
@@ -75,3 +76,12 @@ def timed_study(run: Run) -> AccuracyStudy:
             problem, run.exact, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip
+
+
+def _by_motor(run: Run) -> AccuracyStudy:
+    """Return the study of a mechanism that forces move: the error of its energy against slopes."""
+    from coursework.scene.motor_scene import MotorScene
+
+    assert isinstance(run.scene, MotorScene)
+    with click.progressbar(length=30, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
+        return run.scene.energy_study(lambda _label: bar.update(1))

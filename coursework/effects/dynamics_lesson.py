@@ -1,7 +1,7 @@
 """What a step costs when forces move a mechanism: schemes beside each other, error of the rates against slopes, energy gained.
 
-Enters: equations of motion, the start, the exact rows.  Leaves: `Row`s.
-Used by `report/sections/dynamics.py`.
+Enters: equations of motion, the start, the exact rows.  Leaves: `Row`s, and each `Trial` they are made of.
+Used by `report/sections/dynamics.py` and `energy_study.py`.
 """
 
 from __future__ import annotations
@@ -10,16 +10,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.effects.dynamics import Dynamics, FreeMotion
+from coursework.effects.dynamics import Dynamics
 from coursework.effects.equations_of_motion import EquationsOfMotion
 from coursework.motion.integration.motion import Motion
-from coursework.motion.schemes import COMPARED, title_of
+from coursework.motion.schemes import COMPARED, Scheme, title_of
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Time
 
 PARTS = (1, 4, 16)  # of the step
 MOST_SLOPES = 20_000  # altogether: a quarter of a second
+Begin = tuple[Sequence[float], Sequence[float]]  # all coordinates at t = 0, and the free state
 
 
 @frozen
@@ -32,32 +33,53 @@ class Row:
     gained: float
 
 
-def lesson(equations: EquationsOfMotion, begin: tuple[Sequence[float], Sequence[float]], time: Time, exact: Motion) -> list[Row]:
-    """Return the rows; `begin` are all coordinates and the free state at t = 0.  None for a long table."""
+@frozen
+class Trial:
+    """A scheme tried: `slopes`, largest `error` of a free rate, `energy` (n,) J in the rows of the table; `ended` in a `row`."""
+
+    slopes: int
+    error: float
+    energy: Array
+    ended: str = ""
+    row: int = 0
+
+
+def lesson(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion) -> list[Row]:
+    """Return the rows; none for a long table."""
     steps = len(exact.t) - 1
     if steps < 1 or steps * sum(PARTS) * sum(one.slopes for one in COMPARED) > 12 * MOST_SLOPES:
         return []
-    places, state = begin
-    count = len(equations.free)
-    true = [exact.column(exact.velocity_names[place]) for place in equations.free]
-    energy = _energy(equations, exact.t, exact.coordinates, np.column_stack(true))
+    last = float(energy_of_rows(equations, exact.t, exact.coordinates, rates_of(equations, exact))[0][-1])
     found = []
     for scheme in COMPARED:
         for parts in PARTS:
             if steps * parts * scheme.slopes > MOST_SLOPES:
                 continue
-            made: FreeMotion = Dynamics(equations, list(places)).rows(scheme, state, time.step / parts, steps * parts)
-            rows = slice(None, None, parts)
-            if made.ended or len(made.t) <= steps * parts:
-                found.append(Row(title_of(scheme), made.slopes, float("inf"), float("inf")))
-                continue
-            error = max(float(np.abs(made.rates[rows, k] - true[k]).max()) for k in range(count))
-            own = _energy(equations, made.t[rows], made.coordinates[rows], made.rates[rows])
-            found.append(Row(title_of(scheme), made.slopes, error, float(own[-1] - energy[-1])))
+            tried = attempt(Dynamics(equations, list(begin[0])), begin, time, exact, scheme, parts)
+            gained = float("inf") if tried.ended else float(tried.energy[-1]) - last
+            found.append(Row(title_of(scheme), tried.slopes, tried.error, gained))
     return found
 
 
-def _energy(equations: EquationsOfMotion, t: Array, q: Array, v: Array) -> Array:
+def attempt(dynamics: Dynamics, begin: Begin, time: Time, exact: Motion, scheme: Scheme, parts: int) -> Trial:
+    """Return what a scheme makes of the motion with the `parts` of each step."""
+    steps, equations = len(exact.t) - 1, dynamics.motion
+    made = dynamics.rows(scheme, begin[1], time.step / parts, steps * parts)
+    if made.ended or len(made.t) <= steps * parts:
+        return Trial(made.slopes, float("inf"), np.zeros(0), made.ended or "not finite", len(made.t))
+    rows = slice(None, None, parts)
+    error = float(np.abs(made.rates[rows] - rates_of(equations, exact)).max(initial=0.0))
+    return Trial(made.slopes, error, energy_of_rows(equations, made.t[rows], made.coordinates[rows], made.rates[rows])[0])
+
+
+def rates_of(equations: EquationsOfMotion, motion: Motion) -> Array:
+    """Return the free rates (n, f) of a motion."""
+    return np.column_stack([motion.column(motion.velocity_names[place]) for place in equations.free])
+
+
+def energy_of_rows(equations: EquationsOfMotion, t: Array, q: Array, v: Array) -> tuple[Array, Array]:
+    """Return the whole energy and the kinetic one (n,) J."""
     found = equations.table(t, *q.T, *v.T)
     last = len(found) - equations.determinants
-    return np.asarray(np.broadcast_to(found[last - 2] + found[last - 1], t.shape))
+    kinetic = np.broadcast_to(found[last - 2], t.shape)
+    return np.asarray(kinetic + found[last - 1]), np.asarray(kinetic)

@@ -6,9 +6,10 @@ Used by `exact_scene.py`, for a file with a motor only.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from coursework.effects.equations_of_motion import EquationsOfMotion, equations_
 from coursework.effects.regime import Regime, find_regime
 from coursework.effects.scheme import read_scheme
 from coursework.motion.integration.motion import Motion, Stop
-from coursework.motion.schemes import Scheme, scheme_named
+from coursework.motion.schemes import DEFAULT_SCHEME, Scheme, scheme_named
 from coursework.motion.singular.search import Search
 from coursework.results.checks.result import Finding
 from coursework.scene.motion_results import MotionResults
@@ -29,6 +30,9 @@ from coursework.system.on_demand import Ledger, computed
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    from coursework.results.accuracy.record import AccuracyStudy
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -89,6 +93,13 @@ class MotorScene(Scene):
         assert motor is not None
         start = dict(motor.start)
         return [*(self.start[place] for place in self.free_equations.free), *(start.get(rate, 0.0) for rate in motor.rates)]
+
+    def energy_study(self, progress: Callable[[str], None] | None = None) -> AccuracyStudy:
+        """Return what accuracy costs here: the error of the energy against slopes."""
+        from coursework.effects.energy_study import energy_study
+
+        own = self.scheme or DEFAULT_SCHEME
+        return energy_study(self.free_equations, self.begin_of_forces, self.variant.time, self.exact, own, progress=progress)
 
     @property
     def begin_of_forces(self) -> tuple[list[float], list[float]]:

@@ -130,7 +130,12 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
     from coursework.results.accuracy.study import make_study
 
     scene = results.scene
-    if not scene.follows_laws or scene.stop is not None or scene.settings.columns or scene.search.passages:
+    if not scene.follows_laws:
+        from coursework.scene.motor_scene import MotorScene
+
+        assert isinstance(scene, MotorScene)
+        return None if scene.stop is not None else scene.energy_study()
+    if scene.stop is not None or scene.settings.columns or scene.search.passages:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
     problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     results = results.by_scheme

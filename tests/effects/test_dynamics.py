@@ -15,6 +15,7 @@ import coursework
 from coursework.effects.dynamics import Dynamics
 from coursework.effects.dynamics_checks import stiffness
 from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT
+from tests.commands.test_cli import call
 from tests.effects.massed import text_of
 from tests.effects.moved import free_31
 
@@ -229,11 +230,31 @@ def test_what_has_no_mass_is_refused():
         _ = coursework.solve(coursework.parse_variant(text), scheme="exact").motion
 
 
-@pytest.mark.parametrize("arguments", [("accuracy", "falling-arm"), ("run", "falling-arm", "--step", "auto", "--error", "0.01")])
-def test_studies_of_drives_are_refused(arguments, tmp_path, monkeypatch):
-    from tests.commands.test_cli import call
-
+def test_a_search_for_a_step_of_drives_is_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    told = call(*arguments)
+    told = call("run", "falling-arm", "--step", "auto", "--error", "0.01")
     assert told.exit_code == 2
     assert "C077" in told.stderr
+
+
+def test_accuracy_shows_the_error_of_the_energy_against_slopes(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    told = call("accuracy", "falling-arm", "--out", "out", "--format", "html,csv")
+    assert told.exit_code == 0, told.stderr
+    assert "200 steps of explicit Euler: the energy is 3.33 J off at worst" in told.stdout
+    rows = [row.split(",") for row in (tmp_path / "out" / "accuracy.csv").read_text(encoding="utf-8").splitlines()[1:]]
+    assert {row[4] for row in rows} == {"J"}
+    found = {(row[0], int(row[2])): float(row[3]) for row in rows}
+    assert found["explicit Euler", 200] == pytest.approx(3.334, abs=0.001)
+    assert found["Runge-Kutta 4", 6400] < 1e-6 * found["semi-implicit Euler", 6400] * 10
+    page = (tmp_path / "out" / "accuracy.html").read_text(encoding="utf-8")
+    assert "What a step costs when forces move it: variant falling-arm" in page
+    assert solved("falling-arm", "euler").scene.energy_study().orders["Runge-Kutta 4"] == pytest.approx(4, abs=0.2)
+
+
+def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
+    steep = text_of("example-2-motor", ('k = { value = "35 N*m*s"', 'k = { value = "3000 N*m*s"'))
+    run = coursework.solve(coursework.parse_variant(steep), scheme="euler", step=0.02, end=1.6)
+    study = run.scene.energy_study()
+    assert str(study.rows[0].failed).startswith("it came to row")
+    assert "do not reach the end" in study.sentences[0]

@@ -106,7 +106,7 @@ def heading_of(context: PageContext) -> str:
     """Return the heading of a page: name and title of the variant, once where they are the same."""
     name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.variant.title))
     if context.is_about_accuracy:
-        return context.words("accuracy.heading", name=name)
+        return context.words("accuracy.heading" if context.run.scene.follows_laws else "accuracy.energy_heading", name=name)
     if title in ("", name):
         return context.words("title.heading_plain", name=name)
     key = "title.heading" if name.isdigit() else "title.heading_named"  # a file's name is no number of a task

@@ -36,7 +36,14 @@ def accuracy(context: PageContext) -> list[Part]:
     return [*parts, *_overhead(context, study)]
 
 
-def _unit(context: PageContext) -> str:
+def _is_energy(study: AccuracyStudy) -> bool:
+    """Return whether the errors are those of the energy: forces move the mechanism."""
+    return any(row.unit == "J" for row in study.rows)
+
+
+def _unit(context: PageContext, study: AccuracyStudy) -> str:
+    if _is_energy(study):
+        return context.unit("J")
     units = dict.fromkeys(context.unit(c.unit) for c in context.run.variant.coordinates)
     return context.words.listing(list(units)) if len(units) < 2 else f" {context.words('or')} ".join(units)
 
@@ -64,11 +71,13 @@ def error_figure(context: PageContext, study: AccuracyStudy) -> Figure:
             tuple(row.seconds if study.seconds_shown else None for row in rows),
             tuple(row.max_error for row in rows), study.orders.get(name),
         ))  # fmt: skip
-    labels = {key: words(f"accuracy.{key}") for key in ("evaluations", "seconds", "own_legend", "floor_legend")}
+    labels = {key: words(f"accuracy.{key}") for key in ("seconds", "own_legend", "floor_legend")}
+    of = "energy_" if _is_energy(study) else ""
+    labels["evaluations"] = words("accuracy.slopes" if of else "accuracy.evaluations")
     own = (study.own[1], study.own[3] if study.seconds_shown else None, study.own[2]) if study.own else None
-    page = Chart(tuple(methods), own, study.floor, words("accuracy.error", unit=_unit(context)), labels, words.listing)
-    floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
-    caption = words("accuracy.caption_timed" if page.timed else "accuracy.caption_one")
+    page = Chart(tuple(methods), own, study.floor, words("accuracy.error", unit=_unit(context, study)), labels, words.listing)
+    floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context, study))
+    caption = words("accuracy.caption_timed" if page.timed else f"accuracy.{of}caption_one")
     reference = words("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
     caption = words.sentences([caption, words("accuracy.caption_rest", floor=floor), reference])
     alt = words("accuracy.alt", methods=words.listing([method.name for method in methods]))
@@ -83,7 +92,7 @@ def _order_text(context: PageContext, study: AccuracyStudy, name: str) -> str:
 def _table(context: PageContext, study: AccuracyStudy) -> Table:
     numbers = context.numbers
     keys = ["method", "steps", "evaluations", "max_error"] + (["time", "ratio"] if study.seconds_shown else [])
-    units = {"max_error": _unit(context)}
+    units = {"max_error": _unit(context, study)}
     columns = [
         Column(context.say(f"accuracy.head.{key}"), units.get(key, ""), words=key == "method")
         for key in keys

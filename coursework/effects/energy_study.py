@@ -1,0 +1,91 @@
+"""What accuracy costs when forces move a mechanism: the error of the energy against slopes, every scheme at several steps.
+
+Enters: equations of motion, the start, the exact rows.  Leaves: `AccuracyStudy` with errors in J.
+Used by `scene/motor_scene.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+
+from coursework.effects.dynamics import Dynamics
+from coursework.effects.dynamics_lesson import Begin, Trial, attempt, energy_of_rows, rates_of
+from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import PRECISE, SCHEMES, SEMI_IMPLICIT, Scheme, title_of
+from coursework.results.accuracy.record import AccuracyStudy, StudyRow
+from coursework.results.accuracy.trace import slope
+from coursework.system.arrays import Array
+from coursework.variant.record.variant import Time
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+PARTS = (1, 2, 4, 8, 16, 32)  # of the step
+MOST_SLOPES = 6400  # of one run; where the table's own step has more, its half is tried too and nothing finer
+MOST_ROWS = 20_000  # slopes of the table: with more there is no study
+
+
+def energy_study(
+    equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion, own: Scheme,
+    *, progress: Callable[[str], None] | None = None,
+) -> AccuracyStudy:  # fmt: skip
+    """Return the study, never timed: slopes are what a scheme costs here; `own` is the scheme of the table."""
+    if (len(exact.t) - 1) * PRECISE.slopes > MOST_ROWS:
+        why = say("study.too_long", rows=len(exact.t))
+        return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), seconds_shown=False, left_out=(why,))
+    energy, kinetic = energy_of_rows(equations, exact.t, exact.coordinates, rates_of(equations, exact))
+    scale = float(kinetic.max(initial=0.0)) or 1.0
+    rows, rates = list[StudyRow](), dict[str, float]()
+    for scheme in (*SCHEMES.values(), SEMI_IMPLICIT):
+        for parts in _parts(scheme, len(exact.t) - 1):
+            if progress:
+                progress(f"{scheme.name}, {parts}")
+            tried = attempt(Dynamics(equations, list(begin[0])), begin, time, exact, scheme, parts)
+            rows.append(_row(scheme, tried, energy, (len(exact.t) - 1) * parts))
+            if parts == 1:
+                rates[title_of(scheme)] = tried.error
+    floor = 64 * float(np.finfo(float).eps) * max(scale, float(np.abs(energy).max()))
+    orders = dict(_orders(rows, scale, floor))
+    title = title_of(own)
+    mine = next(row for row in rows if row.method == title)
+    point = None if mine.failed else (title, mine.evaluations, mine.max_error, None)
+    told = tuple(_told(rows, rates, mine, scale))
+    return AccuracyStudy(tuple(rows), orders, point, floor, exact.label, told, (), seconds_shown=False)
+
+
+def _parts(scheme: Scheme, steps: int) -> list[int]:
+    """Return into how many parts a step is divided: the whole and its half at least."""
+    return [parts for parts in PARTS if parts <= PARTS[1] or steps * parts * scheme.slopes <= MOST_SLOPES]
+
+
+def _row(scheme: Scheme, tried: Trial, energy: Array, steps: int) -> StudyRow:
+    title = title_of(scheme)
+    if tried.ended:
+        return StudyRow(title, str(steps), 0, np.nan, np.nan, None, say("study.cut_off", row=tried.row), "J", "J")
+    off = np.abs(tried.energy - energy)
+    return StudyRow(title, str(steps), tried.slopes, float(off.max()), float(off[-1]), None, "", "J", "J")
+
+
+def _orders(rows: Sequence[StudyRow], scale: float, floor: float) -> Iterator[tuple[str, float]]:
+    for method in dict.fromkeys(row.method for row in rows):
+        own = [row for row in rows if row.method == method and not row.failed]
+        found = slope([row.evaluations for row in own], [row.max_error / scale for row in own], floor / scale)
+        if found is not None and found > 0:
+            yield method, found
+
+
+def _told(rows: Sequence[StudyRow], rates: dict[str, float], own: StudyRow, scale: float) -> Iterator[Sentence]:
+    """Yield what the table's own step costs in energy, and what better schemes do with it."""
+    known = {"steps": own.steps_or_tolerance, "method": own.method}
+    if own.failed:
+        yield say("study.energy_failed", **known, why=own.failed)
+    else:
+        share = 100 * own.max_error / scale
+        yield say("study.energy_own", **known, energy=own.max_error, share=share, rate=rates[own.method])
+    for scheme, key in ((SEMI_IMPLICIT, "study.energy_semi"), (PRECISE, "study.energy_best")):
+        row = next(row for row in rows if row.method == title_of(scheme))
+        if not row.failed and row.method != own.method:
+            given = {"steps": row.steps_or_tolerance, "method": row.method, "energy": row.max_error, "rate": rates[row.method]}
+            yield say(key, **given, end=row.end_error)
