@@ -1,7 +1,7 @@
 """The one script of a page: the runtime of `reports/live` around the generated functions, and the hash that admits it.
 
 Enters: JavaScript of the generated functions; data for JSON.  Leaves: text, the same bytes on every run.
-Used by the live page and by the test that runs every variant of the catalogue in a browser.
+Used by the live page, the page around it and the test that runs every variant of the catalogue in a browser.
 """
 
 from __future__ import annotations
@@ -35,6 +35,13 @@ def script_of(functions: str, pieces: Sequence[str]) -> str:
     reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
     whole = "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
     return _NEEDLESS.sub("", whole)
+
+
+@lru_cache
+def alone(name: str) -> tuple[str, str]:
+    """Return a script of `reports/` that needs nothing of the live part, and its hash."""
+    script = f"(() => {{{_NEEDLESS.sub('', _text(folder('reports') / f'{name}.js'))}}})();"
+    return script, hash_of(script)
 
 
 def embedded(data: Mapping[str, Any]) -> str:
