@@ -10,6 +10,8 @@ import re
 from collections.abc import Container
 
 _SHEET = re.compile(r"(?<=<style>).*?(?=</style>)", re.DOTALL)
+_SCRIPT = re.compile(r"<script.*?</script>", re.DOTALL)
+_NAME = re.compile(r"[\w-]+")
 _RULE = re.compile(r"([^{};]+)\{([^{}]*)\}")
 _EMPTY = re.compile(r"@media[^{}]*\{\s*\}")
 _VARIABLE = re.compile(r"(--[\w-]+):[^;{}]*;")
@@ -30,12 +32,13 @@ def fitted(page: str) -> str:
     if sheet is None:
         return page
     rest = page[: sheet.start()] + page[sheet.end() :]
-    found: dict[str, Container[str]] = {"attribute": rest}
-    if "<script" in rest:  # which may make elements, and give them any class that it names
-        found["name"] = set(re.findall(r"[\w-]+", rest))
-    else:
-        found["name"] = {name for names in re.findall(r' (?:class|id)="([^"]*)"', rest) for name in names.split()}
-        found["tag"] = set(re.findall(r"<([a-z]\w*)", rest))
+    # A script may make any element that it names, and give it any class.
+    made = {word for script in _SCRIPT.findall(rest) for word in _NAME.findall(script)}
+    found: dict[str, Container[str]] = {
+        "attribute": rest,
+        "name": made | {name for names in re.findall(r' (?:class|id)="([^"]*)"', rest) for name in names.split()},
+        "tag": made | set(re.findall(r"<([a-z]\w*)", rest)),
+    }
 
     def concerns(selector: str) -> bool:
         while choice := _CHOICE.search(selector):
@@ -47,7 +50,7 @@ def fitted(page: str) -> str:
         while (plain := _BRACKETS.sub("", selector)) != selector:
             selector = plain
         asked = ((one.lastgroup or "", one[0].strip(".#[]")) for one in _ASKED.finditer(selector))
-        return all(kind not in found or name in found[kind] for kind, name in asked)
+        return all(name in found[kind] for kind, name in asked)
 
     def kept(rule: re.Match[str]) -> str:
         selectors = [one for one in _listed(rule[1]) if one.lstrip().startswith("@") or concerns(one)]

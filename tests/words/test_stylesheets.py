@@ -29,7 +29,7 @@ def test_a_rule_is_kept_where_it_concerns_something(rules: str, kept: str) -> No
 
 def test_a_script_may_make_any_element_and_give_it_the_classes_that_it_names() -> None:
     body = '<p><script>add("table", "made")</script>'
-    assert fitted(f"<style>.made td{{a:b}}.never{{a:b}}</style>{body}") == f"<style>.made td{{a:b}}</style>{body}"
+    assert fitted(f"<style>.made table{{a:b}}.never,ul{{a:b}}</style>{body}") == f"<style>.made table{{a:b}}</style>{body}"
 
 
 def test_a_page_without_a_stylesheet_stays() -> None:

@@ -1,7 +1,7 @@
 """The one script of a page: the runtime of `reports/live` around the generated functions, and the hash that admits it.
 
 Enters: JavaScript of the generated functions; data for JSON.  Leaves: text, the same bytes on every run.
-Used by the live page and by the test that runs every variant of the catalogue in a browser.
+Used by the live page, the page around it and the test that runs every variant of the catalogue in a browser.
 """
 
 from __future__ import annotations
@@ -74,6 +74,13 @@ def shortened(functions: str) -> str:
 
 def _renamed(line: str, known: Mapping[str, str]) -> str:
     return _WORD.sub(lambda word: known.get(word[0], word[0]), line)
+
+
+@lru_cache
+def alone(name: str) -> tuple[str, str]:
+    """Return a script of `reports/` that needs nothing of the live part, and its hash."""
+    script = f"(() => {{{_NEEDLESS.sub('', _text(folder('reports') / f'{name}.js'))}}})();"
+    return script, hash_of(script)
 
 
 def embedded(data: Mapping[str, Any]) -> str:

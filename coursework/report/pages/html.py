@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from coursework.report.formulas.latex import latex
 from coursework.report.formulas.svg import Drawn, draw
+from coursework.report.live.script import alone
 from coursework.report.pages.model import ReportModel
 from coursework.words.errors import OutputError
 from coursework.words.stylesheets import fitted
@@ -19,8 +21,9 @@ def render_html(model: ReportModel) -> str:
     """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing."""
     page = model.plain()
     drawn = _drawn(page)
-    made = filled("report.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live)
-    return made if model.live else fitted(made)  # what moves, and what the desk changes, may come to need any rule
+    scripts = {"latex": latex, "copying": alone("copying")} if model.scripts else {}
+    made = filled("report.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live, **scripts)
+    return made if model.scripts else fitted(made)  # what moves, and what the desk changes, may come to need any rule
 
 
 def _drawn(page: dict[str, Any]) -> Drawn:

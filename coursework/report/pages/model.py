@@ -30,7 +30,8 @@ class ReportModel:
     """One report: its language, titles, and sections in order.
 
     `running` stands above the later pages, `footer` below all, `contents` is what the list of sections is called, `skip` the
-    link past it; `live` is the part that moves, for a screen only.
+    link past it, `copy` and `copied` what its buttons say; `live` is the part that moves, for a screen only, and `scripts`
+    whether there may be any.
     """
 
     language: str
@@ -41,8 +42,11 @@ class ReportModel:
     footer: str
     contents: str
     skip: str
+    copy: str
+    copied: str
     sections: tuple[Section, ...]
     live: LivePart | None = None
+    scripts: bool = False
     title_language: str = ENGLISH  # that of the title; "" where the file says it in one that nobody knows
 
     def plain(self) -> dict[str, Any]:
@@ -56,6 +60,8 @@ class ReportModel:
             "footer": self.footer,
             "contents": self.contents,
             "skip": self.skip,
+            "copy": self.copy,
+            "copied": self.copied,
             "sections": [section.plain() for section in self.sections],
             **({} if self.title_language == self.language else {"title_language": self.title_language}),
         }
@@ -91,8 +97,11 @@ def build_model(
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
         contents=words("title.contents"),
         skip=words("title.skip"),
+        copy=words("title.copy"),
+        copied=words("title.copied"),
         sections=tuple(_numbered(all_sections(context), words)),
         live=live_part(run, words.phrases, lambda name: context.symbol(name).text, context.unit) if live else None,
+        scripts=live,
     )
 
 

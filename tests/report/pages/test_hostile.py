@@ -102,7 +102,7 @@ def test_a_page_full_of_it_runs_nothing_and_prints(browser: Any, tmp_path: Path)
     page.on("request", lambda request: asked.append(request.url))
     page.goto((tmp_path / "report.html").as_uri())
     assert page.evaluate("window.hit") is None
-    assert page.locator("script:not([type])").count() == 1
+    assert page.locator("script:not([type])").count() == 2
     assert page.locator("img").count() == 0
     assert len(asked) == 1
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")

@@ -25,11 +25,11 @@ PAPER = 642  # px: 170 mm between the margins of A4
 THUMB, POINTER = 44, 24  # px
 # kB that a page may weigh: what is added to it is saved elsewhere.
 MOST = {
-    "report": 250, "stopped": 230, "accuracy": 107, "sheet": 26, "key": 43, "assigned": 16, "feedback": 17, "class": 6,
+    "report": 257, "stopped": 237, "accuracy": 107, "sheet": 26, "key": 43, "assigned": 16, "feedback": 17, "class": 6,
 }  # fmt: skip
 WIDE_TABLES = "[...document.querySelectorAll('table')].filter((one) => one.getBoundingClientRect().right > innerWidth + 1).length"
 TOP = "(which) => document.querySelector(which).getBoundingClientRect().top + scrollY"
-STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live)')].filter(
+STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live, button)')].filter(
   (one) => one.scrollWidth <= one.clientWidth + 1 && one.scrollHeight <= one.clientHeight + 1).map((one) => one.className)"""
 SMALL = """(least) => [...document.querySelectorAll('#live :is(button, select, input)')].filter((one) => one.offsetParent).filter(
   (one) => one.getBoundingClientRect().height < least).map((one) => one.id)"""
