@@ -7,7 +7,6 @@ Used by the live page and by the test that runs every variant of the catalogue i
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from typing import Any
 
 from coursework.equations.codegen.javascript import called_tables, javascript_function
@@ -39,16 +38,7 @@ class Functions:
 
 
 def live_functions(scene: Scene, places: Sequence[Any]) -> Functions:
-    """Return the functions of a scene; `places` are the expressions (m or rad) that are drawn.
-
-    The data are arguments: all variants of a template have the same functions.
-    """
-    key = ("live functions", *places, *((block.equations, block.unknowns) for block in scene.reduction.blocks))
-    found = scene.equations.once(key, lambda: _written(scene, places))
-    return replace(found, numbers=tuple(constants(scene.variant).values()))
-
-
-def _written(scene: Scene, places: Sequence[Any]) -> Functions:
+    """Return the functions of a scene; `places` are the expressions (m or rad) that are drawn."""
     variant, equations = scene.variant, scene.equations
     blocks = scene.reduction.blocks
     velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
