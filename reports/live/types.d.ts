@@ -23,7 +23,7 @@ interface Stepper {
   step(t: number, q: Float64Array, h: number, first: Float64Array, d: any, into: Float64Array): Float64Array;
 }
 /** The largest difference from the true motion: value, place of the coordinate, row from 1. */
-type Worst = { value: number; place: number; row: number };
+type Worst = { value: number; place: number; row?: number };
 
 /** A motion that was computed before has what the drawing asks for. */
 type Recorded = Partial<Motion> & Pick<Motion, "h" | "count" | "grain" | "dead" | "duration" | "at" | "rate">;
@@ -46,10 +46,10 @@ type Column = { n: number; h: number; value: (i: number) => number };
 /** Does one job in slices; a new one takes the place of the one before it. */
 interface Work {
   waiting: number;
-  job?: Job;
-  begin(job: Job, most?: number): void;
-  later(wait: number, job: Job): void;
-  go(job: Job, most: number): unknown;
+  job?: Job<any>;
+  begin(job: Job<any>, most?: number): void;
+  later(wait: number, job: Job<any>): void;
+  go(job: Job<any>, most: number): unknown;
 }
 /** What is tried in the laboratory; a `value` of null is that of the file. */
 type Tried = { halvings: number; scheme: string; datum: string; value: number | null };

@@ -7,7 +7,7 @@ Used by the live page and by the test that runs every variant of the catalogue i
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from typing import Any
 
 from coursework.equations.codegen.javascript import called_tables, javascript_function
@@ -65,17 +65,8 @@ def rates_of(scene: Scene) -> Piece:
 def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] = ()) -> Functions:
     """Return the functions of a scene; `places` are the expressions (m or rad) that are drawn.
 
-    `moving` are the functions of its motion where those are others than `rates`.  The data are arguments: all variants of a
-    template whose velocities follow laws have the same functions.
+    `moving` are the functions of its motion where those are others than `rates`.
     """
-    if moving:
-        return _written(scene, places, moving)
-    key = ("live functions", *places, *((block.equations, block.unknowns) for block in scene.reduction.blocks))
-    found = scene.equations.once(key, lambda: _written(scene, places, [rates_of(scene)]))
-    return replace(found, numbers=tuple(constants(scene.variant).values()))
-
-
-def _written(scene: Scene, places: Sequence[Any], moving: Sequence[Piece]) -> Functions:
     variant, equations = scene.variant, scene.equations
     followed = {given.name: follow_from(variant, [("given", given.name)]) for given in variant.given}
     names = {name for follow in followed.values() for name in follow}
@@ -84,7 +75,11 @@ def _written(scene: Scene, places: Sequence[Any], moving: Sequence[Piece]) -> Fu
     slopes = [
         equations.symbols.partial(expression, symbol(variant.coordinates[place].name)) for expression in zero for place in moved
     ]
-    pieces = (*moving, Piece("places", [], places), Piece("closing", [], [*zero, *slopes] if moved else []))
+    pieces = (
+        *(moving or [rates_of(scene)]),
+        Piece("places", [], places),
+        Piece("closing", [], [*zero, *slopes] if moved else []),
+    )
     programs = [(piece, _program(scene, piece)) for piece in pieces]
     numbers, q = constants(variant), [private(c.name) for c in variant.coordinates]
     functions = [

@@ -6,6 +6,7 @@ Enters: a `SceneRun`, the words of a language, the writers of symbols and units.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
@@ -20,7 +21,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
 from coursework.report.live.functions import Functions, live_functions, tableau
-from coursework.report.live.script import embedded, hash_of, names_in, script_of, shortened
+from coursework.report.live.script import embedded, hash_of, script_of, shortened
 from coursework.report.text.tables import given_constants
 from coursework.report.text.words import Words
 from coursework.scene.quantities import ENERGY, FORCES
@@ -149,7 +150,7 @@ def _said(
 
 def _asked(data: dict[str, Any], script: str) -> dict[str, Any]:
     """Return the data without the words that the script never names: those stand in the page itself."""
-    named = names_in(script)
+    named = {*re.findall(r'(?<=["]|[.])\w+\b', script)}
     words = {key: text for key, text in data["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
     return data | {"words": words}
 
