@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 READ = frozenset({".j2", ".toml", ".css", ".js", ".typ"})  # the kinds of pieces that are text
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
 _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
-_UNBROKEN = rf"[^\s{HAN_HERE}]{{25,}}"
+_UNBROKEN = rf"[^\s{HAN_HERE}-]{{25,}}"
 _SHORT = 24  # characters, below which no word needs a place to break
 _PIECE = re.compile(r"\S{1,12}")
 _BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,])\s*|(?<=:)\s+""", re.DOTALL)  # of a stylesheet

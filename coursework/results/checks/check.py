@@ -14,7 +14,7 @@ from coursework.results.checks import advice
 from coursework.results.checks.close_to_motion import closeness, continuity, drift, long_run, period, rows, sinusoid
 from coursework.results.checks.computed_right import beginning, conditioning, digits, equations, quotes
 from coursework.results.checks.evidence import Evidence
-from coursework.results.checks.needs import CLOSURE, DIGITS, EXACT, RESOLVED, ROW, WHOLE, Need
+from coursework.results.checks.needs import CLOSURE, DIGITS, EXACT, RESOLVED, ROW, SOLVED, WHOLE, Need
 from coursework.results.checks.result import Finding, Group, skipped
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
@@ -37,8 +37,8 @@ class Check:
 CHECKS: tuple[Check, ...] = (
     Check("STOP", "computation", beginning.stopped, ()),
     Check("START", "computation", beginning.start),
-    Check("INITIAL", "computation", equations.initial, (ROW, WHOLE)),
-    Check("RESIDUAL", "computation", equations.every_row, (ROW, WHOLE)),
+    Check("INITIAL", "computation", equations.initial, (ROW, WHOLE, SOLVED)),
+    Check("RESIDUAL", "computation", equations.every_row, (ROW, WHOLE, SOLVED)),
     Check("CONDITION", "computation", conditioning.condition, (ROW, WHOLE), is_least=True),
     Check("AGREEMENT", "computation", equations.agreement, (), is_least=True),
     Check("QUOTE", "computation", quotes.quote),
@@ -46,11 +46,11 @@ CHECKS: tuple[Check, ...] = (
     Check("ACCURACY", "motion", closeness.accuracy, (ROW, RESOLVED, EXACT, DIGITS)),
     Check("PERIOD-POSITION", "motion", period.position, (ROW, RESOLVED, EXACT, DIGITS)),
     Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, RESOLVED, EXACT, DIGITS)),
-    Check("PERIOD-ASSEMBLY", "motion", period.assembly, (ROW, RESOLVED)),
+    Check("PERIOD-ASSEMBLY", "motion", period.assembly, (ROW, RESOLVED, SOLVED)),
     Check("CONTINUITY", "motion", continuity.continuity, (ROW, RESOLVED, EXACT, DIGITS)),
     Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, RESOLVED, EXACT), is_least=True),
     Check("STEP", "motion", rows.enough, is_least=True),
-    Check("PEAK", "motion", conditioning.peak, (ROW, RESOLVED)),
+    Check("PEAK", "motion", conditioning.peak, (ROW, RESOLVED, SOLVED)),
     Check("DRIFT", "motion", drift.drift, (ROW, RESOLVED, CLOSURE, WHOLE)),
     Check("DRIFT-PER-PERIOD", "motion", long_run.per_period, (ROW, RESOLVED, EXACT)),
 )

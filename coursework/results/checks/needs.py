@@ -61,6 +61,8 @@ def _too_few(evidence: Evidence) -> float | None:
 
 ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_row"))
 WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
+# A crank alone has its motion given.
+SOLVED = Need(lambda evidence: bool(evidence.equations.equations), lambda _: say("check.CONDITION.nothing"))
 EXACT = Need(
     lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0,
     lambda evidence: _not_known(evidence),
