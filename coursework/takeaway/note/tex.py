@@ -10,7 +10,7 @@ from coursework.takeaway.note.tree import Node
 
 MANY = 7  # columns: a wider table is set smaller
 _SHARED = (
-    "\\usepackage{pdflscape}\\usepackage{caption}\\usepackage{newunicodechar}"
+    "\\usepackage{graphicx}\\usepackage{pdflscape}\\usepackage{caption}\\usepackage{newunicodechar}"
     "\\newunicodechar{▸}{\\ensuremath{\\triangleright}}\\newunicodechar{✓}{\\ensuremath{\\checkmark}}"
     "\\newunicodechar{✗}{\\ensuremath{\\times}}\\newunicodechar{≈}{\\ensuremath{\\approx}}"
     "\\newunicodechar{≤}{\\ensuremath{\\leq}}\\newunicodechar{≥}{\\ensuremath{\\geq}}\\newunicodechar{⁻}{\\textsuperscript{-}}"
