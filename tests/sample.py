@@ -19,3 +19,9 @@ SAMPLE = (
 def sampled(names: Iterable[str]) -> list[Any]:
     """Return the parameters of a test of `names`: those beside `SAMPLE` are marked `long`."""
     return [name if name in SAMPLE else pytest.param(name, marks=pytest.mark.long) for name in names]
+
+
+def sampled_pairs(names: Iterable[str], others: Iterable[str], kept: set[tuple[str, str]]) -> list[Any]:
+    """Return all pairs as the parameters of a test: those that are not `kept` are marked `long`."""
+    pairs = [(name, other) for name in names for other in others]
+    return [pair if pair in kept else pytest.param(*pair, marks=pytest.mark.long) for pair in pairs]

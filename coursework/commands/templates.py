@@ -13,6 +13,7 @@ from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
+STYLES = ("reference.docx", "reference.odt")  # of a department, for its notes; the house's own are made
 MOST_BYTES = 4 * 2**20  # of one piece: a page with more does not open well anywhere
 
 
@@ -31,7 +32,9 @@ def _look_at(own: Path) -> None:
     found = [path.relative_to(own).as_posix() for path in templates_in(own)]
     place = folder(REPORTS)
     known = [path.relative_to(place).as_posix() for path in templates_in(place)]
-    used = [name for name in found if name in known or PurePath(name).match("words.*.toml")]  # words: of another language too
+    used = [
+        name for name in found if name in known or PurePath(name).match("words.*.toml") or name in STYLES
+    ]  # words: of another language too
     if not used:
         advice = next((hint for name in found if (hint := closest(name, known))), "")
         raise InputError([Fault(say("fault.C062", advice=advice, known=tuple(sorted(known))), str(own))])

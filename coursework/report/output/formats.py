@@ -70,6 +70,9 @@ FORMATS: tuple[Format, ...] = (
     Format("pdf", _pdf, ("run", "accuracy", "write_report")),
     Format("csv", _csv, ("run", "accuracy"), paged=False),
     Format("figures", _above("figures.pictures:write"), ("run",), asked=True),
+    Format("docx", _above("note.writer:write_docx"), ("run",), asked=True),
+    Format("odt", _above("note.writer:write_odt"), ("run",), asked=True),
+    Format("tex", _above("note.writer:write_tex"), ("run",), asked=True),
     Format("dxf", _above("figures.dxf:write"), ("run",), asked=True),
 )
 

@@ -22,6 +22,6 @@ def write(results: Results) -> Iterator[tuple[str, bytes]]:
         raise NotToBeHad(say("fault.W041"))
     for one, png in zip(pictures, as_png(pictures, results.language), strict=True):
         stem = f"{FOLDER}/{one.name}"
-        yield f"{stem}.svg", one.svg.encode("utf-8")
+        yield f"{stem}.svg", one.file.encode("utf-8")
         yield f"{stem}.pdf", as_pdf(one, results.language)
         yield f"{stem}.png", png

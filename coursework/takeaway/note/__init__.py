@@ -1,0 +1,1 @@
+"""The report as a document that a student goes on writing in: Word, OpenDocument, LaTeX, by pandoc."""

@@ -1,0 +1,225 @@
+"""The parts of a page as parts of a note.
+
+Enters: parts of a `ReportModel`.  Leaves: blocks of pandoc's tree.  Used by `sections.py`.
+Every number stands as the page says it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import singledispatchmethod
+from typing import Any
+
+from coursework.report.text.parts import (
+    Bullets,
+    Cell,
+    Checks,
+    Claims,
+    Display,
+    Equations,
+    Facts,
+    Figure,
+    Panels,
+    Paragraph,
+    Part,
+    Result,
+    Runs,
+    Table,
+    TitleBlock,
+)  # fmt: skip
+from coursework.takeaway.figures.drawings import Picture
+from coursework.takeaway.note import tree
+from coursework.takeaway.note.dialects import Dialect
+from coursework.takeaway.note.tree import Node
+
+BLANK = "_" * 24  # to be written on
+LEGEND = (10.0, 3.0)  # mm
+GAP = 1.0  # mm beside a graph: programs break a line that graphs fill
+_NAMED = re.compile(r"\(([^()\s]{1,12})\)")
+_NUMBER = re.compile(r"\d+")
+
+
+@dataclass
+class Blocks:
+    """What makes blocks of parts: the format, LaTeX of the formulas, names of the pictures, the width of the text (mm)."""
+
+    dialect: Dialect
+    latex: dict[str, str]
+    place_of: Callable[[str], str]
+    width: float
+    named: set[str] = field(default_factory=set)  # numbers of formulas that the page has
+    marks: dict[str, str] = field(default_factory=dict)  # marks of formulas by their number, and of parts by their label
+
+    # sentences
+
+    def inlines(self, runs: Runs, *, linked: bool = True) -> list[Node]:
+        """Return runs; the number of a formula leads to it."""
+        return [node for run in runs for node in self._run(run, linked)]
+
+    def cell(self, content: Cell) -> list[Node]:
+        """Return what stands in a cell."""
+        return tree.text(content) if isinstance(content, str) else self.inlines(content)
+
+    def _run(self, run: dict[str, str], linked: bool) -> list[Node]:
+        if "v" in run:
+            return self.dialect.letter(run["v"], run["s"])
+        if "p" in run:
+            return [tree.raised(run["p"])]
+        said = run.get("t") or run.get("c") or run.get("o") or ""
+        return list(self._linked(said)) if linked else tree.text(said)
+
+    def _linked(self, said: str) -> Iterator[Node]:
+        end = 0
+        for found in _NAMED.finditer(said):
+            if found[1] not in self.named:
+                continue
+            yield from tree.text(said[end : found.start()])
+            yield self.dialect.reference(self.mark_of(found[1]), found[0])
+            end = found.end()
+        yield from tree.text(said[end:])
+
+    def mark_of(self, name: str) -> str:
+        """Return the mark of the formula of a number."""
+        return f"eq_{sorted(self.named).index(name) + 1}"
+
+    # parts
+
+    @singledispatchmethod
+    def of(self, part: Part) -> list[Node]:
+        """Return the blocks of a part."""
+        raise TypeError(type(part).__name__)
+
+    @of.register
+    def _(self, part: Paragraph) -> list[Node]:
+        lead = [tree.strong(tree.text(part.lead)), {"t": "Space"}] if part.lead else []
+        block = tree.paragraph([*lead, *self.inlines(part.text)])
+        return [tree.styled("Remark", [block])] if part.style == "note" else [block]
+
+    @of.register
+    def _(self, part: Bullets) -> list[Node]:
+        return [tree.bullets([self.inlines(item) for item in part.items])]
+
+    @of.register
+    def _(self, part: Facts) -> list[Node]:
+        return [tree.paragraph([tree.strong(tree.text(f"{word}: ")), *self.inlines(said)]) for word, said in part.items]
+
+    @of.register
+    def _(self, part: TitleBlock) -> list[Node]:
+        rows = [tree.paragraph([*tree.text(f"{word}: "), *(self.inlines(said) or tree.text(BLANK))]) for word, said in part.items]
+        return [tree.styled("Author", rows)]
+
+    @of.register
+    def _(self, part: Result) -> list[Node]:
+        head = tree.paragraph([tree.strong([*tree.text(f"{part.title}: "), *self.inlines(part.lead)])])
+        return [head, *(tree.paragraph(self.inlines(item)) for item in part.items)]
+
+    @of.register
+    def _(self, part: Claims) -> list[Node]:
+        rows = [
+            [tree.text(f"{mark} {verdict}"), self.inlines(claim), self.cell(number), self.cell(limit)]
+            for mark, verdict, claim, number, limit in part.items
+        ]
+        return self._judged(part.title, part.heads, rows)
+
+    @of.register
+    def _(self, part: Checks) -> list[Node]:
+        rows = []
+        for item in part.items:
+            said = [tree.strong(self.inlines(item.title)), *tree.text(f" {item.code}"), BREAK, *self.inlines(item.sentence)]
+            for line in ([item.heads] if item.heads else []) + list(item.lines):
+                said += [BREAK, *(node for cell in line for node in (*self.cell(cell), *tree.text("  ")))]
+            value = [*self.cell(item.value), *(tree.text(f" {item.unit}") if item.unit else [])]
+            rows.append([tree.text(f"{item.mark} {item.verdict}"), said, value, self.cell(item.limit)])
+        return self._judged(part.title, part.heads, rows)
+
+    def _judged(self, title: str, heads: Sequence[str], rows: list[list[list[Node]]]) -> list[Node]:
+        made = tree.table([tree.text(head) for head in heads], rows, [True, True, False, False])
+        made["c"][2] = [[align, {"t": "ColWidth", "c": width}] for (align, _), width in zip(made["c"][2], WIDTHS, strict=True)]
+        return [tree.paragraph([tree.strong(tree.text(title))]), made]
+
+    @of.register
+    def _(self, part: Equations) -> list[Node]:
+        return [block for item in part.items for block in self._display(item)]
+
+    def _display(self, item: Display) -> Iterator[Node]:
+        if item.before:
+            yield tree.paragraph(self.inlines(item.before))
+        latex = self.latex[item.math]
+        if item.name:
+            first = item.name in self.named and item.name not in self.marks
+            mark = self.marks.setdefault(item.name, self.mark_of(item.name)) if first else ""
+            yield self.dialect.numbered(latex, item.name, mark)
+        else:
+            yield tree.styled("Equation", [tree.paragraph([tree.math(latex, displayed=True)])])
+        if item.after:
+            yield tree.paragraph(self.inlines(item.after))
+
+    @of.register
+    def _(self, part: Table) -> list[Node]:
+        heads = [[*self.inlines(one.head), *(tree.text(f" {one.unit}") if one.unit else [])] for one in part.columns]
+        rows = [
+            [[tree.strong(self.cell(cell))] if number in part.strong else self.cell(cell) for cell in row]
+            for number, row in enumerate(part.rows)
+        ]
+        blocks = self._caption("table", part.label, part.caption)
+        blocks.append(tree.table(heads, rows, [one.words for one in part.columns]))
+        return [*blocks, *([tree.styled("Remark", [tree.paragraph(self.inlines(part.note))])] if part.note else [])]
+
+    @of.register
+    def _(self, part: Figure) -> list[Node]:
+        fits = 1.0 if part.exact else min(1.0, self.width / part.width)  # what is true to scale rather lies on its side
+        picture = self.dialect.picture(self.place_of(part.svg), part.alt, (part.width * fits, part.height * fits))
+        shown = [tree.styled("Figure", [tree.paragraph([picture])]), *self._caption("figure", part.label, part.caption)]
+        return self.dialect.turned(shown) if part.width * fits > self.width else shown
+
+    @of.register
+    def _(self, part: Panels) -> list[Node]:
+        legend: list[Node] = []
+        for svg, words in part.legend:
+            legend += [
+                self.dialect.picture(self.place_of(svg), "–", LEGEND),
+                *tree.text("  "),
+                *self.inlines(words),
+                *tree.text("    "),
+            ]
+        abreast = max(1, int(self.width // part.width))
+        fits = min(1.0, (self.width - 2 * GAP * abreast) / (abreast * part.width))
+        size = (part.width * fits, part.height * fits)
+        pictures = [self.dialect.picture(self.place_of(item.svg), item.alt, size) for item in part.items]
+        rows = [tree.paragraph(pictures[first : first + abreast]) for first in range(0, len(pictures), abreast)]
+        return [tree.styled("Figure", [tree.paragraph(legend), *rows]), *self._caption("figure", part.label, part.caption)]
+
+    def _caption(self, kind: str, label: str, caption: Runs) -> list[Node]:
+        if not caption:
+            return []
+        found = _NUMBER.search(label)
+        if found is None:
+            return [tree.paragraph(self.inlines(caption))]
+        mark = f"{kind}_{found[0]}"
+        self.marks[label] = mark
+        behind = label[found.end() :] + ("" if label.endswith("\u3000") else " ")
+        return self.dialect.caption(kind, (label[: found.start()], found[0], behind), mark, self.inlines(caption))
+
+
+BREAK: Node = {"t": "LineBreak"}
+WIDTHS = (0.14, 0.56, 0.16, 0.14)  # of the text: verdict, claim, number, limit
+
+
+def displays(parts: Iterable[Any]) -> Iterator[Display]:
+    """Yield the formulas of parts."""
+    for part in parts:
+        if isinstance(part, Equations):
+            yield from part.items
+
+
+def pictures(parts: Iterable[Any], known: dict[str, Picture]) -> dict[str, Picture]:
+    """Return the pictures of parts by their SVG: the drawings of the page, and the signs of its legends."""
+    found = {one.svg: one for one in known.values()}
+    for part in parts:
+        if isinstance(part, Panels):
+            for svg, words in part.legend:
+                said = "".join(run.get("t") or run.get("v") or run.get("c") or "" for run in words)
+                found.setdefault(svg, Picture(f"legend-{len(found)}", svg, *LEGEND, said))
+    return found

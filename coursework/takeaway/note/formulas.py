@@ -1,0 +1,53 @@
+"""Formulas of the page as LaTeX, by which pandoc makes those of Word, OpenDocument and TeX.
+
+Enters: Typst math, as the page sets it.  Leaves: LaTeX.  Used by `writer.py`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+
+from coursework.report.text.numbers import POINT
+from coursework.takeaway.note.pandoc import called
+
+_QUOTED = re.compile(r'"([^"]*)"')
+_NUMBERS = re.compile(r"[\d.,+−·/()=²³⁰¹⁴⁵⁶⁷⁸⁹⁻ \u2009\u202f]+")  # what is typed in quotes and needs none: 1,63 + (−2) · 0,02
+_RAISED = re.compile(r"[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+_DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+NEXT_LINE = " \\ "
+_DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
+
+
+def latex_of(sources: Iterable[str], mark: str) -> dict[str, str]:
+    """Return LaTeX by Typst source; `mark` is the decimal sign of the language."""
+    listed = list(dict.fromkeys(sources))
+    if not listed:
+        return {}
+    text = "\n\n".join(f"$ {_bare(one, mark)} $" for one in listed)
+    tree = json.loads(called(["-f", "typst", "-t", "json"], text.encode()))
+    made = [math for block in tree["blocks"] for math in _maths(block)]
+    if mark != POINT:
+        made = [_DECIMAL.sub(f"{{{mark}}}", one) for one in made]
+    return dict(zip(listed, made, strict=True))
+
+
+def _maths(block: dict[str, object]) -> Iterable[str]:
+    inlines = block.get("c")
+    for one in inlines if isinstance(inlines, list) else []:
+        if isinstance(one, dict) and one.get("t") == "Math":
+            yield one["c"][1].strip()
+
+
+def _bare(source: str, mark: str) -> str:
+    """Return Typst math in which numbers stand as such: in quotes they would be words, with spaces around them."""
+    source = _QUOTED.sub(lambda found: _number(found[1], mark) if _NUMBERS.fullmatch(found[1]) else found[0], source)
+    # Brackets that belong together would hold lines together.
+    return re.sub(r"([\[\]])", r"\\\1", source) if NEXT_LINE in source else source
+
+
+def _number(text: str, mark: str) -> str:
+    text = _RAISED.sub(lambda found: f"^({found[0].translate(_DIGITS)})", text)
+    text = re.sub(rf"(?<=\d){re.escape(mark)}(?=\d)", POINT, text)
+    return re.sub("[\u2009\u202f]", "", text.replace("−", "-").replace("·", " dot "))

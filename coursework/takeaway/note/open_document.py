@@ -1,0 +1,135 @@
+"""What pandoc leaves to be done in an OpenDocument text: styles, pages, sequences, SVG beside PNG, the same bytes.
+
+Enters: an odt as pandoc wrote it.  Leaves: an odt.  Used by `writer.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from html import escape
+
+from coursework.takeaway.figures.drawings import Picture
+from coursework.takeaway.note.archive import packed, unpacked
+from coursework.takeaway.note.dialects import SEQUENCES
+from coursework.takeaway.note.sections import STRUCTURAL
+from coursework.takeaway.note.styles import PAGE, House, open_document_styles
+
+CONTENT, STYLES, MANIFEST = "content.xml", "styles.xml", "META-INF/manifest.xml"
+_STYLE = r'<style:style\b[^>]*style:name="{}"(?:[^>]*/>|.*?</style:style>)'
+_IMAGE = re.compile(r'<draw:image\b[^>]*xlink:href="([^"]+)"[^>]*?(?:/>|>\s*</draw:image>)')
+_MASTER = re.compile(r"<office:master-styles>.*?</office:master-styles>", re.S)
+_BORDERLESS = re.compile(r'(<style:style style:name="Table(?:Header)?RowCell"[^>]*>).*?</style:style>', re.S)
+BORDER = 'fo:border="0.5pt solid #000000" fo:padding="1mm"'
+HEADER = 8.0  # mm within a margin, for the number of the page
+_HEADING = '<text:h text:style-name="Heading_20_1" text:outline-level="1">'
+_SET = _HEADING.replace("Heading_20_1", "Heading_20_Structural")
+
+
+def contents_of(title: str, listed: Sequence[tuple[str, str]]) -> str:
+    """Return the contents as an index that a program brings up to date, with what it shows until then."""
+    lines = "".join(
+        f'<text:p text:style-name="Contents_20_1"><text:a xlink:type="simple" xlink:href="#{name}">{escape(said)}</text:a>'
+        "</text:p>"
+        for name, said in listed
+    )
+    template = (
+        '<text:table-of-content-entry-template text:outline-level="1" text:style-name="Contents_20_1"><text:index-entry-text/>'
+        '<text:index-entry-tab-stop style:type="right" style:leader-char="."/><text:index-entry-page-number/>'
+        "</text:table-of-content-entry-template>"
+    )
+    head = (
+        f'<text:index-title text:name="ContentsHead"><text:p text:style-name="Contents_20_Heading">{escape(title)}</text:p>'
+        "</text:index-title>"
+    )
+    return (
+        f'<text:table-of-content text:name="Contents"><text:table-of-content-source text:outline-level="1">'
+        f'<text:index-title-template text:style-name="Contents_20_Heading">{escape(title)}</text:index-title-template>{template}'
+        f"</text:table-of-content-source><text:index-body>{head}{lines}</text:index-body></text:table-of-content>"
+    )
+
+
+def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Picture]) -> bytes:
+    """Return the document; `house` None keeps the styles of a department, `drawings` are those that a PNG shows."""
+    files = unpacked(content)
+    styles = files[STYLES].decode()
+    for name, made in open_document_styles(house or House()).items():
+        found = re.search(_STYLE.format(re.escape(name)), styles, re.S)
+        if found is None:
+            styles = styles.replace("</office:styles>", f"{made}</office:styles>", 1)
+        elif house is not None:
+            styles = styles[: found.start()] + made + styles[found.end() :]
+    files[STYLES] = (_with_pages(styles, house) if house is not None else styles).encode()
+    text = files[CONTENT].decode()
+    if "<text:sequence-decls" not in text:
+        declared = "".join(
+            f'<text:sequence-decl text:display-outline-level="0" text:name="{name}"/>' for name in SEQUENCES.values()
+        )
+        text = text.replace("<office:text>", f"<office:text><text:sequence-decls>{declared}</text:sequence-decls>", 1)
+    text = _BORDERLESS.sub(lambda found: f"{found[1]}<style:table-cell-properties {BORDER}/></style:style>", text)
+    if house is not None:
+        for name in STRUCTURAL:
+            text = text.replace(
+                f'{_HEADING}<text:bookmark-start text:name="{name}"', f'{_SET}<text:bookmark-start text:name="{name}"'
+            )
+    files[CONTENT] = _with_drawings(files, text, drawings).encode()
+    return packed(files)
+
+
+def _with_pages(styles: str, house: House) -> str:
+    """Return the styles with A4 pages of the house, upright and turned, and the paragraphs that begin them."""
+    place, align = house.page_number.split()
+    number = (
+        f'<style:{place}><text:p text:style-name="PageNumber"><text:page-number text:select-page="current">1</text:page-number>'
+        f"</text:p></style:{place}>"
+    )
+
+    def layout(name: str, size: tuple[float, float], way: str) -> str:
+        left, right, top, bottom = house.margins
+        top, bottom = (top - HEADER, bottom) if place == "header" else (top, bottom - HEADER)
+        return (
+            f'<style:page-layout style:name="{name}"><style:page-layout-properties fo:page-width="{size[0]}mm" '
+            f'fo:page-height="{size[1]}mm" style:print-orientation="{way}" fo:margin-left="{left}mm" fo:margin-right="{right}mm" '
+            f'fo:margin-top="{top}mm" fo:margin-bottom="{bottom}mm"/><style:{place}-style>'
+            f'<style:header-footer-properties fo:min-height="{HEADER}mm"/></style:{place}-style></style:page-layout>'
+        )
+
+    layouts = layout("NoteUpright", PAGE, "portrait") + layout("NoteTurned", PAGE[::-1], "landscape")
+    masters = "".join(
+        f'<style:master-page style:name="{name}" style:page-layout-name="{kind}">{number}</style:master-page>'
+        for name, kind in (("Standard", "NoteUpright"), ("Turned", "NoteTurned"))
+    )
+    begins = "".join(
+        f'<style:style style:name="{name}" style:family="paragraph" style:parent-style-name="Figure" '
+        f'style:master-page-name="{master}"><style:paragraph-properties style:page-number="auto"/></style:style>'
+        for name, master in (("Turned", "Turned"), ("Upright", "Standard"))
+    )
+    begins += (
+        f'<style:style style:name="PageNumber" style:family="paragraph" style:parent-style-name="Standard">'
+        f'<style:paragraph-properties fo:text-align="{align}" fo:text-indent="0mm"/></style:style>'
+    )
+    for name in ("Turned", "Upright"):
+        styles = re.sub(_STYLE.format(name), "", styles, flags=re.S)
+    styles = styles.replace("</office:styles>", f"{begins}</office:styles>", 1)
+    styles = styles.replace("</office:automatic-styles>", f"{layouts}</office:automatic-styles>", 1)
+    return _MASTER.sub(lambda _: f"<office:master-styles>{masters}</office:master-styles>", styles, count=1)
+
+
+def _with_drawings(files: dict[str, bytes], text: str, drawings: Mapping[bytes, Picture]) -> str:
+    """Return the text in which every picture is an SVG with its PNG behind it, for programs that do not draw SVG."""
+    listed: list[str] = []
+
+    def with_svg(found: re.Match[str]) -> str:
+        drawing = drawings.get(files.get(found[1], b""))
+        if drawing is None:
+            return found[0]
+        name = re.sub(r"\.png$", ".svg", found[1])
+        if name not in files:
+            files[name] = drawing.file.encode()
+            listed.append(f'<manifest:file-entry manifest:media-type="image/svg+xml" manifest:full-path="{name}"/>')
+        return f"{found[0].replace(found[1], name)}{found[0]}<svg:desc>{escape(drawing.alt)}</svg:desc>"
+
+    text = _IMAGE.sub(with_svg, text)
+    known = files[MANIFEST].decode()
+    files[MANIFEST] = known.replace("</manifest:manifest>", f"{''.join(listed)}</manifest:manifest>").encode()
+    return text

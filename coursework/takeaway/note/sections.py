@@ -1,0 +1,89 @@
+"""The sections of a note in their order: those of the page, and those that the student writes.
+
+Enters: `Results` and a dialect.  Leaves: blocks of pandoc's tree.  Used by `writer.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from coursework.report.output.results import Results
+from coursework.report.pages.model import ReportModel
+from coursework.report.sections.sections import APPENDIX
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Section, Table, TitleBlock
+from coursework.report.text.words import load_words
+from coursework.takeaway.note import tree
+from coursework.takeaway.note.blocks import Blocks
+from coursework.takeaway.note.tree import Node
+
+CONCLUSION, INTRODUCTION, LITERATURE = "conclusion", "introduction", "literature"
+STRUCTURAL = (INTRODUCTION, CONCLUSION, LITERATURE)  # headings without a number, which the standards set in the middle
+DIGITS = 3  # of the largest error and of the step that would do, as the page's conclusion has them
+
+
+def title_blocks(model: ReportModel, blocks: Blocks) -> list[Node]:
+    """Return what stands before the contents: what the work is, of which mechanism, and whose."""
+    found = [
+        tree.styled("Subtitle", [tree.paragraph(tree.text(model.kind))]),
+        tree.styled("Title", [tree.paragraph(tree.text(model.heading))]),
+    ]
+    parts = [part for section in model.sections for part in section.parts if isinstance(part, TitleBlock)]
+    return found + [block for part in parts for block in blocks.of(part)]
+
+
+def headings(model: ReportModel) -> list[tuple[str, str]]:
+    """Return id and text of every heading, in order."""
+    words = load_words(model.language)
+    appendices = [writer.__name__ for writer, _ in APPENDIX]
+    found = [(INTRODUCTION, words("note.introduction"))]
+    found += [(one.name, _titled(one)) for one in model.sections if one.name not in (*appendices, CONCLUSION)]
+    found += [(CONCLUSION, words("section.conclusion")), (LITERATURE, words("note.literature"))]
+    return found + [(one.name, _titled(one)) for one in model.sections if one.name in appendices]
+
+
+def _titled(section: Section) -> str:
+    return f"{section.number} {section.title}".strip()
+
+
+def section_blocks(results: Results, blocks: Blocks) -> Iterator[Node]:
+    """Yield the sections."""
+    words = load_words(results.language)
+    sections = {section.name: section for section in results.model.sections}
+    for name, title in headings(results.model):
+        yield tree.heading(1, name, tree.text(title))
+        if name in STRUCTURAL:
+            yield tree.styled("To Write", [tree.paragraph(tree.text(words(f"note.{name}_hint")))])
+        if name == CONCLUSION:
+            yield from _numbers(results, blocks)
+            for part in sections[name].parts if name in sections else ():
+                if isinstance(part, Table):
+                    yield from blocks.of(part)
+        elif name in sections:
+            for part in sections[name].parts:
+                if not isinstance(part, TitleBlock):
+                    yield from blocks.of(part)
+
+
+def _numbers(results: Results, blocks: Blocks) -> Iterator[Node]:
+    """Yield what the conclusion speaks of: the largest error, the step that would do, where the first row meets the last."""
+    context = PageContext(results.run, load_words(results.language))
+    listed: list[list[Node]] = []
+    checks = results.run.checks if "checks" in results.run.asked else ()
+    for check in checks:
+        if check.code == "ACCURACY" and check.value is not None and check.column:
+            percent = context.words.amount(context.numbers.scalar(100 * check.value, DIGITS), "%")
+            where = {"symbol": context.lettering(check.column), "row": check.row}
+            listed.append(blocks.inlines(context.lettered(context.words("note.error", error=percent, **where))))
+            if check.step:
+                step = context.quantity(check.step, "s", DIGITS)
+                listed.append(blocks.inlines(context.lettered(context.words("note.step", step=step))))
+    for section in results.model.sections:
+        for part in section.parts:
+            if isinstance(part, Table) and part.id in ("first-last", "extremes") and part.label:
+                number = "".join(filter(str.isdigit, part.label))
+                led = blocks.dialect.reference(f"table_{number}", number)
+                label = part.label.partition(number)[0]
+                listed.append([*tree.text(label), led, *tree.text(": "), *blocks.inlines(part.caption)])
+    if listed:
+        yield tree.bullets(listed)

@@ -1,0 +1,175 @@
+"""How a note looks: a house style a language, where no department has its own.
+
+Enters: a language.  Leaves: `House`, and its styles as Word and OpenDocument write them.
+Used by `word.py`, `open_document.py` and `writer.py`.
+ГОСТ 7.32-2017 for ru and ДСТУ 3008:2015 for uk: Times New Roman 14, lines 1.5 high, margins 30, 15, 20 and 20 mm, paragraphs
+begin 12.5 mm in; headings of sections bold behind that indent, those without a number in the middle in capitals; captions of
+figures below in the middle, of tables above at the left; numbers of pages below in the middle (ru), above at the right (uk).
+"""
+
+from __future__ import annotations
+
+from coursework.system.frozen import frozen
+
+TWIPS = 1440 / 25.4  # a mm
+PAGE = (210.0, 297.0)  # mm
+
+
+@frozen
+class House:
+    """Faces, sizes (pt), height of lines, margins (mm: left, right, top, bottom), indent of a paragraph (mm)."""
+
+    face: str = "Times New Roman"
+    eastern: str = "Times New Roman"
+    size: float = 12.0
+    line: float = 1.15
+    margins: tuple[float, float, float, float] = (20.0, 20.0, 20.0, 20.0)
+    indent: float = 0.0
+    by_standard: bool = False  # headings and captions as the standards of reports say
+    page_number: str = "footer center"
+
+    @property
+    def width(self) -> float:
+        """Return the width of the text (mm)."""
+        return PAGE[0] - self.margins[0] - self.margins[1]
+
+
+STANDARD = House(size=14.0, line=1.5, margins=(30.0, 15.0, 20.0, 20.0), indent=12.5, by_standard=True)
+HOUSES = {
+    "ru": STANDARD,
+    "uk": House(
+        size=14.0, line=1.5, margins=(30.0, 15.0, 20.0, 20.0), indent=12.5, by_standard=True, page_number="header right"
+    ),
+    "zh": House(eastern="SimSun", size=12.0, line=1.25, indent=8.5),
+}  # fmt: skip
+
+
+def house_of(language: str) -> House:
+    """Return the style of a language."""
+    return HOUSES.get(language, House())
+
+
+@frozen
+class Style:
+    """A style of paragraphs; None of a size, a line or an indent is that of the text; lengths in mm, spaces in pt."""
+
+    name: str
+    size: float | None = None
+    bold: bool = False
+    italic: bool = False
+    capitals: bool = False
+    align: str = "both"
+    before: float = 0.0
+    after: float = 0.0
+    line: float | None = None
+    first: float | None = None
+    level: int = 0  # of a heading, from 1
+    keep: bool = False
+    tabs: bool = False  # one in the middle of the text, one at its end
+    grey: bool = False
+    new_page: bool = False
+
+
+def styles_of(house: House) -> tuple[Style, ...]:
+    """Return the styles of a note by the names that pandoc gives them."""
+    plain, size = not house.by_standard, house.size
+    small = size - 2
+    caption = small if plain else size
+    heading, middle = ("left", "left") if plain else ("both", "center")
+    return (
+        Style("Normal", after=4 if plain else 0),
+        Style("Body Text", after=4 if plain else 0),
+        Style("First Paragraph", after=4 if plain else 0),
+        Style("Compact", after=0),
+        Style("Title", size + 4 if plain else size, bold=True, align="center", before=6, after=12, first=0),
+        Style("Subtitle", size, align="center", before=120 if house.by_standard else 12, after=6, first=0),
+        Style("Author", size, align="left", after=2, first=0),
+        Style("Heading 1", size + 2 if plain else size, bold=True, align=heading, before=18, after=10, level=1, keep=True),
+        Style("Heading 2", size + 1 if plain else size, bold=True, align=heading, before=12, after=8, level=2, keep=True),
+        Style(
+            "Heading Structural", size + 2 if plain else size, bold=True, capitals=not plain, align=middle, before=18, after=10,
+            first=0, level=1, keep=True,
+        ),
+        Style("TOC Heading", size + 2 if plain else size, bold=True, capitals=not plain, align="left" if plain else "center",
+              after=10, first=0, keep=True, new_page=True),
+        Style("TOC 1", align="left", first=0, line=1.15),
+        Style("Image Caption", caption, align="center", after=10, first=0, line=1.0),
+        Style("Table Caption", caption, align="left", before=8, after=4, first=0, line=1.0, keep=True),
+        Style("Figure", align="center", before=8, after=4, first=0, line=1.0, keep=True),
+        Style("Equation", 11.0, align="left", before=4, after=4, first=0, line=1.0, tabs=True),
+        Style("Table Text", 9.0, align="left", first=0, line=1.0),
+        Style("Remark", small, align="both", after=4, line=1.0),
+        Style("To Write", italic=True, grey=True),
+    )  # fmt: skip
+
+
+def word_styles(house: House) -> dict[str, str]:
+    """Return the XML of every style by its id in Word's `styles.xml`."""
+    return {style.name.replace(" ", ""): _word_style(style, house) for style in styles_of(house)}
+
+
+def _word_style(style: Style, house: House) -> str:
+    identifier = style.name.replace(" ", "")
+    first = house.indent if style.first is None else style.first
+    line = style.line or house.line
+    paragraph = "<w:keepNext/><w:keepLines/>" if style.keep else ""
+    paragraph += "<w:pageBreakBefore/>" if style.new_page else ""
+    if style.tabs:
+        places = (("center", house.width / 2), ("right", house.width))
+        stops = "".join(f'<w:tab w:val="{kind}" w:pos="{round(at * TWIPS)}"/>' for kind, at in places)
+        paragraph += f"<w:tabs>{stops}</w:tabs>"
+    paragraph += (
+        f'<w:spacing w:before="{round(style.before * 20)}" w:after="{round(style.after * 20)}" '
+        f'w:line="{round(line * 240)}" w:lineRule="auto"/><w:ind w:left="0" w:firstLine="{round(first * TWIPS)}"/>'
+        f'<w:jc w:val="{style.align}"/>'
+    )
+    paragraph += f'<w:outlineLvl w:val="{style.level - 1}"/>' if style.level else ""
+    half = round((style.size or house.size) * 2)
+    faces = f'w:ascii="{house.face}" w:hAnsi="{house.face}" w:cs="{house.face}" w:eastAsia="{house.eastern}"'
+    run = f"<w:rFonts {faces}/>" + ("<w:b/>" if style.bold else "") + ("<w:i/>" if style.italic else "")
+    run += "<w:caps/>" if style.capitals else ""
+    run += f'<w:color w:val="{"7F7F7F" if style.grey else "000000"}"/><w:sz w:val="{half}"/><w:szCs w:val="{half}"/>'
+    based = "" if style.name == "Normal" else '<w:basedOn w:val="Normal"/>'
+    default = ' w:default="1"' if style.name == "Normal" else ""
+    name = style.name.lower() if style.name.startswith(("Heading ", "TOC ")) and style.name[-1].isdigit() else style.name
+    return (
+        f'<w:style w:type="paragraph"{default} w:styleId="{identifier}"><w:name w:val="{name}"/>{based}<w:qFormat/>'
+        f"<w:pPr>{paragraph}</w:pPr><w:rPr>{run}</w:rPr></w:style>"
+    )
+
+
+def open_document_styles(house: House) -> dict[str, str]:
+    """Return the XML of every style by its name in OpenDocument's `styles.xml`."""
+    names = {"Normal": "Standard", "Body Text": "Text_20_body", "Image Caption": "FigureCaption", "Table Caption": "TableCaption",
+             "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents"}  # fmt: skip
+    return {
+        (name := names.get(one.name, one.name.replace(" ", "_20_"))): _open_style(one, name, house) for one in styles_of(house)
+    }
+
+
+def _open_style(style: Style, name: str, house: House) -> str:
+    first = house.indent if style.first is None else style.first
+    size, align = style.size or house.size, {"both": "justify"}.get(style.align, style.align)
+    keep = ' fo:keep-with-next="always"' if style.keep else ""
+    keep += ' fo:break-before="page"' if style.new_page else ""
+    tabs = ""
+    if style.tabs:
+        places = (("center", house.width / 2), ("right", house.width))
+        stops = "".join(f'<style:tab-stop style:type="{kind}" style:position="{at:.1f}mm"/>' for kind, at in places)
+        tabs = f"<style:tab-stops>{stops}</style:tab-stops>"
+    weight = "bold" if style.bold else "normal"
+    slope = "italic" if style.italic else "normal"
+    more = ' fo:text-transform="uppercase"' if style.capitals else ""
+    level = f' style:default-outline-level="{style.level}"' if style.level and style.name.startswith("Heading ") else ""
+    parent = "" if name == "Standard" else ' style:parent-style-name="Standard"'
+    shown = style.name if name != "Standard" else "Standard"
+    return (
+        f'<style:style style:name="{name}" style:display-name="{shown}" style:family="paragraph"{parent} '
+        f'style:class="text"{level}>'
+        f'<style:paragraph-properties fo:margin-left="0mm" fo:margin-right="0mm" fo:text-indent="{first}mm" '
+        f'fo:margin-top="{style.before}pt" fo:margin-bottom="{style.after}pt" fo:line-height="{(style.line or house.line):.0%}" '
+        f'fo:text-align="{align}" style:justify-single-word="false"{keep}>{tabs}</style:paragraph-properties>'
+        f'<style:text-properties fo:font-family="{house.face}" style:font-family-asian="{house.eastern}" fo:font-size="{size}pt" '
+        f'style:font-size-asian="{size}pt" fo:font-weight="{weight}" style:font-weight-asian="{weight}" fo:font-style="{slope}" '
+        f'fo:color="{"#7f7f7f" if style.grey else "#000000"}"{more}/></style:style>'
+    )

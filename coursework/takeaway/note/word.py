@@ -1,0 +1,167 @@
+"""What pandoc leaves to be done in a Word document: styles, sections, numbers of pages, SVG beside PNG, the same bytes.
+
+Enters: a docx as pandoc wrote it.  Leaves: a docx.  Used by `writer.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from html import escape
+
+from coursework.takeaway.figures.drawings import Picture
+from coursework.takeaway.note.archive import packed, unpacked
+from coursework.takeaway.note.dialects import TURNED, UPRIGHT
+from coursework.takeaway.note.sections import STRUCTURAL
+from coursework.takeaway.note.styles import PAGE, TWIPS, House, word_styles
+
+DOCUMENT, STYLES, RELATIONS = "word/document.xml", "word/styles.xml", "word/_rels/document.xml.rels"
+TYPES = "[Content_Types].xml"
+_SECTION = re.compile(r"<w:sectPr\b(?:[^>]*/>|.*?</w:sectPr>)", re.S)
+_TABLE = re.compile(r"<w:tbl>.*?</w:tbl>", re.S)
+_STYLE = r'<w:style\b[^>]*w:styleId="{}".*?</w:style>'
+_EMBEDDED = re.compile(r'<a:blip r:embed="(\w+)"\s*/>|<a:blip r:embed="(\w+)"\s*></a:blip>')
+_TARGET = re.compile(r"<Relationship\b[^>]*>")
+_SVG = "http://schemas.microsoft.com/office/drawing/2016/SVG/main"
+_SVG_USE = "{96DAC541-7B7A-43D3-8B79-37D633B846F1}"  # what Word looks for beside a PNG
+_PART = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+_WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
+
+
+def contents_of(title: str, listed: Sequence[tuple[str, str]], width: float) -> str:
+    """Return the contents as a field that Word brings up to date, with what it shows until then."""
+
+    def mark(kind: str, more: str = "") -> str:
+        return f'<w:r><w:fldChar w:fldCharType="{kind}"{more}/></w:r>'
+
+    def said(instruction: str) -> str:
+        return f'<w:r><w:instrText xml:space="preserve"> {instruction} </w:instrText></w:r>'
+
+    tab = f'<w:tabs><w:tab w:val="right" w:leader="dot" w:pos="{round(width * TWIPS)}"/></w:tabs>'
+    lines = []
+    for place, (name, text) in enumerate(listed):
+        opens = mark("begin", ' w:dirty="true"') + said('TOC \\o "1-2" \\h \\z \\u') + mark("separate") if place == 0 else ""
+        page = mark("begin") + said(f"PAGEREF {name} \\h") + mark("separate") + "<w:r><w:t> </w:t></w:r>" + mark("end")
+        shown = f'<w:r><w:t xml:space="preserve">{escape(text)}</w:t></w:r><w:r><w:tab/></w:r>{page}'
+        entry = f'<w:hyperlink w:anchor="{name}">{shown}</w:hyperlink>'
+        closes = mark("end") if place == len(listed) - 1 else ""
+        lines.append(f'<w:p><w:pPr><w:pStyle w:val="TOC1"/>{tab}</w:pPr>{opens}{entry}{closes}</w:p>')
+    head = f'<w:p><w:pPr><w:pStyle w:val="TOCHeading"/></w:pPr><w:r><w:t>{escape(title)}</w:t></w:r></w:p>'
+    return f'{head}{"".join(lines)}<w:p><w:r><w:br w:type="page"/></w:r></w:p>'
+
+
+def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Picture]) -> bytes:
+    """Return the document; `house` None keeps the styles of a department, `drawings` are those that a PNG shows."""
+    files = unpacked(content)
+    document = files[DOCUMENT].decode()
+    files[STYLES] = _with_styles(files[STYLES].decode(), house).encode()
+    if house is not None:
+        document = _with_page(files, document, house)
+        for name in STRUCTURAL:
+            document = re.sub(rf'(<w:bookmarkStart [^>]*w:name="{name}"\s*/>\s*<w:p>\s*<w:pPr>\s*<w:pStyle w:val=")Heading1"',
+                              r'\1HeadingStructural"', document, count=1)  # fmt: skip
+    document = _TABLE.sub(lambda found: found[0].replace('w:val="Compact"', 'w:val="TableText"'), document)
+    own = _SECTION.findall(document)[-1]
+    document = document.replace(UPRIGHT, own).replace(TURNED, _turned(own))
+    files[DOCUMENT] = _with_drawings(files, document, drawings).encode()
+    return packed(files)
+
+
+def _with_styles(styles: str, house: House | None) -> str:
+    """Return the styles of the house; to those of a department only what it lacks is added."""
+    for identifier, made in word_styles(house or House()).items():
+        pattern = re.compile(_STYLE.format(re.escape(identifier)), re.S)
+        if not pattern.search(styles):
+            styles = styles.replace("</w:styles>", f"{made}</w:styles>")
+        elif house is not None:
+            styles = pattern.sub(lambda _, made=made: made, styles, count=1)  # type: ignore[misc]
+    if house is None:
+        return styles
+    lines = "".join(f'<w:{side} w:val="single" w:sz="4" w:space="0" w:color="000000"/>'
+                    for side in ("top", "left", "bottom", "right", "insideH", "insideV"))  # fmt: skip
+    table = (
+        f'<w:style w:type="table" w:customStyle="1" w:styleId="Table"><w:name w:val="Table"/><w:basedOn w:val="TableNormal"/>'
+        f'<w:qFormat/><w:tblPr><w:jc w:val="center"/><w:tblBorders>{lines}</w:tblBorders><w:tblCellMar>'
+        f'<w:left w:w="57" w:type="dxa"/><w:right w:w="57" w:type="dxa"/></w:tblCellMar></w:tblPr></w:style>'
+    )
+    return re.sub(_STYLE.format("Table"), lambda _: table, styles, count=1, flags=re.S)
+
+
+def _with_page(files: dict[str, bytes], document: str, house: House) -> str:
+    """Return the document with an A4 page of the house, whose number stands where the standard wants it."""
+    place, align = house.page_number.split()
+    tag = {"footer": "ftr", "header": "hdr"}[place]
+    number = "".join(
+        f'<w:r>{inner}</w:r>' for inner in (
+            '<w:fldChar w:fldCharType="begin"/>', '<w:instrText xml:space="preserve"> PAGE </w:instrText>',
+            '<w:fldChar w:fldCharType="separate"/>', "<w:t>1</w:t>", '<w:fldChar w:fldCharType="end"/>',
+        )
+    )  # fmt: skip
+    files[f"word/{place}9.xml"] = (
+        f'<?xml version="1.0" encoding="UTF-8" standalone="yes"?><w:{tag} xmlns:w="{_WORD}"><w:p><w:pPr>'
+        f'<w:ind w:firstLine="0"/><w:jc w:val="{align}"/></w:pPr>{number}</w:p></w:{tag}>'
+    ).encode()
+    _related(files, "rIdPage", place, f"{place}9.xml")
+    kind = f"application/vnd.openxmlformats-officedocument.wordprocessingml.{place}+xml"
+    _typed(files, f'<Override PartName="/word/{place}9.xml" ContentType="{kind}"/>')
+    left, right, top, bottom = (round(one * TWIPS) for one in house.margins)
+    section = (
+        f'<w:sectPr><w:{place}Reference w:type="default" r:id="rIdPage"/>'
+        f'<w:pgSz w:w="{round(PAGE[0] * TWIPS)}" w:h="{round(PAGE[1] * TWIPS)}"/>'
+        f'<w:pgMar w:top="{top}" w:right="{right}" w:bottom="{bottom}" w:left="{left}" w:header="567" w:footer="567" '
+        'w:gutter="0"/>'
+        f"<w:titlePg/></w:sectPr>"
+    )
+    last = list(_SECTION.finditer(document))[-1]
+    return document[: last.start()] + section + document[last.end() :]
+
+
+def _turned(section: str) -> str:
+    """Return the same section on its side."""
+    size = re.search(r"<w:pgSz\b[^>]*>", section)
+    wide, high = (
+        (found[1] if size and (found := re.search(rf'w:{side}="(\d+)"', size[0])) else str(round(mm * TWIPS)))
+        for side, mm in zip("wh", PAGE, strict=True)
+    )
+    turned = f'<w:pgSz w:w="{high}" w:h="{wide}" w:orient="landscape"/>'
+    section = section.replace("<w:titlePg/>", "").replace("<w:titlePg />", "")
+    return section.replace(size[0], turned) if size else section.replace("</w:sectPr>", f"{turned}</w:sectPr>")
+
+
+def _with_drawings(files: dict[str, bytes], document: str, drawings: Mapping[bytes, Picture]) -> str:
+    """Return the document in which every picture has its SVG beside it, for the Words that draw it."""
+    targets = {}
+    for found in _TARGET.findall(files[RELATIONS].decode()):
+        identifier, target = re.search(r'Id="([^"]+)"', found), re.search(r'Target="([^"]+)"', found)
+        if identifier and target:
+            targets[identifier[1]] = f"word/{target[1]}"
+    beside: dict[str, str] = {}
+
+    def with_svg(found: re.Match[str]) -> str:
+        identifier = found[1] or found[2]
+        drawing = drawings.get(files.get(targets.get(identifier, ""), b""))
+        if drawing is None:
+            return found[0]
+        if identifier not in beside:
+            beside[identifier] = f"rIdSvg{len(beside) + 1}"
+            name = f"media/drawing{len(beside)}.svg"
+            files[f"word/{name}"] = drawing.file.encode()
+            _related(files, beside[identifier], "image", name)
+        used = f'<asvg:svgBlip xmlns:asvg="{_SVG}" r:embed="{beside[identifier]}"/>'
+        return f'<a:blip r:embed="{identifier}"><a:extLst><a:ext uri="{_SVG_USE}">{used}</a:ext></a:extLst></a:blip>'
+
+    document = _EMBEDDED.sub(with_svg, document).replace("<wp:inline>", '<wp:inline distT="0" distB="0" distL="0" distR="0">')
+    if beside:
+        _typed(files, '<Default Extension="svg" ContentType="image/svg+xml"/>')
+    return document
+
+
+def _related(files: dict[str, bytes], identifier: str, kind: str, target: str) -> None:
+    relation = f'<Relationship Id="{identifier}" Type="{_PART}/{kind}" Target="{target}"/>'
+    files[RELATIONS] = files[RELATIONS].replace(b"</Relationships>", f"{relation}</Relationships>".encode())
+
+
+def _typed(files: dict[str, bytes], entry: str) -> None:
+    known = files[TYPES].decode()
+    if entry.split()[1] not in known:
+        files[TYPES] = known.replace("</Types>", f"{entry}</Types>").encode()

@@ -1,0 +1,138 @@
+"""`--format docx`, `odt`, `tex`: the report as a document that a student goes on writing in.
+
+Enters: `Results`.  Leaves: the bytes of files.  Raises `NotToBeHad` without pypandoc.  Used by the list of formats, by name.
+"""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from coursework.report.output.results import Results
+from coursework.report.text.words import load_words
+from coursework.takeaway.figures.drawings import Picture, as_pdf, as_png, pictures_of
+from coursework.takeaway.figures.pictures import FOLDER
+from coursework.takeaway.missing import require
+from coursework.takeaway.note import tree
+from coursework.takeaway.note.blocks import Blocks, displays, pictures
+from coursework.takeaway.note.dialects import DIALECTS, Dialect
+from coursework.takeaway.note.formulas import latex_of
+from coursework.takeaway.note.pandoc import called
+from coursework.takeaway.note.sections import headings, section_blocks, title_blocks
+from coursework.takeaway.note.styles import house_of
+from coursework.words.data_folders import REPORTS, folder
+
+MODULE, EXTRA = "pypandoc", "note"
+LANGUAGES = {"en": "en-GB", "ru": "ru-RU", "uk": "uk-UA", "zh": "zh-CN"}
+DEPARTMENT = "reference"  # with the suffix: the department's own styles, in a folder of own pieces
+
+
+def write_docx(results: Results) -> Iterator[tuple[str, bytes]]:
+    """Yield the note for Word."""
+    from coursework.takeaway.note.word import contents_of, finished
+
+    note = _Note(results, "docx")
+    own = note.department
+    house = None if own else note.house
+    contents = contents_of(note.words("title.contents"), headings(results.model), note.house.width)
+    blocks = [
+        *title_blocks(results.model, note.blocks),
+        tree.raw_block("openxml", contents),
+        *section_blocks(results, note.blocks),
+    ]
+    with tempfile.TemporaryDirectory() as place:
+        drawings = note.save_png(Path(place))
+        made = note.converted(blocks, Path(place), own)
+    yield f"{results.stem}.docx", finished(made, house, drawings)
+
+
+def write_odt(results: Results) -> Iterator[tuple[str, bytes]]:
+    """Yield the note for OpenDocument."""
+    from coursework.takeaway.note.open_document import contents_of, finished
+
+    note = _Note(results, "odt")
+    own = note.department
+    contents = tree.raw_block("opendocument", contents_of(note.words("title.contents"), headings(results.model)))
+    blocks = [*title_blocks(results.model, note.blocks), contents, *section_blocks(results, note.blocks)]
+    with tempfile.TemporaryDirectory() as place:
+        drawings = note.save_png(Path(place))
+        made = note.converted(blocks, Path(place), own)
+    yield f"{results.stem}.odt", finished(made, None if own else note.house, drawings)
+
+
+def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
+    """Yield the note for LaTeX, and the drawings that it shows."""
+    from coursework.takeaway.note.tex import PREAMBLES, class_of, sized_tables
+
+    note = _Note(results, "tex")
+    title, author = tree.text(results.model.heading), tree.text(results.model.author)
+    blocks = [*title_blocks(results.model, note.blocks)[2:], *section_blocks(results, note.blocks)]
+    meta = {
+        "title": {"t": "MetaInlines", "c": title}, "author": {"t": "MetaInlines", "c": author},
+        "subtitle": {"t": "MetaInlines", "c": tree.text(results.model.kind)},
+    }  # fmt: skip
+    options = [
+        "--standalone",
+        "--toc",
+        "--toc-depth=2",
+        "-V",
+        f"documentclass={class_of(results.language)}",
+        "-V",
+        "papersize=a4",
+    ]
+    left, right, top, bottom = note.house.margins
+    options += ["-V", f"geometry=left={left}mm,right={right}mm,top={top}mm,bottom={bottom}mm", "-V", "colorlinks=true"]
+    options += ["-V", f"header-includes={PREAMBLES.get(results.language, PREAMBLES['en'])}", "-V", "linkcolor=black"]
+    with tempfile.TemporaryDirectory() as place:
+        made = note.converted(sized_tables(blocks), Path(place), None, *options, **meta)
+    yield f"{results.stem}.tex", made
+    for one in note.pictures.values():
+        yield f"{FOLDER}/{one.name}.pdf", as_pdf(one, results.language)
+
+
+class _Note:
+    """What the three formats share: pictures, formulas, the maker of blocks."""
+
+    def __init__(self, results: Results, suffix: str) -> None:
+        require(MODULE, suffix, EXTRA)
+        self.results, self.dialect, self.words = results, _dialect(suffix), load_words(results.language)
+        parts = [part for section in results.model.sections for part in section.parts]
+        self.pictures = pictures(parts, pictures_of(results.model))
+        shown = list(displays(parts))
+        latex = latex_of((one.math for one in shown), self.words("decimal"))
+        self.house = house_of(results.language)
+        named = {one.name for one in shown if one.name}
+        self.blocks = Blocks(self.dialect, latex, self._place, self.house.width, named)
+
+    @property
+    def department(self) -> Path | None:
+        """Return the department's own styles, None where it has none."""
+        own = folder(REPORTS) / f"{DEPARTMENT}.{self.dialect.suffix}"
+        return own if own.is_file() else None
+
+    def _place(self, svg: str) -> str:
+        return f"{FOLDER}/{self.pictures[svg].name}.{'pdf' if self.dialect.suffix == 'tex' else 'png'}"
+
+    def save_png(self, place: Path) -> dict[bytes, Picture]:
+        """Save the pictures below a folder; return each by its PNG."""
+        (place / FOLDER).mkdir()
+        found = {}
+        listed = list(self.pictures.values())
+        for one, png in zip(listed, as_png(listed, self.results.language), strict=True):
+            (place / FOLDER / f"{one.name}.png").write_bytes(png)
+            found[png] = one
+        return found
+
+    def converted(self, blocks: list[tree.Node], place: Path, own: Path | None, *options: str, **meta: Any) -> bytes:
+        """Return what pandoc makes of blocks, with the pictures below a folder."""
+        language = LANGUAGES.get(self.results.language, self.results.language)
+        document = tree.document(blocks, lang={"t": "MetaString", "c": language}, **meta)
+        options = ("-f", "json", "-t", self.dialect.writer, "-o", "-", f"--resource-path={place}", *options)
+        return called([*options, *([f"--reference-doc={own}"] if own else [])], json.dumps(document).encode())
+
+
+def _dialect(suffix: str) -> Dialect:
+    return DIALECTS[suffix]()

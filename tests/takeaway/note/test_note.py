@@ -1,0 +1,212 @@
+"""The note in Word, OpenDocument and LaTeX: the page's digits, its formulas, its drawings, what refers to what."""
+
+import io
+import json
+import re
+import subprocess
+import zipfile
+from collections import Counter
+from xml.etree import ElementTree
+
+import docx
+import pypandoc
+import pytest
+
+from coursework.report.output.formats import formats_for
+from coursework.report.text.parts import Checks, Claims, Equations, Figure, Panels, Table
+from coursework.takeaway.note.writer import LANGUAGES
+from coursework.variant.catalogue import names
+from tests.command import call
+from tests.sample import sampled_pairs
+from tests.takeaway.taken import results_of, taken
+
+KINDS = ("docx", "odt", "tex")
+
+
+def parts_of(name, language, *kinds):
+    return [part for one in results_of(name, language).model.sections for part in one.parts if isinstance(part, kinds)]
+
+
+def note(name, suffix, language):
+    return taken(name, suffix, language)[f"report.{suffix}"]
+
+
+def tree_of(name, suffix, language):
+    """The note read back by pandoc."""
+    command = [pypandoc.get_pandoc_path(), "-f", {"tex": "latex"}.get(suffix, suffix), "-t", "json"]
+    return json.loads(subprocess.run(command, input=note(name, suffix, language), capture_output=True, check=True).stdout)
+
+
+def found(node, kind):
+    if isinstance(node, dict):
+        if node.get("t") == kind:
+            yield node["c"]
+        node = [*node.values()]
+    for one in node if isinstance(node, list) else ():
+        yield from found(one, kind)
+
+
+def letters(runs):
+    """A cell of the page as a reader reads it."""
+    if isinstance(runs, str):
+        return squeezed(runs)
+    return squeezed("".join(f"{run['v']}{run['s']}" if "v" in run else "".join(run.values()) for run in runs))
+
+
+def squeezed(text):
+    return re.sub(r"\s", "", text)
+
+
+def signs(formula):
+    """The letters, digits and signs of a formula, in whichever language and order it is written."""
+    for command, sign in (("\\overset{\\rightarrow}", ""), ("→", ""), ("\\partial", "∂"), ("\\frac{1}", "")):
+        formula = formula.replace(command, sign)
+    formula = COMMANDS.sub("", formula)
+    for letter, name in GREEK.items():
+        formula = re.sub(rf"\\{name}(?![a-z])", letter, formula)
+    plain = formula.translate(str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹−⁻ϕφ", "01234567890123456789--φφ"))
+    return Counter(re.findall(r"[^\W_]|[=+\-∂]", plain))
+
+
+COMMANDS = re.compile(
+    r"\\(?:begin|end)\{\w+\}(?:\{\w*\})?"
+    r"|\\(?:frac|left|right|quad|angle|lbrack|rbrack|cdot|text|underline|sqrt|dot|mathring|operatorname)\b"
+)
+GREEK = {
+    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "varepsilon", "θ": "theta", "λ": "lambda", "μ": "mu", "ξ": "xi",
+    "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau", "φ": "varphi", "ψ": "psi", "ω": "omega", "Δ": "Delta", "Φ": "Phi",
+    "Ψ": "Psi",     "η": "eta", "κ": "kappa", "ν": "nu", "χ": "chi", "ζ": "zeta", "Ω": "Omega", "Σ": "Sigma",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "language"), sampled_pairs(names(), LANGUAGES, {("31", "ru"), ("v107", "zh")}))
+def test_the_tables_of_word_have_the_digits_of_the_page(name, language):
+    read = docx.Document(io.BytesIO(note(name, "docx", language)))
+    wanted = parts_of(name, language, Table, Claims, Checks)
+    assert len(read.tables) == len(wanted)
+    pages = {tuple(tuple(letters(cell) for cell in row) for row in part.rows) for part in wanted if isinstance(part, Table)}
+    written = {tuple(tuple(squeezed(cell.text) for cell in row.cells) for row in table.rows[1:]) for table in read.tables}
+    assert pages <= written
+
+
+@pytest.mark.parametrize(
+    ("name", "suffix"), sampled_pairs(names(), KINDS, {("31", "docx"), ("v107", "odt"), ("walschaerts", "tex")})
+)
+def test_every_formula_of_the_page_is_there_and_reads_the_same(name, suffix):
+    wanted = [item for part in parts_of(name, "en", Equations) for item in part.items]
+    if suffix == "tex":
+        text = note(name, suffix, "en").decode()
+        read = re.findall(
+            r"\\\[(.*?)\\\]|\\begin\{equation\}\\tag\{.*?\}(?:\\label\{\w+\})?\n(.*?)\n\\end\{equation\}", text, re.S
+        )
+        read = ["".join(one) for one in read]
+    elif suffix == "odt":
+        read = formulas_of_odt(note(name, suffix, "en"))
+    else:
+        read = [latex for _, latex in found(tree_of(name, suffix, "en"), "Math")]
+    assert len(read) == len(wanted)
+    for formula, item in zip(read, wanted, strict=True):
+        assert signs(formula) == signs(item.text), (formula, item.text)
+
+
+def formulas_of_odt(content):
+    """What the formulas of an OpenDocument text show, in order."""
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        places = re.findall(r'<draw:object [^>]*xlink:href="(Formula-\d+)', archive.read("content.xml").decode())
+        roots = [ElementTree.fromstring(archive.read(f"{place}/content.xml")) for place in places]
+    for root in roots:
+        for above in root.iter():
+            for one in [*above]:
+                is_one = above.tag.endswith("mfrac") and one is above[0] and "".join(one.itertext()).strip() == "1"
+                if one.tag.endswith("annotation") or is_one:  # before brackets, where the page has a wide quotient
+                    above.remove(one)
+    return ["".join(root.itertext()) for root in roots]
+
+
+@pytest.mark.parametrize(("language", "suffix"), sampled_pairs(LANGUAGES, KINDS, {("ru", "docx"), ("zh", "odt"), ("uk", "tex")}))
+def test_the_table_of_the_motion_reads_back_in_every_format_and_language(suffix, language):
+    (wanted,) = [part for part in parts_of("31", language, Table) if part.places]
+    rows = [[letters(cell) for cell in row] for row in wanted.rows]
+    if suffix == "tex":
+        read = [[squeezed(re.sub(r"\\textbf|[{}$]|\\[()]", "", cell)) for cell in line.rpartition("\\endlastfoot")[2].split("&")]
+                for line in re.split(r"\\\\(?= ?\n)", note("31", suffix, language).decode())]  # fmt: skip
+        assert all(row in read for row in rows)
+        return
+    tables = [[[squeezed("".join(found_text(cell[4]))) for cell in row[1]] for row in table[4][0][3]]
+              for table in found(tree_of("31", suffix, language), "Table")]  # fmt: skip
+    assert rows in tables
+
+
+def found_text(node):
+    if isinstance(node, dict):
+        if node.get("t") == "Str":
+            yield node["c"]
+            return
+        node = [*node.values()]
+    for one in node if isinstance(node, list) else ():
+        yield from found_text(one)
+
+
+@pytest.mark.parametrize(("name", "language"), [("31", "ru"), ("v107", "zh")])
+def test_references_of_word_lead_to_what_is_there(name, language):
+    with zipfile.ZipFile(io.BytesIO(note(name, "docx", language))) as archive:
+        text = archive.read("word/document.xml").decode()
+        names = archive.namelist()
+        relations = archive.read("word/_rels/document.xml.rels").decode()
+    marks = re.findall(r'<w:bookmarkStart [^>]*w:name="([^"]+)"', text)
+    led = re.findall(r"(?:PAGE)?REF (\w+) ", text)
+    assert len(marks) == len(set(marks)) and set(led) <= {*marks} and len(led) > 10
+    captions = [part for part in parts_of(name, language, Table, Figure, Panels) if part.label]
+    assert len(re.findall(r"\bSEQ \S+ \\\* ARABIC", text)) == len(captions)
+    pictures = [*parts_of(name, language, Figure)] + [one for part in parts_of(name, language, Panels) for one in part.items]
+    told = re.findall(r'<wp:docPr descr="([^"]*)"', text)
+    assert all(told) and Counter(squeezed(one.alt) for one in pictures) <= Counter(squeezed(one) for one in told)
+    assert text.count("svgBlip") == len(told)  # an SVG beside every PNG
+    for identifier in re.findall(r'r:(?:embed|id)="([^"]+)"', text):
+        target = re.search(rf'<Relationship\b(?=[^>]*\bId="{identifier}")[^>]*\bTarget="([^"]+)"', relations)
+        assert target and (f"word/{target[1]}" in names or "://" in target[1])
+
+
+def test_styles_are_those_of_the_standard():
+    read = docx.Document(io.BytesIO(note("31", "docx", "ru")))
+    section = read.sections[0]
+    margins = (section.left_margin, section.right_margin, section.top_margin, section.bottom_margin)
+    assert [round(one.mm) for one in margins] == [30, 15, 20, 20]
+    body = read.styles["Body Text"]
+    assert (body.font.name, body.font.size.pt, body.paragraph_format.line_spacing) == ("Times New Roman", 14, 1.5)
+    assert round(body.paragraph_format.first_line_indent.mm, 1) == 12.5
+    heads = [(one.style.name, one.text) for one in read.paragraphs if one.style.name.lower().startswith("heading")]
+    assert heads[0] == ("Heading Structural", "Введение") and ("Heading Structural", "Список использованных источников") in heads
+    captions = {one.style.name: one.text for one in read.paragraphs if "Caption" in one.style.name}
+    assert captions["Image Caption"].startswith("Рисунок") and captions["Table Caption"].startswith("Таблица")
+    turned = [one for one in read.sections if one.orientation]
+    assert len(turned) == 1 and turned[0].page_width > turned[0].page_height  # the sheet that is true to scale
+
+
+@pytest.mark.parametrize(("name", "language", "suffix"), [("31", "ru", "docx"), ("v107", "en", "odt")])
+def test_the_same_bytes_on_every_run(name, language, suffix):
+    assert dict(formats_for("run")[suffix].write(results_of(name, language))) == taken(name, suffix, language)
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_department_has_styles_of_its_own(folder):
+    (folder / "looks").mkdir()
+    own = docx.Document()
+    own.styles["Normal"].font.name = "Courier New"
+    own.sections[0].left_margin = docx.shared.Mm(41)
+    own.save(folder / "looks/reference.docx")
+    called = call("run", "v107", "--quantities", "table", "--format", "docx", "--templates", "looks", "--out", "taken")
+    assert called.exit_code == 0, called.output
+    read = docx.Document(folder / "taken/report.docx")
+    assert read.styles["Normal"].font.name == "Courier New" and round(read.sections[0].left_margin.mm) == 41
+    assert "report.docx" in json.loads((folder / "taken/run.json").read_text(encoding="utf-8"))["files"]
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_missing_package_is_told_with_the_line_that_installs_it(folder, monkeypatch):
+    monkeypatch.setattr("coursework.takeaway.missing.find_spec", lambda name: None)
+    called = call("run", "31", "--quantities", "table", "--format", "csv,docx,tex", "--out", "taken")
+    assert called.exit_code == 2 and [path.name for path in (folder / "taken").iterdir() if path.suffix == ".csv"] == [
+        "table.csv"
+    ]
+    assert called.stderr.count("[note]") == 2
