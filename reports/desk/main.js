@@ -15,7 +15,7 @@ import { completing } from "./text/completion.js";
 import { dataIn, places } from "./text/data.js";
 import { draggingIn } from "./text/dragging.js";
 import { MOVE, editorIn } from "./text/editor.js";
-import { showFaults } from "./text/faults.js";
+import { isMissing, showFaults, told } from "./text/faults.js";
 import { showVerdicts, verdicts } from "./text/verdicts.js";
 import { followWords, say, speak, spoken } from "./words.js";
 import { asking } from "./work/asking.js";
@@ -103,7 +103,7 @@ function answered(answer, asked) {
   showFaults(view, faults, answer, doc, since);
   showVerdicts(view, answer.equations ?? [], doc, since);
   if (!answer.faults.length) data.show(answer.data ?? [], doc, since);
-  state.set({ unreachable: null, faults: answer.faults.length });
+  state.set({ unreachable: null, faults: answer.faults.length, missing: answer.faults.every(isMissing) });
   if (answer.page !== null) {
     lacking = answer.later?.length ? asked : null;
     showing = page.show(answer.page, answer.later ?? []);
@@ -112,7 +112,7 @@ function answered(answer, asked) {
     pale = found("desk-pale", HTMLElement);
   frame.classList.toggle("pale", Boolean(first));
   pale.hidden = !first || !page.html;
-  pale.textContent = first ? say("pale", { sentence: first.sentence }) : "";
+  pale.textContent = first ? say("pale", { sentence: told(first) }) : "";
   found("desk-welcome", HTMLElement).hidden = Boolean(page.html);
   frame.classList.toggle("empty", !page.html);
   keepHere();

@@ -7,7 +7,7 @@ import { followWords, say } from "./words.js";
 /** @param {HTMLElement} place */
 export function stateIn(place) {
   /** @type {State} */
-  const now = { unreachable: null, faults: 0, computing: true, file: "saved", fresh: false };
+  const now = { unreachable: null, faults: 0, missing: false, computing: true, file: "saved", fresh: false };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let patience;
   let told = "";
@@ -23,7 +23,7 @@ export function stateIn(place) {
   function words(key) {
     const file = say(now.file === "changed" && now.fresh ? "state_new" : `state_${now.file}`);
     if (key === "unreachable") return now.unreachable || say("state_unreachable");
-    if (key === "faulty") return `${say("state_faulty", { n: now.faults })} · ${file}`;
+    if (key === "faulty") return `${say(now.missing ? "state_missing" : "state_faulty", { n: now.faults })} · ${file}`;
     return key === "computing" ? say("state_computing") : file;
   }
 
@@ -31,6 +31,7 @@ export function stateIn(place) {
     const key = name();
     place.dataset.state = key;
     place.dataset.file = now.file;
+    place.toggleAttribute("data-missing", key === "faulty" && now.missing);
     clearTimeout(patience);
     // What is computed within a moment is not spoken of: the words stay, only the sign turns.
     const say_ = () => {

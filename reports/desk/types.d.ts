@@ -66,7 +66,7 @@ export interface Joint { joint: string; at: [number, number]; mm: number; svg: S
 export interface Held { name: string; origin: number[]; mm: number; box: number[]; width: number; matrix: DOMMatrix }
 /** A fault where it is in the editor now. */
 export interface PlacedFault {
-  from: number; to: number; line: number; column: number; sentence: string; mend: { from: number; to: number;
+  from: number; to: number; line: number; column: number; sentence: string; missing: boolean; mend: { from: number; to: number;
   insert: string } | null;
 }
 /** The controls of one datum. */
@@ -75,5 +75,5 @@ export interface DatumRow {
 }
 /** What the bar says; `fresh` where nothing is saved under the name yet. */
 export interface State {
-  unreachable: string | null; faults: number; computing: boolean; file: "saved" | "changed" | "conflict"; fresh: boolean;
+  unreachable: string | null; faults: number; missing: boolean; computing: boolean; file: "saved" | "changed" | "conflict"; fresh: boolean;
 }

@@ -103,6 +103,19 @@ def test_faults_are_those_of_check_at_their_place(client, folder, right, wrong, 
         assert line[: mend["column"] - 1] + mend["text"] + line[mend["end_column"] - 1 :] in TEXT.split("\n")
 
 
+def test_a_section_that_is_missing_is_begun_at_the_end_of_the_text(client):
+    text = 'format = 1\n[given]\nr = "1 m"'
+    for _ in ("coordinates", "time"):
+        faults = client.post("/api/check", json={"text": text}).json()["faults"]
+        mend = next(fault["mend"] for fault in faults if fault["code"] == "V012")
+        lines = text.split("\n")
+        assert (mend["line"], mend["column"]) == (mend["end_line"], mend["end_column"]) == (len(lines), len(lines[-1]) + 1)
+        text += mend["text"]
+    assert [line for line in text.split("\n") if line.startswith("[")] == ["[given]", "[coordinates]", "[time]"]
+    told = client.post("/api/check", json={"text": text}).json()["faults"]
+    assert "V012" not in [fault["code"] for fault in told]
+
+
 def test_a_faulty_text_has_no_page(client):
     found = client.post("/api/page", json={"text": ""}).json()
     assert (found["page"], found["summary"], len(found["faults"]) > 0) == (None, None, True)

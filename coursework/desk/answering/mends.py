@@ -1,4 +1,4 @@
-"""A fault that says "Did you mean …?" -> the change of the text that does it.
+"""A fault that says "Did you mean …?", or which section is missing -> the change of the text that does it.
 
 Enters: a fault and the lines of the text.  Leaves: where to put what, or None.  Used by `typed.py`.
 """
@@ -12,12 +12,42 @@ from typing import Any
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 
-_ADVICE = "hint.closest"
+_ADVICE, _MISSING = "hint.closest", "V012"
+_BEGUN = {  # how a section begins that no file can do without
+    "coordinates": '[coordinates]\nphi1 = { start = "0 rad", rate = "w1" }',
+    "time": '[time]\nstep = "0.02 s"\nend  = "0.48 s"',
+}
 
 
-def mend_of(fault: Fault, lines: Sequence[str]) -> dict[str, Any] | None:
-    """Return `line`, `column`, `end_line`, `end_column` (from 1, the end excluded) and the `text` to stand there."""
-    meant = next((str(hint.values["name"]) for hint in _sentences(fault.message) if hint.key == _ADVICE), None)
+Mend = dict[str, Any]
+
+
+def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]:
+    """Return of each fault `line`, `column`, `end_line`, `end_column` (from 1, end excluded), the `text` to stand there; or None.
+
+    A section that only has another name in the text is not begun anew.
+    """
+    meant = [_meant(fault) for fault in faults]
+    return [
+        _beginning(fault, lines, meant) if fault.code == _MISSING else _respelled(fault, name, lines)
+        for fault, name in zip(faults, meant, strict=True)
+    ]
+
+
+def _meant(fault: Fault) -> str | None:
+    return next((str(hint.values["name"]) for hint in _sentences(fault.message) if hint.key == _ADVICE), None)
+
+
+def _beginning(fault: Fault, lines: Sequence[str], meant: Sequence[str | None]) -> Mend | None:
+    name = str(fault.message.values["name"])
+    if name in meant or name not in _BEGUN:
+        return None
+    gap = "" if not any(lines) else "\n" if not lines[-1] else "\n\n"
+    line, column = len(lines), len(lines[-1]) + 1
+    return {"line": line, "column": column, "end_line": line, "end_column": column, "text": f"{gap}{_BEGUN[name]}\n"}
+
+
+def _respelled(fault: Fault, meant: str | None, lines: Sequence[str]) -> Mend | None:
     if meant is None or not 1 <= fault.line <= len(lines):
         return None
     line, begin = lines[fault.line - 1], max(fault.column - 1, 0)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import make_run, step_of, variant_in
-from coursework.desk.answering.mends import mend_of
+from coursework.desk.answering.mends import mends_of
 from coursework.desk.inside import TablesOf
 from coursework.desk.job import Setup, fault_entry
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
@@ -71,9 +71,11 @@ class Desk:
 def faults_of(error: CourseworkError, desk: Desk) -> list[dict[str, Any]]:
     """Return the faults of a text, each with its place in it (None for what is wrong elsewhere) and what would mend it."""
     lines, written = desk.text.split("\n"), desk.words.written
+    faults = error.faults[:MOST_SHOWN]
+    mends = mends_of(faults, lines)
     return [
-        fault_entry(fault.code, fault.said(written), fault.line, fault.column, mend_of(fault, lines))
-        for fault in error.faults[:MOST_SHOWN]
+        fault_entry(fault.code, fault.said(written), fault.line, fault.column, mend)
+        for fault, mend in zip(faults, mends, strict=True)
     ]
 
 

@@ -8,6 +8,19 @@ import { extent, offset } from "./places.js";
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
 /** @import { Answer, Edit, Fault, PlacedFault as Told, Remark } from "../types" */
 
+/** A section that the text has not yet is what is still to be typed, no slip: it stands nowhere.
+ * @param {Fault | Remark} fault
+ */
+export const isMissing = (fault) => "code" in fault && fault.code === "V012";
+
+/** What is told of a fault where its place is not beside it.
+ * @param {Fault} fault
+ */
+export const told = (fault) => (isMissing(fault) ? fault.sentence : `${placeOf(fault)} ${fault.sentence}`);
+
+/** @param {{line: number | null, column: number | null}} fault */
+const placeOf = ({ line, column }) => say("place", { line: line ?? 1, column: column ?? 1 });
+
 /**
  * @param {Text} doc The text that was asked about.
  * @param {ChangeDesc} since What was changed in it since.
@@ -30,6 +43,7 @@ function placed(doc, since, fault) {
     line: fault.line ?? 1,
     column: fault.column ?? 1,
     sentence: fault.sentence,
+    missing: isMissing(fault),
     mend: mended && mended.from <= mended.to ? mended : null,
   };
 }
@@ -81,13 +95,10 @@ export function showFaults(view, list, answer, doc, since) {
     message: fault.sentence,
     actions: fault.mend ? [{ name: name(), apply: () => mendIt(view, fault) }] : [],
   });
-  // What an empty text lacks is how to begin, no slip.
-  const nothing = !doc.toString().trim();
-  list.classList.toggle("beginning", nothing);
-  const marks = nothing ? [] : [...faults.map(marked("error")), ...remarks.map(marked("info"))];
-  view.dispatch(setDiagnostics(view.state, marks));
+  const slips = faults.filter(({ missing }) => !missing);
+  view.dispatch(setDiagnostics(view.state, [...slips.map(marked("error")), ...remarks.map(marked("info"))]));
   list.replaceChildren(
-    ...faults.map((fault) => line(view, fault, "fault")),
+    ...faults.map((fault) => line(view, fault, fault.missing ? "fault missing" : "fault")),
     ...remarks.map((remark) => line(view, remark, "remark")),
   );
 }
@@ -98,13 +109,8 @@ export function showFaults(view, list, answer, doc, since) {
  * @param {string} kind
  */
 function line(view, fault, kind) {
-  const place = say("place", { line: fault.line, column: fault.column });
-  const go = make(
-    "button",
-    { type: "button", className: "go", onclick: () => goTo(view, fault) },
-    make("b", {}, place),
-    ` ${fault.sentence}`,
-  );
+  const place = fault.missing ? [] : [make("b", {}, placeOf(fault)), " "];
+  const go = make("button", { type: "button", className: "go", onclick: () => goTo(view, fault) }, ...place, fault.sentence);
   const mend =
     fault.mend &&
     make(

@@ -72,6 +72,15 @@ def test_an_empty_text_begins_with_an_empty_page(desk: Callable[..., Any]) -> No
     assert (page.locator("[data-datum]").count(), page.locator("[class*=cm-lint]").count()) == (0, 0)
     assert page.is_visible("#desk-welcome")
     assert not page.is_visible("#desk-pale")
+    # It is told as what is still to be typed, with a click each that begins it.
+    assert page.locator("#desk-faults .missing").count() == len(one.faults()) == 2
+    for left in (1, 0):
+        page.click("#desk-faults .missing .mend >> nth=0")
+        one.until(lambda left=left: page.locator("#desk-faults .missing").count() == left)
+    assert all(head in one.text for head in ("[coordinates]", "[time]"))
+    for _ in range(2):
+        page.keyboard.press("Control+z")
+    one.until(lambda: one.text == "" and len(one.faults()) == 2)
     page.click("#desk-equations")
     assert page.wait_for_selector("[data-notice=refused] span").inner_text() in one.faults()[0][2]
     page.focus("#desk-text .cm-content")
