@@ -174,7 +174,11 @@ def accuracy_command(
     help="Your own decisions: id,check,points,reason,say; check is table, equations, answers or total.",
 )
 @click.option("--worksheet", type=click.Path(path_type=Path), help="Moodle's offline grading worksheet, to be filled in.")
-@click.option("--canvas", type=click.Path(path_type=Path), help="Canvas's gradebook export, to be filled in.")
+@click.option(
+    "--canvas",
+    type=click.Path(path_type=Path),
+    help="Canvas's gradebook export, to be filled in; it has no place for comments: attach feedback/ID.html in SpeedGrader.",
+)
 @click.option("--results", type=click.Choice(["gradescope", "prairielearn"]), help="One submission, for an autograder.")
 @click.option("--no-pages", is_flag=True, help="No feedback pages.")
 @templates(passed_on=False)

@@ -198,3 +198,4 @@ def test_the_example_of_a_rubric_is_the_default_and_the_help_names_its_keys():
     assert read_rubric(optional).answers
     told = " ".join(CliRunner().invoke(main, ["grade", "--help"]).output.split())
     assert all(key in told for key in KEYS)
+    assert "no place for comments: attach feedback/ID.html in SpeedGrader" in told
