@@ -11,7 +11,8 @@ import numpy as np
 
 from coursework.grading.marking.key import Key, key_of
 from coursework.grading.marking.student_table import student_of
-from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.by_rows import marked
+from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
@@ -82,9 +83,9 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
         told(say("screen.missing_columns", missing=named(", ".join(missing))))
     told(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
     student = student_of(key, table)
-    if (back := turned_back(key, student)) is not None:
+    if (back := turned_back(key, student) if key.free is None else None) is not None:
         told(note("clockwise").text)
-    cells = mark_cells(key, back or student)
+    cells = marked(key, back or student)
     coarse = int(cells.too_coarse.sum())
     if coarse:
         told(say("screen.coarse_cells", coarse=coarse))
@@ -96,7 +97,7 @@ def _steps(key: Key, cells: Cells, named: Named, told: Told) -> None:
     """Say the first row whose angles do not follow from the row before by Euler's rule."""
     m = len(key.coordinates)
     values = cells.student.values
-    speaks = np.isfinite(values[1:, :m]) & np.isfinite(values[:-1, :m]) & np.isfinite(values[:-1, m : 2 * m])
+    speaks = np.isfinite(values[1:, :m]) & np.isfinite(values[:-1, :m]) & np.isfinite(values[:-1, m : 2 * m]) & key.stepped
     against = speaks & ~true_steps(key, cells)
     if not against.any():
         told(say("screen.steps_follow"))

@@ -7,7 +7,7 @@ Only "graded" and "graded-with-notes" carry a number: a format error is no wrong
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
@@ -18,12 +18,13 @@ from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import student_of
-from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.by_rows import marked, points_of
+from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
 from coursework.grading.marking.table.misconceptions import Found, Misconception, explanations, indistinct, looked_for
-from coursework.grading.marking.table.points import Earned, TablePoints, table_points
+from coursework.grading.marking.table.points import Earned, TablePoints
 from coursework.grading.marking.table.ways import HALF, StudentTable
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
@@ -155,6 +156,9 @@ class Marker:
     others: Mapping[str, Array] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        self.by_forces = self.key.free is not None
+        if self.by_forces:  # equations of motion are marked by a person, beside this
+            self.rubric = replace(self.rubric, weights={**self.rubric.weights, "equations": 0.0})
         self.judge = Judge(self.key)
         self.confusions = self.rubric.confused(self.key.variant)
         self._kept: dict[bytes, tuple[str, ...]] = {}
@@ -162,9 +166,12 @@ class Marker:
     def grade(self, work: StudentWork) -> Grade:
         """Return the grade of one submission."""
         student = student_of(self.key, work.table) if work.table else None
-        back = turned_back(self.key, student) if student and self.rubric.clockwise == "accept" else None
+        looked_at = student and not self.by_forces and self.rubric.clockwise == "accept"
+        back = turned_back(self.key, student) if student and looked_at else None
         turning = self.rubric.clockwise == "accept" and (student is None or back is not None)
-        equations = self.judge.mark(work.equations, turning=turning) if work.equations is not None else None
+        equations = (
+            self.judge.mark(work.equations, turning=turning) if work.equations is not None and not self.by_forces else None
+        )
         equations = equations if equations and equations.marks else None
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
         table = self._table(work.table, back or student, equations) if work.table and student else None
@@ -192,10 +199,10 @@ class Marker:
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
-        cells = mark_cells(self.key, student)
-        points = table_points(self.key, cells, self.rubric.carried)
+        cells = marked(self.key, student)
+        points = points_of(self.key, cells, self.rubric.carried)
         found, hidden = Found(), None
-        if looked_for(self.key, cells, points.cells):
+        if not self.by_forces and looked_for(self.key, cells, points.cells):
             hidden = self._hidden(cells.student)
             found = explanations(self.key, cells, self.confusions, self.others, hidden, equations)
         earned = best_rule(self.key, self.rubric, cells, points, found, self.others)

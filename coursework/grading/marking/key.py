@@ -24,25 +24,24 @@ from coursework.motion.geometry.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Model, model_of
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import CourseworkError, InputError
-from coursework.words.sentences import say
+from coursework.words.errors import CourseworkError
 
 if TYPE_CHECKING:
     from coursework.grading.marking.forces import ForceKey
+    from coursework.grading.marking.free_rows import FreeRows
 
 # Between these quantiles lie most rows; a column that spans more than so many times theirs has a pulse.
 _MOST, _SUDDEN = 0.9, 20.0
 # A table that Euler makes without error shows no gap; its digits are then judged by this part of its largest range.
-_SMALLEST_GAP = 1e-3
-_NO_GAP = 1e-9
+SMALLEST_GAP = 1e-3
+NO_GAP = 1e-9
 # Digits that decide: a cell counts as shown up to this part of the gap; the task sheet asks for a fifth of it.
 SHOWN, ASKED = 0.6, 5.0
 # One number of decimals holds for a class; the gap of a student's own data may be so much smaller than the template's.
 SHARED = 2.0
 _LAST_BIT = 1 + 1e-9
-_DIFFERENCE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,8 +50,8 @@ class Key:
 
     `accepted_decimals` is how many decimals the whole class may hand in, None where this variant stands alone.
     `table` (n, m + r) by `names`: m coordinates, then r velocities (rates first), SI; `stopped` why it is shorter than
-    assigned, "" where it is not.  What few submissions need is found when it is asked for.  Where a velocity has no value,
-    functions give NaN.
+    assigned, "" where it is not; `free` the rows of what forces move.  What few submissions need is found when it is asked for.
+    Where a velocity has no value, functions give NaN.
     """
 
     variant: Variant
@@ -60,6 +59,7 @@ class Key:
     table: Array
     stopped: str = ""
     accepted_decimals: int | None = None
+    free: FreeRows | None = None
 
     def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
         """Return every velocity (n, r) in the order of the table at times (n,) and positions (n, m); some data may be other."""
@@ -116,6 +116,12 @@ class Key:
         return self.variant.time.step
 
     @property
+    def stepped(self) -> Flags:
+        """Return which coordinates (m,) go by Euler's rule."""
+        places = np.arange(len(self.coordinates))
+        return np.ones(len(places), dtype=bool) if self.free is None else np.isin(places, self.free.state)
+
+    @property
     def stride(self) -> float:
         """Return the step that coordinates are made with from row to row, s."""
         return self.step
@@ -160,6 +166,8 @@ class Key:
     def gap(self) -> float:
         """Return the one-step gap G: the most by which a step of Heun leaves a step of Euler, over rows and coordinates."""
         m = len(self.coordinates)
+        if self.free is not None:
+            return float(gap_of(np.zeros((1, m)), self.free.accelerations[:, :m] * self.step, self.step, self.ranges[:m]))
         here, q = self.t[:-1], self.table[:-1, :m]
         slopes = self.velocities_at(here, q)[:, :m]
         ahead = self.velocities_at(here + self.step, q + self.step * slopes)[:, :m]
@@ -183,6 +191,8 @@ class Key:
     def order(self) -> tuple[int, ...]:
         """Return the places of the columns in the order of work: angles, then block by block, driven rates last."""
         m = len(self.coordinates)
+        if self.free is not None:  # the state of a row, then what follows from it
+            return (*self.free.state, *(place for place in range(len(self.names)) if place not in self.free.state))
         solved = [
             [m + place for place, name in enumerate(self.velocities) if name in block] for block in map(frozenset, self.blocks)
         ]
@@ -214,12 +224,12 @@ class MisreadKey(Key):
 
 
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
-    """Return the key of a variant.  Raises `InputError` where it cannot be solved at all.
-
-    `accepted_decimals` are those of its class, None for a variant alone.
-    """
+    """Return the key of a variant; `accepted_decimals` are those of its class.  Raises `InputError` where it has no solution."""
     if variant.motor is not None:
-        raise InputError(say("fault.G083", name=variant.name))
+        from coursework.grading.marking.free_rows import FreeRows
+
+        free = FreeRows(variant)
+        return Key(variant, model_of(variant), free.table, free.stopped, accepted_decimals, free)
     model = model_of(variant)
     solved = _solved(model, [variant])
     stop = solved.stops[0]
@@ -229,7 +239,8 @@ def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
 def tables_of(variants: Mapping[str, Variant]) -> dict[str, Array]:
     """Return Euler's tables of variants by name, those of one template together; without any that cannot be computed."""
     alike: dict[tuple[object, ...], dict[str, Variant]] = {}
-    for name, variant in variants.items():
+    driven = {name: one for name, one in variants.items() if one.motor is None}  # what forces move is marked by its own rows
+    for name, variant in driven.items():
         key = (without_data(variant), breaks(variant), variant.time.step, variant.time.end)
         alike.setdefault(key, {})[name] = variant
     found: dict[str, Array] = {}
@@ -262,7 +273,7 @@ def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:
     largest = np.nanmax(gaps, axis=(-2, -1), initial=0.0)
     span = np.max(ranges, axis=-1, initial=0.0)
     span = np.where(span > 0, span, 1.0)
-    return np.where(largest > _NO_GAP * span, largest, _SMALLEST_GAP * span)
+    return np.where(largest > NO_GAP * span, largest, SMALLEST_GAP * span)
 
 
 def decimals_asked(gap: float) -> int:
@@ -277,18 +288,3 @@ def decimals_accepted(gap: float) -> int:
     (3, 2)
     """
     return max(0, math.ceil(-math.log10(SHOWN * gap)))
-
-
-def sensitivity(function: Callable[[Array], Array], at: Array, units: Array) -> Array:
-    """Return sum over j of |d function / d x_j| u_j, (n, k), for rows `at` (n, m) with digits `units` (n, m), all at once."""
-    rows, width = at.shape
-    size = _DIFFERENCE * np.maximum(1.0, np.abs(at))
-    shifted = np.broadcast_to(at, (2 * width, rows, width)).copy()
-    places = np.arange(width)
-    shifted[places, :, places] += size.T
-    shifted[width + places, :, places] -= size.T
-    found = function(shifted.reshape(-1, width)).reshape(2, width, rows, -1)
-    slopes = np.abs(found[0] - found[1]) / (2 * size.T[:, :, None])
-    # What does not depend on a missing cell has slope zero there; where it does depend, the value itself is missing.
-    slopes = np.where(np.isnan(slopes), 0.0, slopes) * np.where(np.isnan(units), 0.0, units).T[:, :, None]
-    return np.asarray(slopes.sum(axis=0))

@@ -46,7 +46,7 @@ def euler_steps(key: Key, cells: Cells) -> tuple[int, int]:
     """Return how many steps of the coordinates are Euler's from the printed row before, and of how many that can be told."""
     m = len(key.coordinates)
     there = np.isfinite(cells.student.values)
-    speaks = there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m]
+    speaks = there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m] & key.stepped
     return int((true_steps(key, cells) & speaks).sum()), int(speaks.sum())
 
 

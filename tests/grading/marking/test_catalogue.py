@@ -10,14 +10,7 @@ from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.misconceptions import explanations
 from coursework.variant.catalogue import names
 
-BY_FORCES = ("example-2-motor", "falling-arm")
-
-
-@pytest.mark.parametrize("name", BY_FORCES)
-def test_what_forces_move_is_marked_by_a_person(name):
-    """Its rates are no function of time and positions, by which a row could be followed."""
-    with pytest.raises(coursework.InputError, match="by hand"):
-        key_of(coursework.load(name))
+BY_FORCES = ("example-2-motor", "falling-arm")  # marked by rows: tests/effects/test_graded_tables.py
 
 
 @pytest.mark.parametrize("name", [name for name in names() if name not in BY_FORCES])

@@ -12,7 +12,8 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from coursework.grading.marking.key import Key, sensitivity
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.sensitivity import sensitivity
 from coursework.grading.marking.table.starts import march
 from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, velocity_tolerance
 from coursework.system.arrays import Array

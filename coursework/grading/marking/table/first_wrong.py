@@ -99,10 +99,10 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
     said = _SAID[way].replace(" ", "_")
     if way in {STEP, STEP_TRUE}:
         m = len(key.coordinates)
-        rate = _shown(key, table, key.velocities[place])
+        rate = _shown(key, table, key.velocities[place % m])
         if way == STEP_TRUE:
             said = "step_true"
-        elif rate.unit != _RATE_OF.get(shown.unit):
+        elif place >= m or rate.unit != _RATE_OF.get(shown.unit):  # forces make the step of a free rate
             said = "step_alone"
         else:
             used = cells.student.values[row - 1]

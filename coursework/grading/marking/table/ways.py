@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coursework.grading.marking.key import Key, sensitivity
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.sensitivity import sensitivity
 from coursework.system.arrays import Array, Flags
 
 # Half a unit of the last place, and a little for the last bit.

@@ -1,0 +1,93 @@
+"""Tables of what forces move, marked row by row: against the key's rows, or as Euler's step from the student's own row before.
+
+Enters: a `Key`, a student's table.  Leaves: `Cells`, `TablePoints`: as everywhere, of a mechanism that laws drive.
+Used by `grade.py` and `precheck.py`.
+
+A row is a state, free coordinates and free rates, which steps to the next one with the accelerations that the forces give
+there; all other positions and velocities follow from the state of their own row.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.grading.marking.key import NO_GAP, Key
+from coursework.grading.marking.sensitivity import sensitivity
+from coursework.grading.marking.table.cells import GIVEN, MISSING, WRONG, Cells, mark_cells
+from coursework.grading.marking.table.points import TablePoints, table_points
+from coursework.grading.marking.table.ways import (
+    ANGLES,
+    HALF,
+    KEY,
+    LEAST,
+    SLACK,
+    STEP,
+    StudentTable,
+    Way,
+    as_printed,
+    near,
+)  # fmt: skip
+
+
+def marked(key: Key, student: StudentTable) -> Cells:
+    """Return the marks of every cell."""
+    return mark_cells(key, student) if key.free is None else _mark_rows(key, student)
+
+
+def points_of(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
+    """Return the points of a table."""
+    return table_points(key, cells, carried) if key.free is None else _points(key, cells, carried)
+
+
+def _mark_rows(key: Key, student: StudentTable) -> Cells:
+    values, units = student.values, student.units
+    ways = (Way(KEY, key.table, as_printed(key, units)), *_own(key, student))
+    with np.errstate(invalid="ignore"):
+        shown = np.isfinite(values) & (units <= key.coarsest)
+    marks = np.full(values.shape, WRONG, dtype="<U16")
+    for way in reversed(ways):
+        marks[way.holds(values)] = way.name
+    m = len(key.coordinates)
+    given = near(values[:1, :m], key.table[:1, :m], as_printed(key, units)[:1, :m])
+    marks[:1, :m] = np.where(given, GIVEN, WRONG)
+    marks[~shown] = MISSING
+    follows = np.asarray(np.any([way.holds(values) for way in ways[1:]], axis=0))
+    return Cells(student, marks, follows, ways, ~shown & np.isfinite(values), None, m)
+
+
+def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:
+    """Return the state by Euler's step from the row before, and what follows from the state of a row."""
+    assert key.free is not None
+    values, units, h = student.values, np.nan_to_num(student.units), key.step
+    state, count = list(key.free.state), len(key.free.state) // 2
+    found = key.free.rows_of(values[:, state])
+    spread = sensitivity(key.free.rows_of, values[:, state], units[:, state])
+    width = values.shape[1]
+    slack = SLACK * np.maximum(np.abs(found[:, :width]), LEAST * key.ranges)
+    places = np.setdiff1d(np.arange(width), state)
+    follows, open_by = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
+    follows[:, places] = found[:, places]
+    open_by[:, places] = (HALF * (units + spread[:, :width]) + slack)[:, places]
+    step, off = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
+    slopes = np.hstack([values[:, state[count:]], found[:, width:]])
+    by = np.hstack([units[:, state[count:]], spread[:, width:]])
+    step[1:, state] = values[:-1, state] + h * slopes[:-1]
+    size = np.maximum(np.abs(slopes), LEAST * np.nanmax(np.abs(slopes), axis=0, initial=0.0))
+    off[1:, state] = HALF * (units[1:, state] + units[:-1, state] + h * by[:-1]) + SLACK * h * size[:-1]
+    return Way(STEP, step, off), Way(ANGLES, follows, open_by)
+
+
+def _points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
+    """Return the points of a table: what is right from own cells counts in rows whose whole state is right."""
+    right = ~cells.wrong & ~cells.missing & cells.counted
+    assert key.free is not None
+    state = list(key.free.state)
+    moves = np.asarray(np.all((~cells.wrong & ~cells.missing)[:, state], axis=1))
+    still = key.ranges <= NO_GAP * np.max(np.abs(key.table), axis=0)
+    credit = np.where(cells.carried, carried, 1.0) * right
+    shut = right & (cells.carried | still) & ~moves[:, None]
+    credit[shut] = 0.0
+    count = int(cells.counted.sum())
+    earned = max(float(credit.sum()) - int(cells.wrong[:1, : cells.starts].sum()), 0.0)
+    closed = {"motion": int(shut.sum())} if shut.any() else {}
+    return TablePoints(earned / count if count else 0.0, count, closed, shut)

@@ -1,0 +1,102 @@
+"""Tables of what forces move, as students make them: marked row by row, a slip carried on, nonsense earns nothing."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.grading.marking.grade import Marker
+from coursework.grading.marking.key import key_of
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.by_rows import marked, points_of
+from coursework.grading.marking.table.first_wrong import first_wrong
+from coursework.grading.marking.table.ways import StudentTable
+from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.submission import Submission, submitted_file
+from tests.effects.massed import text_of
+from tests.effects.moved import free_31
+
+
+@cache
+def key(name="falling-arm", end=0.6):
+    variant = coursework.parse_variant(free_31()) if name == "free 31" else coursework.load(name)
+    return key_of(variant.timed(end=end))
+
+
+def printed(rows, decimals=4):
+    return StudentTable(np.round(rows, decimals), np.full(rows.shape, 10.0**-decimals))
+
+
+def share(of, rows, decimals=4):
+    cells = marked(of, printed(rows, decimals))
+    return points_of(of, cells).share, cells
+
+
+def marched(of, change=lambda row, state: state, start=None):
+    """Rows from Euler's steps of the mechanism's own accelerations, `change` between rows."""
+    state, rows = list(of.free.state), []
+    now = of.table[0, state] if start is None else start
+    f = len(state) // 2
+    for row in range(len(of.table)):
+        whole = of.free.rows_of(np.tile(now, (len(of.table), 1)))[row]
+        rows.append(whole[: of.table.shape[1]])
+        now = change(row, now + of.step * np.concatenate([now[f:], whole[of.table.shape[1] :]]))
+    return np.array(rows)
+
+
+@pytest.mark.parametrize("name", ["falling-arm", "example-2-motor", "free 31"])
+def test_euler_s_rows_have_no_wrong_cell(name):
+    of = key(name, 0.04 if name == "free 31" else 0.6)
+    for decimals in (3, 4, 6):
+        earned, cells = share(of, of.table, decimals)
+        assert not cells.wrong.any(), (decimals, np.argwhere(cells.wrong)[:4])
+        assert earned == pytest.approx(1.0) or cells.missing.any()
+
+
+def test_a_slip_that_is_carried_on_costs_its_own_row():
+    of = key()
+
+    def slipped(row, state):
+        return state + np.array([0.0, 0.0, 0.8, 0.0]) * (row == 20)
+
+    earned, cells = share(of, marched(of, slipped))
+    assert sorted(map(tuple, np.argwhere(cells.wrong))) == [(21, 2)]
+    assert earned > 0.95
+    told = first_wrong(of, cells)
+    assert told.row == 22
+    assert "Euler's step from your own row 21" in str(told.sentence)
+
+
+@pytest.mark.parametrize("slip", ["weight", "copied", "noise"])
+def test_a_table_that_forces_did_not_make_earns_little(slip):
+    of = key()
+    if slip == "weight":
+        weightless = coursework.parse_variant(text_of("falling-arm", ('gravity = "9.81 m/s^2"', 'gravity = "4.9 m/s^2"')))
+        rows = key_of(weightless.timed(end=0.6)).table
+    elif slip == "copied":
+        rows = np.tile(of.table[:1], (len(of.table), 1))
+    else:
+        rows = of.table + 0.2 * np.sin(np.arange(of.table.size)).reshape(of.table.shape)
+    assert share(of, rows)[0] < 0.1
+
+
+def handed_in(of, rows):
+    lines = [",".join(["t", *of.names])]
+    lines += [",".join([f"{t:.2f}", *(f"{value:.4f}" for value in row)]) for t, row in zip(of.t, rows, strict=True)]
+    submission = Submission("a", "A. Student", (submitted_file("table.csv", "\n".join(lines).encode()),))
+    grid = grid_of(of.variant, {name: tuple(of.table[:, place].tolist()) for place, name in enumerate(of.names)})
+    return read_submission(submission, Expected(grid, of.variant))
+
+
+def test_a_class_is_marked_without_a_person():
+    of, marker = key(), Marker(key(), Rubric())
+    right = marker.grade(handed_in(of, of.table))
+    assert (right.status, right.total) == ("graded", 100.0)
+    assert right.verdicts.integration == "right"
+    flat = marker.grade(handed_in(of, np.tile(of.table[:1], (len(of.table), 1))))
+    assert flat.total < 10
+    assert flat.plain()["table"]["state"] == "marked"
