@@ -150,13 +150,15 @@ def test_pages_weigh_what_they_did(places: dict[str, Path]) -> None:
     assert {kind: weight for kind, weight in weights.items() if weight > MOST[kind]} == {}
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("name", VIEWS)
+IN_GATE = {"report", "report-phone", "feedback"}
+
+
+@pytest.mark.parametrize("name", [name if name in IN_GATE else pytest.param(name, marks=pytest.mark.long) for name in VIEWS])
 def test_a_page_looks_as_it_did_when_a_person_looked_at_it(name: str, places: dict[str, Path], browser: Any) -> None:
-    """Faces differ from system to system; a part that moved, or lost its colour, is far more."""
+    """Another browser sets the same face a little otherwise; a part that moved, or lost its colour, is far more."""
     kind, width, colours = VIEWS[name]
     now, seen = take(browser, places[kind], width, colours), pymupdf.Pixmap(SEEN / f"{name}.png")
     assert (now.width, now.height) == (seen.width, seen.height)
     apart = np.abs(np.frombuffer(now.samples, np.uint8).astype(int) - np.frombuffer(seen.samples, np.uint8))
-    assert apart.mean() < 4
-    assert (apart > 96).mean() < 0.01
+    assert apart.mean() < 1.5  # grey levels; the drawing of the mechanism lost is seen by the next line only
+    assert (apart > 96).mean() < 0.002
