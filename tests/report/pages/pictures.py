@@ -1,6 +1,6 @@
 """How ten pages looked when a person last looked at them: the top of each, an eighth as large, in grey.
 
-All letters are those of one face, which comes with matplotlib: with the faces of a machine a page would look like those of no other.
+All letters are those of one face, which comes with matplotlib: set in those of a machine a page would look like no other's.
 
 `python -m tests.report.pages.pictures` takes them anew into `seen/`; whoever does that looks at the pages first.
 """

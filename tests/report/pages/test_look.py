@@ -15,6 +15,7 @@ import pytest
 
 from coursework.words.data_folders import folder
 from coursework.words.templates import _look
+from tests.axe import ASKED, AXE
 from tests.report.pages.all_kinds import KINDS, make
 from tests.report.pages.pictures import SEEN, VIEWS, take
 
@@ -42,7 +43,7 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
 
 @pytest.fixture(scope="module")
 def page(browser: Any) -> Iterator[Any]:
-    context = browser.new_context(viewport={"width": 1400, "height": 900})
+    context = browser.new_context(viewport={"width": 1400, "height": 900}, bypass_csp=True)  # axe-core is no script of ours
     context.add_init_script(path=Path(__file__).parent / "screen.js")
     yield context.new_page()
     context.close()
@@ -71,6 +72,20 @@ def test_a_page_of_every_kind_is_seen_whole(kind: str, places: dict[str, Path], 
     page.emulate_media(media="screen")
     assert found == []
     assert dark == "rgb(17, 17, 17)"
+
+
+@pytest.mark.skipif(not AXE.exists(), reason="axe-core has not been fetched (npm install in tests/javascript)")
+@pytest.mark.parametrize(
+    "kind", [kind if kind in {"feedback", "class"} else pytest.param(kind, marks=pytest.mark.long) for kind in KINDS]
+)
+def test_axe_has_nothing_to_say_of_any_kind_of_page(kind: str, places: dict[str, Path], page: Any) -> None:
+    sized(page, 1000)
+    page.goto(places[kind].as_uri())
+    page.add_script_tag(path=AXE)
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        assert page.evaluate(ASKED) == []
+    page.emulate_media(color_scheme="light")
 
 
 def test_the_answer_is_in_sight_and_nothing_is_marked_before_it_moves(places: dict[str, Path], page: Any) -> None:
