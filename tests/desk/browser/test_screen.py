@@ -12,12 +12,11 @@ from typing import Any
 
 import pytest
 
+from tests.axe import ASKED, AXE
+
 pytestmark = pytest.mark.browser
 TESTS = Path(__file__).parents[2]
-AXE = TESTS / "javascript" / "node_modules" / "axe-core" / "axe.min.js"
 WIDE, BETWEEN, PHONE = (1400, 900), (1000, 900), (390, 844)
-RULES = "{iframes: false}"
-ASKED = f"axe.run(document, {RULES}).then(({{violations}}) => violations.map(one => [one.id, one.nodes[0].html]))"
 DIALOGS = {"#desk-new": ".card svg", "#desk-take": "[data-format]", "#desk-table": ".drop", "#desk-files": ".files li"}
 
 

@@ -1,15 +1,20 @@
 """How ten pages looked when a person last looked at them: the top of each, an eighth as large, in grey.
 
+All letters are those of one face, which comes with matplotlib: set in those of a machine a page would look like no other's.
+
 `python -m tests.report.pages.pictures` takes them anew into `seen/`; whoever does that looks at the pages first.
 """
 
 from __future__ import annotations
 
+import base64
 import shutil
 import tempfile
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+import matplotlib
 import pymupdf
 
 from tests.conftest import BROWSERS
@@ -25,13 +30,22 @@ VIEWS = {kind: (kind, 1400, "light") for kind in KINDS} | {
 
 def take(browser: Any, page: Path, width: int, colours: str) -> pymupdf.Pixmap:
     """Return the top of a page as a small grey picture; what a clock or a machine says is covered."""
-    shown = browser.new_page(viewport={"width": width, "height": HIGH}, color_scheme=colours)
+    shown = browser.new_page(viewport={"width": width, "height": HIGH}, color_scheme=colours, bypass_csp=True)
     shown.goto(page.as_uri())
-    shown.add_style_tag(content="#lab-time, #lab-time-ratio, #lab-diagram { visibility: hidden; }")
+    shown.add_style_tag(content=f"{_face()} #lab-time, #lab-time-ratio, #lab-diagram {{ visibility: hidden; }}")
+    shown.evaluate("document.fonts.ready")
     picture = pymupdf.Pixmap(pymupdf.csGRAY, pymupdf.Pixmap(shown.screenshot()))
     shown.close()
     picture.shrink(HALVINGS)
     return picture
+
+
+@cache
+def _face() -> str:
+    """Return a stylesheet that sets everything in a face that travels along."""
+    data = (Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSerif.ttf").read_bytes()
+    source = f"url(data:font/ttf;base64,{base64.b64encode(data).decode()})"
+    return f"@font-face {{ font-family: Seen; src: {source}; }} * {{ font-family: Seen !important; }}"
 
 
 def main() -> None:
