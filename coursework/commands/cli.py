@@ -128,7 +128,12 @@ def variants_command(language: str) -> int:
 @click.argument("name")
 @click.option("--with", "more", metavar="forces", help="Add masses and forces, to be changed.")
 @click.option("--groups", "kinds", metavar="KIND,KIND…", help="Write a chain of groups of these kinds (below), a crank first.")
-@click.option("--from", "original", shell_complete=offered("variants"), help="Copy this variant, with the tables it reads.")
+@click.option(
+    "--from",
+    "original",
+    shell_complete=offered("variants"),
+    help="Copy this variant with its tables, or a file of PMKS, pylinkage, Linkage.",
+)
 @SET
 @spoken(passed_on=True)
 def new_command(

@@ -119,6 +119,12 @@ def _asked(draft: Draft) -> Iterator[Quantity[Any]]:
 
 def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path, bytes]:
     """Return the file and its tables by the paths they go to.  Raises `InputError` where the original has faults."""
+    from coursework.takeaway.foreign.read import foreign_text
+
+    if (taken := foreign_text(original, target.stem, in_language)) is not None:
+        if set_values:
+            raise InputError(say("fault.C093"))
+        return {target: taken.encode("utf-8")}
     tell_own_file(original)
     source = find(original)
     variant = with_set(load(source), set_values)

@@ -1,0 +1,1 @@
+"""Mechanisms of other programs as variant files: PMKS, pylinkage, Linkage."""

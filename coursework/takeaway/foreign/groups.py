@@ -1,0 +1,92 @@
+"""A scheme of joints taken apart into a crank and dyads, as a chain is written here.
+
+Enters: a `Scheme`.  Leaves: `Group`s, `Carried` points, what belongs to none.  Used by `text.py`.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+
+from coursework.system.frozen import frozen
+from coursework.takeaway.foreign.scheme import Scheme, Slider
+
+SHORTEST = 1e-12  # m: joints nearer than that are one, and no link joins them
+
+
+@frozen
+class Group:
+    """A group in order: its kind, the joints it hangs on, the joint where it meets, its links and their lengths (m)."""
+
+    kind: str
+    start: tuple[str, ...]
+    meets: str
+    links: tuple[int, ...]
+    lengths: tuple[float, ...]
+    mode: int
+    slider: Slider | None = None
+
+
+@frozen
+class Carried:
+    """A further joint of a link: so far (m) from the joint where its link begins, at such an angle (rad) to it."""
+
+    joint: str
+    link: int
+    base: str
+    distance: float
+    angle: float
+
+
+class Chain:
+    """The groups of a scheme, found one after the other, and the joints that belong to none."""
+
+    def __init__(self, scheme: Scheme) -> None:
+        self.scheme = scheme
+        self.known = set(scheme.fixed)
+        self.placed: set[int] = set()
+        self.steps: list[Group | Carried] = []
+        pin = next(name for name in scheme.links[scheme.crank] if name not in self.known)
+        self._add(Group("crank", (scheme.pivot,), pin, (scheme.crank,), (self._apart(scheme.pivot, pin),), 0))
+        while (found := next(self._dyads(), None)) is not None:
+            self._add(found)
+        self.lost = [name for name in scheme.joints if name not in self.known]
+        used = {name for step in self.steps if isinstance(step, Group) for name in step.start}
+        self.hinges = [name for name in scheme.joints if name in scheme.fixed and name in used]
+
+    def _apart(self, first: str, second: str) -> float:
+        return abs(self.scheme.joints[second] - self.scheme.joints[first])
+
+    def _dyads(self) -> Iterator[Group]:
+        """Yield the dyads that hang on what is known by now."""
+        at = self.scheme.joints
+        for meets in at:
+            if meets in self.known:
+                continue
+            hung = [
+                (link, base) for link, joints in enumerate(self.scheme.links) if meets in joints and link not in self.placed
+                for base in joints if base in self.known and self._apart(base, meets) > SHORTEST
+            ]  # fmt: skip
+            one_each = dict(reversed(hung))
+            links, bases = tuple(one_each)[::-1], tuple(one_each.values())[::-1]
+            if (slider := self.scheme.sliders.get(meets)) is not None and links:
+                ahead = ((at[meets] - at[bases[0]]) * cmath.exp(-1j * slider.angle)).real
+                length = (self._apart(bases[0], meets),)
+                yield Group("RRP", bases[:1], meets, links[:1], length, 1 if ahead >= 0 else -1, slider)
+            elif len(links) > 1:
+                way, reach = at[bases[1]] - at[bases[0]], at[meets] - at[bases[0]]
+                lengths = tuple(self._apart(base, meets) for base in bases[:2])
+                yield Group("RRR", bases[:2], meets, links[:2], lengths, 1 if (way.conjugate() * reach).imag >= 0 else -1)
+
+    def _add(self, group: Group) -> None:
+        self.steps.append(group)
+        self.known.add(group.meets)
+        for link, base in zip(group.links, group.start, strict=True):
+            self.placed.add(link)
+            at = self.scheme.joints
+            along = at[group.meets] - at[base]
+            for joint in self.scheme.links[link]:
+                if joint not in self.known:
+                    turned = (at[joint] - at[base]) / along
+                    self.steps.append(Carried(joint, link, base, self._apart(base, joint), cmath.phase(turned)))
+                    self.known.add(joint)

@@ -1,0 +1,108 @@
+"""A file of Linkage (.linkage2): connectors, links, anchors, an input with its speed, sliders.
+
+Enters: bytes.  Leaves: `Scheme`.  Raises `InputError`.  Used by `read.py`.
+XML is read by expat, without entities or declarations; lengths are stored at 96 units an inch.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from xml.parsers import expat
+
+from coursework.takeaway.foreign.scheme import MOST_JOINTS, Scheme, Slider, driven_link, left_out, no_crank, number, refused
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+PROGRAM = "Linkage"
+UNIT = 0.0254 / 96  # m
+DEPTH = 12
+_LINK, _CONNECTOR, _LIMIT = "link", "connector", "slidelimit"
+
+
+def read(content: bytes) -> Scheme:
+    """Return the mechanism."""
+    elements = _Elements()
+    parser = expat.ParserCreate()
+    parser.StartElementHandler, parser.EndElementHandler = elements.begin, elements.end
+    parser.StartDoctypeDeclHandler = elements.declared
+    try:
+        parser.Parse(content, True)
+    except expat.ExpatError as error:
+        raise refused(PROGRAM, error.lineno) from None
+    return elements.scheme()
+
+
+class _Elements:
+    """Collects connectors and links."""
+
+    def __init__(self) -> None:
+        self.above: list[str] = []
+        self.places: dict[str, complex] = {}
+        self.fixed: list[str] = []
+        self.inputs: list[tuple[str, float]] = []
+        self.limits: dict[str, list[str]] = {}
+        self.links: list[list[str]] = []
+        self.remarks: list[Sentence] = []
+        self.scale = 1.0
+        self.last = ""
+
+    def declared(self, *_: object) -> None:
+        raise refused(PROGRAM, "<!DOCTYPE")
+
+    def begin(self, tag: str, told: dict[str, str]) -> None:
+        kind, above = tag.lower(), self.above[-1] if self.above else ""
+        self.above.append(kind)
+        if len(self.above) > DEPTH or len(self.places) > MOST_JOINTS or len(self.links) > MOST_JOINTS:
+            raise refused(PROGRAM, tag)
+        if kind == "program":
+            self.scale = number(told.get("scalefactor", "1"), PROGRAM, "scalefactor")
+        elif kind == _CONNECTOR and above == _LINK:
+            self.links[-1].append(told.get("id", ""))
+        elif kind == _CONNECTOR:
+            self._connector(told)
+        elif kind == _LIMIT and above == _CONNECTOR:
+            self.limits.setdefault(self.last, []).append(told.get("id", ""))
+        elif kind == _LINK:
+            self.links.append([])
+            for name in ("actuator", "gear"):
+                if told.get(name) == "true":
+                    self.remarks.append(left_out(f"{name} (link {told.get('id', '')})"))
+        elif above not in ("", "selected", "background") and kind not in ("linkage2", "selected", "background"):
+            self.remarks.append(left_out(f"<{tag}>"))
+
+    def end(self, _tag: str) -> None:
+        self.above.pop()
+
+    def _connector(self, told: dict[str, str]) -> None:
+        self.last = name = told.get("id", "")
+        self.places[name] = complex(*(number(told.get(axis), PROGRAM, f"connector {name}") for axis in "xy")) * UNIT
+        if told.get("anchor") == "true":
+            self.fixed.append(name)
+        if told.get("input") == "true":
+            self.inputs.append((name, number(told.get("rpm", "nan"), PROGRAM, f"connector {name}")))
+        if told.get("slider") == "true":
+            self.limits.setdefault(name, [])
+
+    def scheme(self) -> Scheme:
+        fixed = frozenset(self.fixed)
+        if any(name not in self.places for link in self.links for name in link):
+            raise refused(PROGRAM, "Link")
+        if not self.inputs:
+            raise no_crank(PROGRAM)
+        self.remarks += [left_out(f"input (connector {name})") for name, _ in self.inputs[1:]]
+        if self.scale != 1.0:
+            self.remarks.append(left_out(f"scalefactor {self.scale:g}"))
+        sliders = {}
+        for name, limits in self.limits.items():
+            if len(limits) == 2 and fixed.issuperset(limits):
+                ends = [self.places[one] for one in limits]
+                sliders[name] = Slider(ends[0], cmath.phase(ends[1] - ends[0]))
+            else:
+                self.remarks.append(left_out(f"slider (connector {name})"))
+        links = tuple(tuple(dict.fromkeys(link)) for link in self.links if not fixed.issuperset(link))
+        pivot, rpm = self.inputs[0]
+        speed = rpm * math.tau / 60
+        self.remarks.append(say("foreign.sense"))
+        crank = driven_link(PROGRAM, links, pivot, fixed)
+        return Scheme(PROGRAM, "", self.places, fixed, links, sliders, pivot, crank, speed, tuple(self.remarks))

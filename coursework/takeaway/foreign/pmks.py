@@ -1,0 +1,85 @@
+"""What PMKS writes: a line a joint, "ground,input,R,0,0", in a file, or after "mech=" in its share address.
+
+Enters: bytes.  Leaves: `Scheme`.  Raises `InputError`.  Used by `read.py`.
+A line names the links that meet, the kind of joint, x, y, for a slide its angle (degrees), and four letters t or f, the last of
+which marks the joint that is driven; without them the link called "input" is.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from urllib.parse import unquote
+
+from coursework.takeaway.foreign.scheme import MOST_JOINTS, Scheme, Slider, driven_link, left_out, no_crank, number, refused
+from coursework.words.sentences import say
+
+PROGRAM = "PMKS"
+KINDS = ("R", "P", "RP", "G")
+GROUND, INPUT = "ground", "input"
+_FLAGS = re.compile("[tf]{4}")
+
+
+def read(content: bytes) -> Scheme:
+    """Return the mechanism."""
+    text = content.decode("utf-8-sig", "replace").strip()
+    if "mech=" in text:
+        text = unquote(text.partition("mech=")[2].partition("&")[0])
+    rows = [row.strip() for row in re.split(r"[|\n]", text) if row.strip()]
+    if not rows or len(rows) > MOST_JOINTS:
+        raise refused(PROGRAM, 1)
+    return _Rows(rows).scheme()
+
+
+class _Rows:
+    """Collects joints and the links that meet in them."""
+
+    def __init__(self, rows: list[str]) -> None:
+        self.places: dict[str, complex] = {}
+        self.links: dict[str, list[str]] = {}
+        self.sliders: dict[str, Slider] = {}
+        self.blocks: dict[str, float] = {}  # links that slide on the frame, at an angle
+        self.fixed: set[str] = set()
+        self.driven = ""
+        self.remarks = [say("foreign.unit"), say("foreign.speed")]
+        for place, row in enumerate(rows, start=1):
+            self._joint(re.split(r"[,\s]+", row), place)
+
+    def _joint(self, words: list[str], place: int) -> None:
+        at = next((k for k, word in enumerate(words) if word in KINDS), 0)
+        if not 1 <= at <= 12 or len(words) < at + 3:
+            raise refused(PROGRAM, place)
+        links, kind, rest = words[:at], words[at], words[at + 1 :]
+        flags = rest.pop() if _FLAGS.fullmatch(rest[-1]) else ""
+        name = str(place)
+        point = complex(number(rest[0], PROGRAM, place), number(rest[1], PROGRAM, place))
+        angle = math.radians(number(rest[2], PROGRAM, place)) if len(rest) > 2 else 0.0
+        others = [one for one in links if one != GROUND]
+        if kind == "G" or (kind != "R" and (GROUND not in links or len(others) != 1)):
+            self.remarks.append(left_out(", ".join(words)))
+            return
+        if kind == "P":
+            self.blocks[others[0]] = angle
+            return
+        self.places[name] = point
+        for one in others:
+            self.links.setdefault(one, []).append(name)
+        if kind == "RP":
+            self.sliders[name] = Slider(point, angle)
+        elif GROUND in links:
+            self.fixed.add(name)
+            if flags.endswith("t") or (INPUT in links and not self.driven):
+                self.driven = name
+
+    def scheme(self) -> Scheme:
+        for block, angle in self.blocks.items():
+            joints = self.links.pop(block, [])
+            for name in joints[:1]:
+                self.sliders[name] = Slider(self.places[name], angle)
+            self.remarks += [left_out(f"{block}, {name}") for name in joints[1:]]
+        links = tuple(tuple(joints) for joints in self.links.values() if not self.fixed.issuperset(joints))
+        if not self.driven:
+            raise no_crank(PROGRAM)
+        fixed = frozenset(self.fixed)
+        crank = driven_link(PROGRAM, links, self.driven, fixed)
+        return Scheme(PROGRAM, "", self.places, fixed, links, self.sliders, self.driven, crank, None, tuple(self.remarks))

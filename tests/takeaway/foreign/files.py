@@ -1,0 +1,78 @@
+"""Files as PMKS, pylinkage and Linkage write them, each by hand after what those projects say of their formats."""
+
+import json
+
+FOUR_BAR = """\
+ground,input,R,0,0
+input,coupler,R,0,1.5
+coupler,follower,R,3,4
+follower,ground,R,5,0
+coupler,R,2,5
+"""
+
+# A crank and a slider on a slanted line; the gear has no counterpart.
+SLIDER = (
+    "https://designengrlab.github.io/PMKS/pmks.html?mech=ground,2,R,0.000,0.000,0.000,ttft%7C2,3,R,0.300,0.400,0.000,ffff"
+    "%7C3,ground,RP,1.500,0.200,10.000,tfff%7C2,9,G,0.100,0.100,0.000,ffff%7C"
+)
+
+# Joints and links; the tracker and the second motor have no counterpart.
+MECHANISM = json.dumps({
+    "name": "Crank and rocker", "ground": "G",
+    "joints": [
+        {"id": "A", "type": "ground", "position": [0.0, 0.0]}, {"id": "D", "type": "ground", "position": [3.0, 0.0]},
+        {"id": "B", "type": "revolute", "position": [0.0, 1.0]}, {"id": "C", "type": "revolute", "position": [3.0, 2.0]},
+        {"id": "T", "type": "tracker", "position": [1.0, 1.0], "ref_joint1_id": "B", "ref_joint2_id": "C"},
+    ],
+    "links": [
+        {"id": "G", "type": "ground", "joints": ["A", "D"]},
+        {"id": "crank", "type": "driver", "joints": ["A", "B"], "angular_velocity": 0.1, "motor_joint": "A"},
+        {"id": "rod", "type": "link", "joints": ["B", "C"]}, {"id": "rocker", "type": "link", "joints": ["C", "D"]},
+        {"id": "cam", "type": "arc_driver", "joints": ["D"], "angular_velocity": 0.2},
+    ],
+})  # fmt: skip
+
+# Joints that name their parents: a second dyad hangs on a point of the coupler.
+LINKAGE = json.dumps({
+    "name": "Six links", "solve_order": ["B", "C", "E", "F"],
+    "joints": [
+        {"type": "Crank", "name": "B", "x": 0.0, "y": 1.0, "distance": 1.0, "angle": -0.31,
+         "joint0": {"inline": True, "type": "Static", "x": 0.0, "y": 0.0, "name": "A"}},
+        {"type": "Revolute", "name": "C", "x": 3.0, "y": 2.0, "distance0": 3.1622776601683795, "distance1": 2.0,
+         "joint0": {"ref": "B"}, "joint1": {"inline": True, "type": "Static", "x": 3.0, "y": 0.0, "name": "D"}},
+        {"type": "Fixed", "name": "E", "x": 1.0, "y": 3.0, "distance": 2.23606797749979, "angle": 0.7,
+         "joint0": {"ref": "B"}, "joint1": {"ref": "C"}},
+        {"type": "Linear", "name": "F", "x": 5.0, "y": 3.5, "revolute_radius": 4.031128874149275, "joint0": {"ref": "E"},
+         "joint1": {"inline": True, "type": "Static", "x": 4.0, "y": 3.5, "name": "K"},
+         "joint2": {"inline": True, "type": "Static", "x": 6.0, "y": 3.5, "name": "L"}},
+    ],
+})  # fmt: skip
+
+
+def linkage2(connectors, links, more=""):
+    """A file of Linkage."""
+    lines = [f"\t<connector {attributes}/>" if not inside else f"\t<connector {attributes}>{inside}</connector>"
+             for attributes, inside in connectors]  # fmt: skip
+    lines += [f'\t<Link id="{number}"{told}>{"".join(f"<connector id={chr(34)}{one}{chr(34)}/>" for one in joints)}</Link>'
+              for number, (joints, told) in enumerate(links)]  # fmt: skip
+    head = '<program zoom="1" xoffset="0" yoffset="0" scalefactor="1.000000" units="Millimeters"/>'
+    return "\n".join(["<linkage2>", f"\t{head}", *lines, more, "\t<selected>", "\t</selected>", "</linkage2>"]).encode()
+
+
+# 96 units are an inch: a crank of 25.4 mm, turned 30 times a minute.
+ROCKER = linkage2(
+    [('id="7" x="0" y="0" anchor="true" input="true" rpm="30.000000"', ""), ('id="10" x="288" y="0" anchor="true"', ""),
+     ('id="12" x="0" y="96" draw="true"', ""), ('id="2" x="288" y="192"', ""), ('id="5" x="500" y="500"', "")],
+    [((12, 7), ""), ((7, 10), ""), ((2, 12), ""), ((2, 10), "")],
+)  # fmt: skip
+PISTON = linkage2(
+    [('id="1" x="0" y="0" anchor="true" input="true" rpm="-15.000000"', ""), ('id="2" x="0" y="96"', ""),
+     ('id="3" x="96" y="0" anchor="true"', ""), ('id="4" x="480" y="0" anchor="true"', ""),
+     ('id="6" x="288" y="0" slider="true"', '<slidelimit id="3"/><slidelimit id="4"/>')],
+    [((1, 2), ""), ((3, 4), ""), ((6, 2), ""), ((6, 4), ' actuator="true" throw="10"')],
+    more='\t<connector id="9" x="0" y="0" anchor="true"><fastenedto/></connector>',
+)  # fmt: skip
+FILES = {
+    "four.pmks.csv": FOUR_BAR.encode(), "mechanism.json": MECHANISM.encode(), "linkage.json": LINKAGE.encode(),
+    "rocker.linkage2": ROCKER, "piston.linkage2": PISTON,
+}  # fmt: skip

@@ -1,0 +1,145 @@
+"""Files of other programs: the mechanism is theirs, its velocities too, and what has no counterpart is listed in the file."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.takeaway.foreign import linkage, pmks, pylinkage
+from coursework.takeaway.foreign.scheme import MOST_BYTES
+from coursework.words.errors import InputError
+from tests.command import call
+from tests.takeaway.foreign.files import FILES, FOUR_BAR, LINKAGE, MECHANISM, PISTON, ROCKER, SLIDER, linkage2
+
+pytestmark = pytest.mark.usefixtures("folder")
+INCH = 0.0254
+
+
+def taken(folder, given, content=None):
+    if content is not None:
+        (folder / given).write_bytes(content)
+    called = call("new", "own", "--from", given)
+    assert called.exit_code == 0, called.output
+    return coursework.solve(coursework.load(folder / "own.toml"))
+
+
+def of(run, point, what="position"):
+    """A point of each row, or its velocity, as complex numbers."""
+    return getattr(run.points[point], what).to_numpy() @ (1, 1j)
+
+
+def meeting(first, length, second, other, side):
+    """Where two circles meet, on the left (+1) or right (-1) of the way from one middle to the other."""
+    way = second - first
+    along = (abs(way) ** 2 + length**2 - other**2) / (2 * abs(way))
+    return first + way / abs(way) * (along + side * 1j * math.sqrt(length**2 - along**2))
+
+
+def velocities(place, t, h=1e-5):
+    return (place(t + h) - place(t - h)) / (2 * h)
+
+
+def four_bar(crank, start, speed, pivot, rod, rocker, fixed, side):
+    def place(t):
+        pin = pivot + crank * np.exp(1j * (start + speed * t))
+        return meeting(pin, rod, fixed, rocker, side)
+
+    return place
+
+
+def test_a_four_bar_of_pmks_moves_as_it_does_there(folder):
+    run = taken(folder, "four.pmks.csv", FOUR_BAR.encode())
+    place = four_bar(1.5, math.pi / 2, 1.0, 0j, abs(3 + 2.5j), abs(2 - 4j), 5 + 0j, 1)
+    for row in (0, 5, 20):
+        t = run.motion.t[row]
+        assert of(run, "C")[row] == pytest.approx(place(t), abs=1e-9)
+        assert of(run, "C", "velocity")[row] == pytest.approx(velocities(place, t), abs=1e-7)
+    tracer = abs(2 + 5j - 1.5j)  # from the pin of the crank, with the coupler
+    assert abs(of(run, "E") - of(run, "B"))[7] == pytest.approx(tracer)
+
+
+def test_a_share_address_of_pmks_gives_a_slider_and_lists_the_gear(folder):
+    run = taken(folder, SLIDER)
+    assert [group.kind for group in run.variant.groups] == ["crank", "RRP"]
+    assert any("2, 9, G" in remark for remark in run.variant.remarks)
+    line = np.exp(1j * math.radians(10))
+    assert np.abs(((of(run, "C") - (1.5 + 0.2j)) / line).imag).max() < 1e-9
+    assert np.abs(of(run, "C") - of(run, "B")) == pytest.approx(abs(1.5 + 0.2j - 0.3 - 0.4j))
+
+
+@pytest.mark.parametrize(("name", "speed"), [("mechanism.json", 0.1), ("linkage.json", -0.31)])
+def test_both_files_of_pylinkage(folder, name, speed):
+    run = taken(folder, name, FILES[name])
+    place = four_bar(1.0, math.pi / 2, speed, 0j, math.sqrt(10), 2.0, 3 + 0j, 1)
+    t = run.motion.t[4]
+    assert of(run, run.variant.groups[1].meets, "velocity")[4] == pytest.approx(velocities(place, t), abs=1e-7)
+    lost = {"mechanism.json": ("tracker T", "arc_driver cam"), "linkage.json": ()}[name]
+    assert all(any(one in remark for remark in run.variant.remarks) for one in lost)
+
+
+def test_a_second_dyad_hangs_on_a_point_of_the_coupler(folder):
+    run = taken(folder, "linkage.json", LINKAGE.encode())
+    assert [group.kind for group in run.variant.groups] == ["crank", "RRR", "RRP"]
+    names = run.variant.groups[1].meets, run.variant.groups[2].meets
+    assert all(len(name) == 1 for name in names)
+    slider = of(run, names[1])
+    assert slider.imag == pytest.approx(3.5) and slider[0].real == pytest.approx(5.0)
+
+
+def test_linkage_counts_96_units_an_inch(folder):
+    run = taken(folder, "rocker.linkage2", ROCKER)
+    place = four_bar(INCH, math.pi / 2, math.pi, 0j, math.sqrt(10) * INCH, 2 * INCH, 3 * INCH + 0j, 1)
+    found = run.variant.groups[1].meets
+    assert of(run, found, "velocity")[3] == pytest.approx(velocities(place, run.motion.t[3]), abs=1e-8)
+    assert any("5" in remark for remark in run.variant.remarks)  # a connector that nothing leads to
+
+
+def test_a_slider_of_linkage_and_what_has_no_counterpart(folder):
+    run = taken(folder, "piston.linkage2", PISTON)
+    assert [group.kind for group in run.variant.groups] == ["crank", "RRP"]
+    assert run.motion.column("w1")[0] == pytest.approx(-math.pi / 2)
+    slider = of(run, run.variant.groups[1].meets)
+    assert slider[0] == pytest.approx(3 * INCH) and np.ptp(slider.imag) < 1e-12
+    assert any("actuator" in remark for remark in run.variant.remarks)
+
+
+HOSTILE = {
+    "entities": (linkage.read, b'<!DOCTYPE a [<!ENTITY b "bbbb">]><linkage2>&b;</linkage2>'),
+    "deep": (linkage.read, b"<linkage2>" + b"<a>" * 5000),
+    "broken": (linkage.read, b"<linkage2"),
+    "far": (linkage.read, linkage2([('id="1" x="1e300" y="0"', "")], [])),
+    "nowhere": (linkage.read, linkage2([('id="1" x="1" y="0"', "")], [((1, 2), "")])),
+    "undriven": (linkage.read, linkage2([('id="1" x="1" y="0"', "")], [])),
+    "nested": (pylinkage.read, b"[" * 100_000),
+    "text": (pylinkage.read, b'{"joints": "B"}'),
+    "nan": (pylinkage.read, MECHANISM.replace("1.0", "NaN").encode()),
+    "many": (pylinkage.read, json.dumps({"joints": [{"id": str(k)} for k in range(101)]}).encode()),
+    "few": (pmks.read, b"ground,input,R,0"),
+    "letters": (pmks.read, b"ground,input,R,x,y"),
+    "bytes": (pmks.read, bytes(range(256))),
+}
+
+
+@pytest.mark.parametrize("case", HOSTILE)
+def test_what_cannot_be_read_is_told_in_a_sentence(case):
+    read, content = HOSTILE[case]
+    with pytest.raises(InputError) as refused:
+        read(content)
+    assert refused.value.faults[0].code in ("C090", "C091")
+
+
+def test_names_of_a_foreign_file_stay_text_in_the_file(folder):
+    named = MECHANISM.replace("Crank and rocker", '\\"\\n[given]\\nr = \\"1 m').replace('"B"', '"../B\\u0007"')
+    run = taken(folder, "mechanism.json", named.encode())
+    assert run.variant.groups[0].meets == "C" and "[given]" in run.variant.title
+    assert sorted(path.name for path in folder.iterdir()) == ["mechanism.json", "own.toml"]
+
+
+def test_a_file_too_large_and_one_with_other_data_are_refused(folder):
+    (folder / "a.json").write_bytes(b" " * (MOST_BYTES + 1))
+    assert "C092" in call("new", "own", "--from", "a.json").stderr
+    (folder / "a.json").write_bytes(MECHANISM.encode())
+    assert "C093" in call("new", "own", "--from", "a.json", "--set", "r1=2m").stderr
+    assert [path.name for path in folder.iterdir()] == ["a.json"]
