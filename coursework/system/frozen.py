@@ -15,6 +15,7 @@ from reprlib import recursive_repr
 from typing import Any, NoReturn, TypeVar, dataclass_transform
 
 Kind = TypeVar("Kind")
+_FEW = 16  # objects of a class: an `__init__` written out takes as long as twenty of them save
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -50,13 +51,41 @@ def _made(kind: type[Kind], own: dict[str, Any], *, slots: bool = True) -> type[
 
 
 def _first_init(made: Any) -> Callable[..., None]:
-    """Return what makes the `__init__` of a class with its first object: of half the classes of a run there is none."""
+    """Return what makes the first objects of a class: of most classes a run has so few that to write it out would cost more."""
+    left = _FEW
 
     def __init__(self: Any, *values: Any, **named: Any) -> None:
-        made.__init__ = _init(made)
-        made.__init__(self, *values, **named)
+        nonlocal left
+        left -= 1
+        if left < 0 or not _filled(self, made, values, named):
+            made.__init__ = _init(made)
+            made.__init__(self, *values, **named)
 
     return __init__
+
+
+def _filled(self: Any, made: Any, values: tuple[Any, ...], named: dict[str, Any]) -> bool:
+    """Set the fields of an object; return whether the call is as the class wants it: what is wrong is told by `_init`."""
+    every = fields(made)
+    wanted = [one.name for one in every if one.init]
+    content = dict(zip(wanted, values, strict=False)) | named
+    if len(values) + len(named) != len(content) or not content.keys() <= {*wanted}:
+        return False
+    for one in every:
+        if one.name in content:
+            value = content[one.name]
+        elif one.default_factory is not MISSING:
+            value = one.default_factory()
+        elif one.default is not MISSING:
+            value = one.default
+        elif one.init:
+            return False
+        else:
+            continue
+        object.__setattr__(self, one.name, value)
+    if hasattr(made, "__post_init__"):
+        self.__post_init__()
+    return True
 
 
 def _init(made: Any) -> Callable[..., None]:

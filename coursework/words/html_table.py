@@ -6,7 +6,6 @@ Enters: texts.  Leaves: HTML, escaped, with the looks of the notebook.  Used by 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from html import escape
 
 
 def html_table(caption: str, head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
@@ -15,6 +14,8 @@ def html_table(caption: str, head: Sequence[str], rows: Iterable[Sequence[object
     >>> html_table("Data", ("symbol", "value"), [("r1", 0.953)])
     '<table><caption>Data</caption><tr><th>symbol<th>value</tr><tr><td>r1<td>0.953</tr></table>'
     """
+    from html import escape  # a notebook alone shows tables; the module brings all names of signs along
+
     lines = [f"<tr>{''.join(f'<td>{escape(str(cell))}' for cell in row)}</tr>" for row in rows]
     names = "".join(f"<th>{escape(name)}" for name in head)
     return f"<table><caption>{escape(caption)}</caption><tr>{names}</tr>{''.join(lines)}</table>"

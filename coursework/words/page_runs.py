@@ -14,7 +14,8 @@ from markupsafe import Markup
 from coursework.words.line_ends import line_groups
 
 _ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&#34;", "'": "&#39;"})
-_BEGIN, _END = '<span class="typed">', "</span>"
+# Around what no line may break: an element of three letters that says nothing of its content, two hundred times a page.
+_BEGIN, _END = "<bdi>", "</bdi>"
 
 
 def said(runs: Sequence[dict[str, str]]) -> Markup:
@@ -44,13 +45,13 @@ def _written(runs: Sequence[dict[str, str]], kept: bool) -> str:
     for run in runs:
         language = run.get("lang")
         if foreign is not None and language is None:
-            parts.append(_END)
+            parts.append("</span>")
         elif foreign is None and language is not None:
             parts.append(f'<span lang="{language.translate(_ESCAPED)}">')
         foreign = language
         parts.append(_one(run, kept))
     if foreign is not None:
-        parts.append(_END)
+        parts.append("</span>")
     return "".join(parts)
 
 

@@ -50,7 +50,7 @@ const label = (name) => data.labels[name] ?? name;
 /** @type {(place: Element, text: string) => void} */
 const write = (place, text) => {
   const parts = text.split(/[\ue003\ue004]/), { childNodes } = place;
-  while (childNodes.length < parts.length) place.append(childNodes.length % 2 ? element("span", { className: "typed" }) : new Text());
+  while (childNodes.length < parts.length) place.append(childNodes.length % 2 ? element("bdi") : new Text());
   childNodes.forEach((piece, k) => {
     const part = parts[k] ?? "";
     if (piece.textContent !== part) piece.textContent = part;

@@ -42,7 +42,7 @@ def plain(text):
 
 def page_of(path):
     """Return a page without the marks of what stays on one line."""
-    return re.sub(r'<span class="typed">(.*?)</span>', r"\1", plain(path.read_text(encoding="utf-8")))
+    return re.sub(r"<bdi>(.*?)</bdi>", r"\1", plain(path.read_text(encoding="utf-8")))
 
 
 def files(out):

@@ -140,3 +140,27 @@ def test_it_may_hold_itself():
     one = Travelling(1, ([],))
     one.b[0].append(one)
     assert repr(one) == "Travelling(a=1, b=([...],))"
+
+
+@pytest.mark.parametrize("decorate", [frozen, caching, changing])
+def test_the_first_objects_of_a_class_are_made_as_all_later_ones(decorate):
+    """The first ones are made without an `__init__` of the class, which is written out for many."""
+    calls = [((1.0,), {}), ((1.0, "z"), {"listed": [1]}), ((), {"first": 2.0, "second": "w"})]
+    wrong = [((), {}), ((1.0, "z", [], {}, 1), {}), ((1.0,), {"first": 2.0}), ((1.0,), {"made": 2.0}), ((1.0,), {"other": 0})]
+
+    def outcomes(kind):
+        found = []
+        for values, named in [*calls, *wrong]:
+            try:
+                found.append(repr(kind(*values, **named)))
+            except TypeError as error:
+                found.append(str(error))
+        return found
+
+    early = [outcomes(family(decorate)["Several"]) for _ in range(2)]
+    kind = family(decorate)["Several"]
+    for _ in range(100):
+        kind(1.0)
+    assert early == [outcomes(kind)] * 2
+    one, other = kind(1.0), kind(2.0)
+    assert one.listed is not other.listed

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from string import ascii_uppercase
 
 from coursework.report.formulas.line_breaks import pieces
 from coursework.report.formulas.outlines import UNITS, outline
@@ -30,7 +31,8 @@ _BAR = re.compile(
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
-MARKERS = ".formula .math,.math{fill:none}marker{overflow:visible}"  # in units of the line, which is 1 wide
+# A marker is drawn in units of its line, which is 1 wide.
+MARKERS = ".math{width:var(--wide)}.formula .math,.math{fill:none}marker{overflow:visible}"
 NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
@@ -78,7 +80,9 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
     glyphs: dict[str, str] = {}
     for piece in wanted:
         glyphs |= _cache[looks, piece][1]
-    names = {glyph: f"g{number}" for number, glyph in enumerate(sorted(glyphs))}
+    uses = Counter(glyph for piece in wanted for glyph in _NAMED.findall(_cache[looks, piece][0].svg))
+    often = sorted(glyphs, key=lambda glyph: (-uses[glyph], glyph))
+    names = {glyph: ascii_uppercase[place : place + 1] or f"g{place}" for place, glyph in enumerate(often)}
     common = [_marker(name, glyphs[glyph]) for glyph, name in names.items()]
     style = "".join(f".{name}{{marker-mid:url(#{name})}}" for name in names.values())
     drawn: dict[str, Picture] = {}
@@ -121,7 +125,7 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     bars = _BAR.sub(lambda bar: _bar(bar, line), _NOTHING.sub("", _RUN.sub("", body)))
     if "<use" in bars or "transform" in bars or not places.keys() <= glyphs.keys():
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
-    size = f'width="{wide:.2f}pt" style="--wide:{wide:.2f}pt"'
+    size = f'style="--wide:{wide:.2f}pt"'
     # Two digits more than eyes need: lines of words beside a formula stand on whole pixels by its height.
     head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.8g} {UNITS * high:.8g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())

@@ -135,9 +135,8 @@ def _name(text: str, place: tuple[float, float], dots: Array, taken: list[Box]) 
     for dx, dy, cost in _places(wide):
         left, top = place[0] + dx, place[1] + dy - LINE / 2
         box = (left, top, left + wide, top + LINE)
-        cost += 40 * sum(_meet(box, other) for other in taken) + 4 * int(
-            np.sum(np.all((box[:2] < dots) & (dots < box[2:]), axis=1))
-        )
+        covered = np.all((box[:2] < dots) & (dots < box[2:]), axis=1)
+        cost += 40 * sum(_meet(box, other) for other in taken) + 4 * int(np.sum(covered))
         cost += 100 * (box[2] > WIDTH or box[0] < LEFT + 1 or box[1] < TOP or box[3] > HEIGHT - BOTTOM)
         if best is None or cost < best[0]:
             best = (cost, box)

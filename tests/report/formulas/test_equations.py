@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 import random
 import re
+from collections import Counter
 from collections.abc import Iterator
+from string import ascii_uppercase
 from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
@@ -86,13 +88,15 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
     sources.append("mat(a_1; b; c; d; e) = sqrt(frac(x, sqrt(y + 1)))")
     pictures, pages = draw(sources).pictures, [page.decode() for page in typeset("equation.typ", sources, "svg")]
     letters = sorted({letter for page in pages for letter in re.findall(r'<symbol id="([^"]+)"', page)})
-    names = {letter: f"g{number}" for number, letter in enumerate(letters)}
+    used = Counter(letter for page in pages for letter in {glyph for glyph, *_ in placed(ElementTree.fromstring(page))})
+    often = sorted(letters, key=lambda letter: (-used[letter], letter))  # the shortest names are for what stands everywhere
+    names = {letter: ascii_uppercase[place : place + 1] or f"g{place}" for place, letter in enumerate(often)}
     for source, typst in zip(sources, pages, strict=True):
         svg = pictures[source].svg
         assert "transform" not in svg
         top = float(re.search(r'viewBox="0 (\S+) ', svg)[1])
         found = []
-        for line in re.finditer(r'<path class="(g\d+)" d="M0 0 ([^"]*)z"/>', svg):
+        for line in re.finditer(r'<path class="([A-Z]|g\d+)" d="M0 0 ([^"]*)z"/>', svg):
             numbers = [float(number) for number in line[2].split()]
             found += [(line[1], x / UNITS, (y - top) / UNITS) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
         wanted = sorted((names[glyph], x, y) for glyph, x, y in placed(ElementTree.fromstring(typst)))

@@ -140,7 +140,7 @@ def test_no_line_ends_between_a_number_and_its_unit(variant: str, language: str,
         return found
 
     assert ends() == []
-    page.add_style_tag(content=".typed { white-space: normal !important; }")
+    page.add_style_tag(content="bdi { white-space: normal !important; }")
     assert len(ends()) > 5
 
 
