@@ -1,8 +1,10 @@
 """What nobody asked for is not even imported: asked of a fresh interpreter."""
 
 import json
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -105,3 +107,13 @@ def test_the_libraries_of_a_command(arguments, others, tmp_path):
     assert "numpy.ma" not in modules
     rooms = {name.split(".")[1] for name in modules if name.startswith("coursework.")}
     assert rooms & {"grading", "assigning"} == ({"grading"} if arguments[0] == "grade" else set())
+
+
+@pytest.mark.parametrize(("own", "threads"), [({}, 1), ({"OPENBLAS_NUM_THREADS": "2"}, 2)], ids=["run", "said by the user"])
+def test_a_command_starts_no_thread_that_nobody_needs(own, threads, tmp_path):
+    count = Path("/proc/self/task")
+    if not count.is_dir() or os.cpu_count() == 1:
+        pytest.skip("nothing counts the threads of a process here")
+    code = command("run", "31", "--format", "csv") + f"import os, sys; sys.exit(len(os.listdir({str(count)!r})) != {threads})"
+    bare = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    assert subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=bare | own, check=False).returncode == 0

@@ -7,16 +7,13 @@ Used by `accuracy.py`.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from html import escape
 from itertools import pairwise
-
-import numpy as np
 
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.graphs.graph_paper import INK, LETTERS, words
 from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward, way_of
-from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito); dashes (mm) and marks keep them apart in print.
@@ -91,11 +88,11 @@ def chart(page: Chart) -> tuple[str, float]:
     inside, named = _ground(page, x, y)
     alike = [line for line in lines if line[0].order is not None and round(line[0].order) == BAND_ORDER and len(line[1]) > 1]
     band = sorted(alike, key=lambda line: line[1][0][1]) if len(alike) > 1 else []
-    drawn: list[Array] = []
+    drawn: list[list[tuple[float, float]]] = []
     if band:
         low, high = ([(x.at(cost), y.at(error)) for cost, error in line[1]] for line in (band[0], band[-1]))
         inside += f'<path {BAND} d="{way_of([*low, *reversed(high)])}z"/>'
-        drawn += [_sampled(low), _sampled(high)]
+        drawn += [low, high]
         named.append((page.band([line[0].name for line in alike]), high[-1]))
     for method, points, ink, dashes, mark in lines:
         if any(method is line[0] for line in band):
@@ -103,7 +100,7 @@ def chart(page: Chart) -> tuple[str, float]:
         places = [(x.at(cost), y.at(error)) for cost, error in points]
         pen = f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else "")
         inside += polyline(places, pen) + marks(places, mark, ink)
-        drawn.append(_sampled(places))
+        drawn.append(places)
         named.append((method.name, places[-1]))
     taken: list[Box] = []
     if own[0] is not None:
@@ -111,9 +108,8 @@ def chart(page: Chart) -> tuple[str, float]:
         inside += f'<circle {OWN} cx="{at[0]:.2f}" cy="{at[1]:.2f}" r="{OWN_RADIUS}"/>'
         named.insert(0, (page.labels["own_legend"], at))
         taken.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
-    sampled = np.concatenate(drawn) if drawn else np.zeros((0, 2))
     for text, place in named:
-        inside += _name(text, place, sampled, taken)
+        inside += _name(text, place, drawn, taken)
     return sheet(WIDTH, HEIGHT, inside), HEIGHT
 
 
@@ -128,14 +124,14 @@ def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[tuple[str, tuple
     return inside + upward(y, x.begin, x.end, escape(page.error_label)), named
 
 
-def _name(text: str, place: tuple[float, float], lines: Array, taken: list[Box]) -> str:
+def _name(text: str, place: tuple[float, float], drawn: Sequence[Points], taken: list[Box]) -> str:
     """Return the name of a line beside its end, where it covers fewest words and lines."""
     wide = sum(SIGN if sign >= "\u2e80" else LETTER for sign in text)
     best: tuple[float, Box] | None = None
     for dx, dy, cost in _places(wide):
         left, top = place[0] + dx, place[1] + dy - LINE / 2
         box = (left, top, left + wide, top + LINE)
-        cost += 40 * sum(_meet(box, other) for other in taken) + 4 * _crossed(box, lines)
+        cost += 40 * sum(_meet(box, other) for other in taken) + 4 * sum(_crossed(box, line) for line in drawn)
         cost += 100 * (box[2] > WIDTH or box[0] < LEFT + 1 or box[1] < TOP or box[3] > HEIGHT - BOTTOM)
         if best is None or cost < best[0]:
             best = (cost, box)
@@ -157,16 +153,12 @@ def _meet(one: Box, other: Box) -> bool:
     return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
-def _sampled(line: Points) -> Array:
-    """Return places (n, 2) along a line, about one a mm."""
-    parts = []
+def _crossed(box: Box, line: Points) -> int:
+    """Return at how many of some places of a line it lies within a box."""
+    count = 0
     for (x0, y0), (x1, y1) in pairwise(line if len(line) > 1 else [*line, *line]):
         steps = max(2, int(math.hypot(x1 - x0, y1 - y0)))
-        k = np.arange(steps + 1.0)[:, None]
-        parts.append(np.array([x0, y0]) + np.array([x1 - x0, y1 - y0]) * k / steps)
-    return np.concatenate(parts)
-
-
-def _crossed(box: Box, places: Array) -> int:
-    """Return how many places (n, 2) lie within a box."""
-    return int(np.count_nonzero(np.all((box[:2] < places) & (places < box[2:]), axis=1)))
+        for k in range(steps + 1):
+            x, y = x0 + (x1 - x0) * k / steps, y0 + (y1 - y0) * k / steps
+            count += box[0] < x < box[2] and box[1] < y < box[3]
+    return count
