@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -129,3 +130,13 @@ def test_a_run_without_sympy_or_a_home_is_the_same(tmp_path):
     assert (tmp_path / "bare" / "table.csv").read_bytes() == dict(run_tables(whole))["table.csv"].encode()
     versions = json.loads((tmp_path / "bare" / "run.json").read_bytes())["versions"]
     assert versions == {name: version for name, version in whole.versions.items() if name != "sympy"}
+
+
+@pytest.mark.parametrize(("own", "threads"), [({}, 1), ({"OPENBLAS_NUM_THREADS": "2"}, 2)], ids=["run", "said by the user"])
+def test_a_command_starts_no_thread_that_nobody_needs(own, threads, tmp_path):
+    count = Path("/proc/self/task")
+    if not count.is_dir() or os.cpu_count() == 1:
+        pytest.skip("nothing counts the threads of a process here")
+    code = command("run", "31", "--format", "csv") + f"import os, sys; sys.exit(len(os.listdir({str(count)!r})) != {threads})"
+    bare = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    assert subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=bare | own, check=False).returncode == 0

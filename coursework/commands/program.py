@@ -15,6 +15,7 @@ from typing import Any, NoReturn
 
 import click
 
+from coursework.system.one_thread import keep_to_one_thread
 from coursework.system.standard_streams import patient_streams
 from coursework.words.errors import CourseworkError
 
@@ -31,6 +32,7 @@ class Program(click.Group):
 
     def main(self, *args: Any, **options: Any) -> NoReturn:
         """Run one command line and end the process with its status."""
+        keep_to_one_thread()
         options["standalone_mode"] = False
         with patient_streams() as output:
             status = self._status(*args, **options)

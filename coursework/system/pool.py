@@ -24,6 +24,7 @@ from typing import Any, Generic, TypeVar
 
 from coursework.system.budget import WRONG_INPUT
 from coursework.system.frozen import frozen
+from coursework.system.one_thread import ONE_THREAD
 from coursework.system.plain_lines import line_of, plain_of, read_line, record_of
 from coursework.system.pool_process import Answered, Opening
 
@@ -41,8 +42,6 @@ AHEAD = 2  # jobs a worker that are drawn before they can be done
 _ENDING = 2.0  # s in which a process without a job puts its temporary files away
 _PACE = 0.5  # s between two looks for an interrupt, which on Windows no endless wait hears
 _START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.pool_process import main; main()"
-# One job is one thread's work; more threads of linear algebra only cost memory and start-up.
-_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
 @frozen
@@ -178,7 +177,7 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
         self._answered = self._grown = 0
         self._child = subprocess.Popen(
             [sys.executable, "-c", _START, *sys.path], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL if self.trade.quiet else None, env=_ONE_THREAD | os.environ,
+            stderr=subprocess.DEVNULL if self.trade.quiet else None, env=ONE_THREAD | os.environ,
         )  # fmt: skip
         if self._closed:  # in this very moment
             self._child.kill()

@@ -60,13 +60,16 @@ def turns(slopes: Array) -> list[tuple[int, int]]:
 
 def root(exact: Motion, rates: Rates, slope: Slope, bracket: tuple[float, float]) -> float | None:
     """Return the time (s) in a bracket at which a slope of the exact motion is zero; None where it cannot be followed there."""
+    (low, high), width = bracket, bracket[1] - bracket[0]
+    begin = at_times(exact, rates, [low])
+    if begin is None:
+        return None
 
     def value(time: float) -> float:
-        motion = at_times(exact, rates, [time])
+        motion = at_times(begin, rates, [time])  # a short way to follow, where that from the row before it is longer
         return math.nan if motion is None else float(slope(motion)[0])
 
-    (low, high), width = bracket, bracket[1] - bracket[0]
-    at_low, at_high = value(low), value(high)
+    at_low, at_high = float(slope(begin)[0]), value(high)
     if not at_low * at_high <= 0:
         return None
     time, side = (low, 0) if abs(at_low) < abs(at_high) else (high, 0)
