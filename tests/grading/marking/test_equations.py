@@ -132,3 +132,13 @@ def test_every_single_edit_of_the_catalogue_is_found(name):
             assert mark.verdict != "wrong" or mark.hint is not None, spelled(changed)
             tried += mark.verdict == "wrong"
     assert tried >= len(written)
+
+
+def test_a_wrong_line_written_twice_is_one_fault(judge):
+    wrong = RIGHT[3].replace("- r1", "+ r1")
+    again = f"2*({wrong.removesuffix(' = 0')}) = 0"
+    once = judge.mark([line(text, place) for place, text in enumerate((*RIGHT[:3], wrong), 1)])
+    twice = judge.mark([line(text, place) for place, text in enumerate((*RIGHT[:3], wrong, again), 1)])
+    other = judge.mark([line(text, place) for place, text in enumerate((*RIGHT[:3], wrong, RIGHT[3].replace("- r2", "+ r2")), 1)])
+    assert (once.share, twice.share, other.share) == (0.75, 0.75, 0.6)
+    assert (len(twice.wrong), twice.different) == (2, 1)

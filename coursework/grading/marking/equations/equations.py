@@ -17,7 +17,7 @@ import numpy as np
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
 from coursework.grading.marking.equations.lacks import lack_of
-from coursework.grading.marking.equations.linear import Linear, linear, rank, says_more
+from coursework.grading.marking.equations.linear import Linear, is_same, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.equations.turned import with_other_sign
@@ -77,13 +77,15 @@ class EquationMark:
 class EquationMarks:
     """All lines; `independent` of `needed`; `dependent` line numbers that say nothing new; `share` of the points.
 
-    `turned` says that lines hold with the other sign of all angular velocities, and were marked so.
+    `different` wrong ones: the same written twice is one fault.  `turned` says that lines hold with the other sign of all
+    angular velocities, and were marked so.
     """
 
     marks: tuple[EquationMark, ...]
     independent: int
     needed: int
     dependent: tuple[int, ...]
+    different: int
     turned: bool = False
 
     @property
@@ -115,7 +117,7 @@ class EquationMarks:
     @property
     def share(self) -> float:
         """Return independent / max(needed, independent + wrong): guessing every combination of signs does not pay."""
-        return self.independent / max(self.needed, self.independent + len(self.wrong), 1)
+        return self.independent / max(self.needed, self.independent + self.different, 1)
 
 
 @dataclass(frozen=True)
@@ -147,7 +149,22 @@ class Judge:
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, dependent) for mark in marks)
-        return EquationMarks(marks, independent, len(self.key.variant.sought), dependent, turned=back is not None)
+        different = self._different([mark.line for mark in marks if mark.verdict == "wrong"])
+        return EquationMarks(marks, independent, len(self.key.variant.sought), dependent, different, turned=back is not None)
+
+    def _different(self, wrong: Sequence[EquationLine]) -> int:
+        """Return how many of some wrong lines are no other's once more."""
+        found: list[Linear] = []
+        nothing = 0
+        for line in wrong:
+            try:
+                said = linear(difference(line), self.off_closure)
+            except NoValue:
+                nothing += 1
+                continue
+            if not any(is_same(said, other) for other in found):
+                found.append(said)
+        return len(found) + nothing
 
     def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
         """Return the marks with all angular velocities turned, None where that puts no line right or a right one wrong."""

@@ -102,6 +102,15 @@ def rank(lines: Sequence[Linear]) -> int:
     return int(np.min(np.linalg.matrix_rank(np.stack([line.directions for line in lines], axis=1), tol=RANK)))
 
 
+def is_same(one: Linear, other: Linear) -> bool:
+    """Return whether two lines say the same, right or wrong: each is the other times a number at every point."""
+    both = np.stack([np.column_stack([line.slopes * line.probe.scale, line.rest]) for line in (one, other)], axis=1)
+    if not np.isfinite(both).all():
+        return False
+    largest = np.max(np.abs(both), axis=2, keepdims=True)
+    return int(np.max(np.linalg.matrix_rank(both / np.where(largest > 0, largest, 1.0), tol=RANK))) <= 1
+
+
 def says_more(line: Linear, than: Sequence[Linear], limit: float) -> bool:
     """Return whether a line rounded by a part `limit` says what others do not: near-copies of a line are that line."""
     own = line.directions / np.maximum(np.linalg.norm(line.directions, axis=1, keepdims=True), NOTHING)

@@ -42,7 +42,7 @@ def equation_reasons(marked: EquationMarks, points: float | None, most: float) -
     if marked.unread is not None:
         yield Reason("equations", "rule", say("feedback.earned.unread", independent=marked.independent, needed=marked.needed))
         return
-    wrong = len(marked.wrong)
+    wrong = marked.different
     known = {"independent": marked.independent, "needed": marked.needed, "wrong": wrong, "points": points, "most": most}
     among = max(marked.needed, marked.independent + wrong)
     yield Reason("equations", "rule", say("feedback.earned.equations", **known, among=among))

@@ -18,7 +18,7 @@ from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
-from coursework.grading.marking.table.points import explained_share
+from coursework.grading.marking.table.points import explained_share, stands_still
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
@@ -106,7 +106,10 @@ def explanations(
     """Return what explains a table, as far as it explains more than Euler's rules do.
 
     A table that begins elsewhere may follow Euler's rules in every row; what says the whole table is then held against the key.
+    Nothing explains one that stands still: zeros fulfil every rule of a step.
     """
+    if stands_still(key, cells):
+        return Found()
     printed = TableUnderTest(key, cells.student)
     explained, spoken = euler_cells(key, cells)
     euler_share = _share(explained, spoken)
