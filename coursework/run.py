@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursework.motion.settings import stepping
@@ -18,6 +19,7 @@ from coursework.scene.quantities import Quantity, known_quantities, no_quantity
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
 from coursework.system.on_demand import Plan
+from coursework.system.whole_files import write_bytes
 from coursework.variant.record.variant import changed
 from coursework.words.errors import CourseworkError, InputError, visible
 from coursework.words.sentences import say
@@ -191,6 +193,23 @@ class Run(SceneRun):
         from coursework.takeaway.plots import plot_run
 
         return plot_run(self, names, exact, ax)
+
+    def to_excel(self, path: Path | str, *, language: str = "en") -> None:
+        """Write the workbook that computes: data, table as formulas, the exact motion, checks and graphs.
+
+        Raises `NotToBeHad` without XlsxWriter, and for a motion under forces; `OutputError` where it cannot be written.
+
+        >>> from pathlib import Path
+        >>> from tempfile import TemporaryDirectory
+        >>> import coursework
+        >>> with TemporaryDirectory() as folder:
+        ...     coursework.solve("31").to_excel(Path(folder, "31.xlsx"))
+        ...     [file.name for file in Path(folder).iterdir()]
+        ['31.xlsx']
+        """
+        from coursework.takeaway.workbook.book import workbook_of
+
+        write_bytes(Path(path), workbook_of(self, language))
 
     def __repr__(self) -> str:
         ends = f"0 to {self.end:g} s"

@@ -69,6 +69,7 @@ FORMATS: tuple[Format, ...] = (
     Format("html", _html, ("run", "accuracy", "write_report")),
     Format("pdf", _pdf, ("run", "accuracy", "write_report")),
     Format("csv", _csv, ("run", "accuracy"), paged=False),
+    Format("xlsx", _above("workbook.book:write"), ("run",), paged=False, asked=True),
     Format("figures", _above("figures.pictures:write"), ("run",), asked=True),
     Format("docx", _above("note.writer:write_docx"), ("run",), asked=True),
     Format("odt", _above("note.writer:write_odt"), ("run",), asked=True),

@@ -1,0 +1,83 @@
+"""A run as a workbook: sheets Data, Euler, Exact, Checks, Graphs, Read me; the same bytes on every run.
+
+Enters: a `SceneRun` and a language.  Leaves: the bytes of an xlsx file.  Raises `NotToBeHad` where there can be none.
+Used by `run.py`, and by the list of formats, by name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import datetime
+from io import BytesIO
+from typing import Any
+
+from coursework.report.output.results import Results
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
+from coursework.scene.scene_run import SceneRun
+from coursework.takeaway.missing import require
+from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
+from coursework.takeaway.workbook.columns import euler_columns
+from coursework.takeaway.workbook.data import TABLES, write_data
+from coursework.takeaway.workbook.euler import SHEET as EULER
+from coursework.takeaway.workbook.euler import write_euler
+from coursework.takeaway.workbook.graphs import write_graphs
+from coursework.takeaway.workbook.sheet import Book, plain
+from coursework.takeaway.workbook.tables import SHEET as DATA
+from coursework.takeaway.workbook.tables import Tables
+from coursework.words.errors import NotToBeHad
+from coursework.words.sentences import say
+
+# The file says when it was made: always then, so that two runs give the same bytes.
+_MADE = datetime(2000, 1, 1)
+_A4 = 9
+_WIDTH, _LINE, _WIDE = 105, 16, 0x2E00  # of a paragraph in letters; of a line in points; letters beyond are twice as wide
+README = ("data", "euler", "laws", "determinants", "exact", "checks", "graphs", "rows", "values")
+
+
+def write(results: Results) -> Iterator[tuple[str, bytes]]:
+    """Yield the workbook of results that are written."""
+    yield f"{results.stem}.xlsx", workbook_of(results.run, results.language)
+
+
+def workbook_of(run: SceneRun, language: str) -> bytes:
+    """Return the workbook of a run."""
+    require("xlsxwriter", "xlsx", "workbook")
+    if run.variant.motor is not None:
+        raise NotToBeHad(say("fault.W044"))
+    if run.settings.project or run.settings.gain:
+        raise NotToBeHad(say("fault.W045"))
+    import xlsxwriter
+
+    content = BytesIO()
+    file = xlsxwriter.Workbook(content, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
+    book = Book.of(file, PageContext(run, load_words(language)))
+    file.set_properties({"title": plain(book.context.variant.title), "created": _MADE})
+    tables = Tables(run.scene.equations.tables, TABLES)
+    euler = euler_columns(run, tables)
+    residuals = list(residuals_of(book, euler))
+    sheets = {name: file.add_worksheet(name) for name in (DATA, EULER, EXACT, "Checks", "Graphs", "Read me")}
+    for sheet in sheets.values():
+        sheet.set_landscape()
+        sheet.set_paper(_A4)
+        sheet.fit_to_pages(1, 0)
+    sheets["Graphs"].set_portrait()
+    write_data(book, sheets[DATA], euler.names, tables)
+    write_euler(book, sheets[EULER], euler)
+    write_exact(book, sheets[EXACT], euler)
+    write_checks(book, sheets["Checks"], euler, residuals)
+    write_graphs(book, sheets["Graphs"], euler)
+    _readme(book, sheets["Read me"])
+    file.close()
+    return content.getvalue()
+
+
+def _readme(book: Book, sheet: Any) -> None:
+    """Write where each formula comes from."""
+    sheet.write_string(0, 0, plain(book.context.variant.title), book.bold)
+    for row, key in enumerate(README, start=2):
+        text = book.say(f"readme.{key}")
+        letters = sum(1 + (ord(letter) > _WIDE) for letter in text)
+        sheet.set_row(row, _LINE * (1 + letters // _WIDTH))
+        sheet.write_string(row, 0, text, book.wrapped)
+    sheet.set_column(0, 0, _WIDTH)

@@ -1,0 +1,93 @@
+"""What the table of a workbook is made of: columns with their formulas and numbers, coefficients of blocks behind them.
+
+Enters: formulas and numbers.  Leaves: `Euler`.  Used inside `workbook/`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import field
+
+from coursework.motion.integration.motion import Motion
+from coursework.scene.scene_run import SceneRun
+from coursework.system.arrays import Array
+from coursework.system.frozen import changing
+from coursework.takeaway.workbook.names import letters
+from coursework.takeaway.workbook.tables import Tables
+from coursework.variant.formula.tree import Formula
+
+# Stand for the number of a row, of the one before it and the one behind it, and for how many steps lie before it.
+ROW, BEFORE, NEXT, STEPS = "\x01", "\x02", "\x03", "\x04"
+FIRST = 2  # the number of the row of t = 0; row 1 has the names
+TIME = "t"
+
+
+@changing
+class Column:
+    """One column: its head, the formula of the rows (None: values alone), that of the first one, and its numbers.
+
+    `until` rows from the end stay empty: a slope behind the last row leads nowhere.
+    """
+
+    head: str
+    formula: str | None
+    values: Array
+    first: str | None = None
+    until: int = 0
+    shown: bool = True
+
+
+@changing
+class Matrix:
+    """The coefficients of a block in hidden columns from `column` on: `entries`, size rows of size + 1 for each row."""
+
+    column: int
+    size: int
+    entries: tuple[str, ...]
+    values: Array
+    until: int = 0
+
+    def solved(self, unknown: int, row: int) -> str:
+        """Return the formula of an unknown in a row of the table; the number `size` is the determinant."""
+        top = FIRST + (row - FIRST) * self.size
+        first, last, right = (letters(self.column + place) for place in (0, self.size - 1, self.size))
+        block = f"${first}${top}:${last}${top + self.size - 1}"
+        if unknown == self.size:
+            return f"MDETERM({block})"
+        return f"INDEX(MMULT(MINVERSE({block}),${right}${top}:${right}${top + self.size - 1}),{unknown + 1})"
+
+
+Solved = tuple[Matrix, int]
+
+
+@changing
+class Euler:
+    """The table: `columns` in their order, the `matrices` behind them, `solved` the columns that a matrix gives."""
+
+    run: SceneRun
+    motion: Motion
+    names: Mapping[str, str]
+    tables: Tables
+    columns: list[Column] = field(default_factory=list)
+    matrices: list[Matrix] = field(default_factory=list)
+    solved: dict[int, Solved] = field(default_factory=dict)
+    text: Callable[[Formula], str] = str
+
+    @property
+    def rows(self) -> int:
+        """Return how many rows the table has."""
+        return len(self.motion.t)
+
+    @property
+    def last(self) -> int:
+        """Return the number of the last row."""
+        return FIRST + self.rows - 1
+
+    def add(self, column: Column) -> str:
+        """Add a column and return its letters."""
+        self.columns.append(column)
+        return letters(len(self.columns) - 1)
+
+    def place(self, name: str) -> str:
+        """Return the letters of the column with a head."""
+        return letters(next(place for place, column in enumerate(self.columns) if column.head == name))

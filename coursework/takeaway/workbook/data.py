@@ -1,0 +1,120 @@
+"""Sheet Data: what the task gives, start values and step, each under a name that the other sheets compute with.
+
+Enters: a `Book`, the names, the tabulated laws.  Leaves: the sheet.  Used by `book.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from coursework.report.wording.data_meanings import coordinate_meanings, meanings
+from coursework.system.frozen import frozen
+from coursework.takeaway.workbook.dyads import Work, start_formulas
+from coursework.takeaway.workbook.formulas import spreadsheet
+from coursework.takeaway.workbook.names import STEP, break_of, break_times, letters, start_of
+from coursework.takeaway.workbook.sheet import Book, number, plain
+from coursework.takeaway.workbook.tables import SHEET, Tables
+from coursework.variant.formula.tree import Formula, evaluate
+from coursework.variant.toml.positions import KeyPath
+
+COLUMNS = ("symbol", "meaning", "value", "unit", "as_given", "name")
+VALUE = COLUMNS.index("value")
+ORIGINAL = len(COLUMNS)  # the hidden column of what the file says, beside which a changed cell turns bold
+TABLES = ORIGINAL + 2  # where the coefficients of tabulated laws begin
+HEAD = 2  # the row of heads, from 0
+_AT_BREAK = "(1-1E-14)"  # as the tool: a row on a break takes the new formula
+
+
+@frozen
+class _Line:
+    symbol: str
+    meaning: str
+    value: float
+    unit: str
+    written: str
+    name: str
+    formula: str = ""
+
+
+def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables) -> None:
+    """Write the sheet and define its names."""
+    variant = book.context.variant
+    sheet.write_string(0, 0, plain(f"{variant.name}. {variant.title}"), book.bold)
+    book.heads(sheet, HEAD, [book.say(f"head.{key}") for key in COLUMNS])
+    work = Work(tables.end + 1)
+    sheet.write_string(HEAD, VALUE, book.say("head.value"), book.right)
+    lines = [*_data(book, names), *_starts(book, names, start_formulas(book.run, names, tables, work)), *_times(book, names)]
+    for row, line in enumerate(lines, start=HEAD + 1):
+        for column, text in ((0, line.symbol), (1, line.meaning), (3, line.unit), (4, line.written), (5, line.name)):
+            sheet.write_string(row, column, plain(text))
+        if line.formula:
+            sheet.write_formula(row, VALUE, f"={line.formula}", None, line.value)
+            sheet.write_formula(row, ORIGINAL, f"={line.formula}", None, line.value)
+        else:
+            sheet.write_number(row, VALUE, line.value)
+            sheet.write_number(row, ORIGINAL, line.value)
+        book.file.define_name(line.name, f"={SHEET}!$C${row + 1}")
+    changed = {"type": "formula", "criteria": f"=$C{HEAD + 2}<>${letters(ORIGINAL)}{HEAD + 2}", "format": book.bold}
+    sheet.conditional_format(HEAD + 1, VALUE, HEAD + len(lines), VALUE, changed)
+    for column, width in enumerate((14, 46, 22, 9, 24, 18)):
+        sheet.set_column(column, column, width)
+    sheet.set_column(ORIGINAL, ORIGINAL, None, None, {"hidden": True})
+    for row, term in enumerate(work.cells):
+        sheet.write_formula(row, work.column, f"={term.text}", None, number(term.value))
+    sheet.set_column(work.column, work.column, None, None, {"hidden": True})
+    for column, head, values in tables.columns():
+        sheet.write_string(0, column, plain(head), book.head)
+        sheet.write_column(1, column, values)
+    sheet.freeze_panes(HEAD + 1, 0)
+
+
+def _data(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
+    told = meanings(book.run.scene.mechanism)
+    own = {given.name: given.means for given in book.context.variant.given}
+    for given in book.context.variant.given:
+        meaning = own[given.name] or book.context.words.written(told[given.name])
+        written = f"{given.text} {given.unit}".strip()
+        yield _Line(_symbol(book, given.name), meaning, given.value, _unit(book, given.si), written, names[given.name])
+
+
+def _starts(book: Book, names: Mapping[str, str], formulas: dict[str, tuple[str, str]]) -> Iterator[_Line]:
+    told = coordinate_meanings(book.run.scene.mechanism)
+    for coordinate, value in zip(book.context.variant.coordinates, book.run.scene.start, strict=True):
+        is_given = coordinate.start is not None
+        formula, kind = formulas.get(coordinate.name, ("", ""))
+        meaning = book.say("start", symbol=_symbol(book, coordinate.name))
+        meaning += f" ({book.context.words.written(told[coordinate.name])})" if told.get(coordinate.name) else ""
+        written = book.say("dyad", kind=kind) if kind else book.say("belongs")
+        if is_given:
+            written = f"{coordinate.text} {coordinate.written or coordinate.unit}".strip()
+        name = names[start_of(coordinate.name)]
+        yield _Line(_symbol(book, coordinate.name), meaning, value, _unit(book, coordinate.unit), written, name, formula)
+
+
+def _times(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
+    variant = book.run.variant
+    step = variant.time.step
+    formula = _formula(book, ("time", "step"), step, names)
+    yield _Line("h", book.say("step"), step, _unit(book, "s"), "", STEP, formula)
+    for law, place, time in break_times(variant):
+        section = "drive" if law in {one.name for one in variant.drive} else "functions"
+        text = _formula(book, (section, law, "pieces", place + 1, 0), time, names) or repr(time)
+        value = time * (1 - 1e-14)
+        told = book.say("break", symbol=_symbol(book, law))
+        yield _Line("t", told, value, _unit(book, "s"), "", names[break_of(law, place)], f"({text})*{_AT_BREAK}")
+
+
+def _formula(book: Book, path: KeyPath, value: float, names: Mapping[str, str]) -> str:
+    """Return the formula of a time over the data, "" where it is a number of its own."""
+    tree: Formula | None = book.run.variant.times.get(path)
+    known = tree is not None and evaluate(tree, book.run.variant.values) == value
+    return spreadsheet(tree, names) if tree is not None and known else ""
+
+
+def _symbol(book: Book, name: str) -> str:
+    return book.context.symbol(name).text
+
+
+def _unit(book: Book, unit: str) -> str:
+    return book.context.words.unit(unit)

@@ -1,0 +1,66 @@
+"""Sheet Euler: row 1 the names of table.csv, row k + 1 the k-th row of the table, every cell a formula with our number cached.
+
+Enters: a `Book` and `Euler`.  Leaves: the sheet.  Used by `book.py`.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursework.takeaway.workbook.cells import BEFORE, FIRST, NEXT, ROW, STEPS, Column, Euler
+from coursework.takeaway.workbook.sheet import Book, number, plain
+
+SHEET = "Euler"
+
+
+def write_euler(book: Book, sheet: Any, euler: Euler) -> None:
+    """Write the sheet."""
+    for place, column in enumerate(euler.columns):
+        sheet.write_string(0, place, plain(column.head), book.head)
+        if place in euler.solved:
+            continue
+        if column.formula is None:
+            sheet.write_column(1, place, column.values.tolist(), book.grey)
+        else:
+            _formulas(sheet, place, column, euler.rows)
+    after = len(euler.columns) + 1
+    for matrix in euler.matrices:
+        matrix.column = after
+        after += matrix.size + 1
+    for matrix in euler.matrices:
+        cells = [(text, *divmod(place, matrix.size + 1)) for place, text in enumerate(matrix.entries)]
+        for step in range(euler.rows - matrix.until):
+            for place, (text, down, across) in enumerate(cells):
+                value = number(float(matrix.values[step, place]))
+                row = FIRST - 1 + step * matrix.size + down
+                sheet.write_formula(row, matrix.column + across, f"={_at(text, step)}", None, value)
+        sheet.set_column(matrix.column, matrix.column + matrix.size, None, None, {"hidden": True})
+    for place in euler.solved:
+        _solved(sheet, place, euler)
+    sheet.set_column(0, len(euler.columns) - 1, 14)
+    sheet.freeze_panes(1, 1)
+
+
+def _formulas(sheet: Any, place: int, column: Column, rows: int) -> None:
+    text, write = f"={column.formula}", sheet.write_formula
+    for step, value in enumerate(column.values.tolist()[: rows - column.until]):
+        formula = f"={column.first}" if column.first is not None and not step else _at(text, step)
+        write(FIRST - 1 + step, place, formula, None, number(value))
+
+
+def _solved(sheet: Any, place: int, euler: Euler) -> None:
+    matrix, unknown = euler.solved[place]
+    values = euler.columns[place].values.tolist()
+    for step in range(euler.rows - matrix.until):
+        formula = f"{{={matrix.solved(unknown, FIRST + step)}}}"
+        row = FIRST - 1 + step
+        sheet.write_array_formula(row, place, row, place, formula, None, number(values[step]))
+
+
+def _at(text: str, step: int) -> str:
+    """Return the formula of one row."""
+    row = FIRST + step
+    for mark, value in ((ROW, row), (BEFORE, row - 1), (NEXT, row + 1), (STEPS, step)):
+        if mark in text:
+            text = text.replace(mark, str(value))
+    return text

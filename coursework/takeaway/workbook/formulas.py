@@ -1,0 +1,80 @@
+"""Formulas -> formulas of a spreadsheet, English names and points, as Excel and LibreOffice store them.
+
+Enters: `Formula`s and where their names stand.  Leaves: text without the sign of equality.  Used inside `workbook/`.
+
+A spreadsheet reads -2^2 as (-2)^2 and ATAN2 with x first; a piecewise law is IF inside IF, a tabulated one INDEX of its
+coefficients in the row that MATCH has found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from coursework.variant.formula.tree import Formula
+
+Cell = Callable[[Formula], str]
+_CALLS = {"log": "LN"}  # the others have the same name in capital letters
+_SUM, _PRODUCT, _POWER, _ATOM = 1, 2, 3, 4
+_LEVELS = {"+": _SUM, "-": _SUM, "neg": _SUM, "*": _PRODUCT, "/": _PRODUCT, "^": _POWER}
+
+
+def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, Formula], str] | None = None) -> str:
+    """Return a formula as cells compute it; `names` says where each name stands, `table` writes a tabulated law.
+
+    >>> from coursework.variant.formula.reader import parse
+    >>> spreadsheet(parse("-a^2*atan2(y, x) - (b - 3)"), {"a": "_a", "b": "_b", "x": "B2", "y": "C2"})
+    '(-(_a^2))*ATAN2(B2,C2)-(_b-3)'
+    """
+
+    def inner(node: Formula, least: int = _SUM) -> str:
+        text = written(node)
+        return f"({text})" if _LEVELS.get(node.op, _ATOM) < least else text
+
+    def written(node: Formula) -> str:
+        match node.op:
+            case "number":
+                return f"({node.name})" if "/" in node.name else node.name
+            case "name":
+                return "PI()" if node.name == "pi" else names[node.name]
+            case "call":
+                return called(node)
+            case "neg":
+                text = inner(node.args[0], _PRODUCT)
+                return f"-{text}" if not _begins_with_power(node.args[0]) else f"-{_held(text, node.args[0], inner)}"
+        first, second = node.args
+        level = _LEVELS[node.op]
+        if node.op == "^":
+            return f"{inner(first, _ATOM)}^{inner(second, _ATOM)}"
+        return f"{inner(first, level)}{node.op}{inner(second, level + 1)}"
+
+    def called(node: Formula) -> str:
+        if node.name.startswith("_table_"):
+            assert table is not None
+            return table(node.name, node.args[0])
+        if node.name == "piecewise":
+            time, *parts = node.args
+            *pieces, last = zip(parts[::2], [*parts[1::2], None], strict=True)
+            text = inner(last[0])
+            for piece, end in reversed(pieces):
+                assert end is not None
+                text = f"IF({inner(end)}>{inner(time)},{inner(piece)},{text})"
+            return text
+        args = node.args[::-1] if node.name == "atan2" else node.args
+        return f"{_CALLS.get(node.name, node.name.upper())}({','.join(map(inner, args))})"
+
+    return inner(tree)
+
+
+def _begins_with_power(node: Formula) -> bool:
+    """Return whether what is written first is a power, which a minus before it would change."""
+    while node.op in {"*", "/"}:
+        node = node.args[0]
+    return node.op == "^"
+
+
+def _held(text: str, node: Formula, inner: Callable[[Formula, int], str]) -> str:
+    """Return a product whose first factor, a power, stands in parentheses."""
+    while node.op in {"*", "/"}:
+        node = node.args[0]
+    power = inner(node, _POWER)
+    return f"({power}){text[len(power) :]}"

@@ -1,0 +1,73 @@
+"""The names that cells of a workbook have: `_r1` for a datum, `_phi1_0` for a start value, `step`.
+
+Enters: a `Variant`.  Leaves: defined names by what they stand for.  Used inside `workbook/`.
+
+A spreadsheet takes r1, V1 and C for cells and knows no case: so a datum has an underscore before it, and of two that differ by
+case alone the later one has two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from coursework.variant.record.variant import Variant
+
+STEP = "step"
+
+
+def start_of(coordinate: str) -> str:
+    """Return what the start value of a coordinate is called here, before it gets its name."""
+    return f"{coordinate}_0"
+
+
+def break_of(law: str, place: int) -> str:
+    """Return what the end of a piece of a law is called, as the expressions of the tool call it."""
+    return f"_end{place}_{law}"
+
+
+def break_times(variant: Variant) -> Iterator[tuple[str, int, float]]:
+    """Yield every law of pieces with the number of each that ends, and when (s)."""
+    for law in (*variant.drive, *variant.functions):
+        for place, (time, _) in enumerate(law.pieces[1:]):
+            yield law.name, place, time
+
+
+def defined_names(variant: Variant) -> dict[str, str]:
+    """Return the defined name of each datum, each start value and each end of a piece.
+
+    >>> import coursework
+    >>> names = defined_names(coursework.load("31"))
+    >>> names["r1"], names["phi1_0"]
+    ('_r1', '_phi1_0')
+    """
+    listed = [*variant.values, *(start_of(c.name) for c in variant.coordinates)]
+    listed += [break_of(law, place) for law, place, _ in break_times(variant)]
+    taken, found = set[str](), dict[str, str]()
+    for name in listed:
+        own = f"_{name}"
+        while own.lower() in taken:
+            own = f"_{own}"
+        taken.add(own.lower())
+        found[name] = own
+    return found
+
+
+def letters(column: int) -> str:
+    """Return the letters of a column, counted from 0.
+
+    >>> letters(0), letters(25), letters(26)
+    ('A', 'Z', 'AA')
+    """
+    text, column = "", column + 1
+    while column:
+        column, rest = divmod(column - 1, 26)
+        text = chr(65 + rest) + text
+    return text
+
+
+def number_of(column: str) -> int:
+    """Return the number, from 0, of a column by its letters."""
+    number = 0
+    for letter in column:
+        number = 26 * number + ord(letter) - 64
+    return number - 1

@@ -1,0 +1,192 @@
+"""`--format xlsx` and `run.to_excel`: cached numbers are the table, formulas give it again, also with other data."""
+
+import csv
+import io
+import json
+import zipfile
+
+import numpy as np
+import openpyxl
+import pytest
+
+import coursework
+from coursework.takeaway.workbook.book import workbook_of
+from coursework.variant.catalogue import names
+from tests.command import call
+from tests.equations.reduction.test_long_formulas import two_by_two
+from tests.hard.scenes import scene, solve
+from tests.sample import sampled
+from tests.solved import solved
+from tests.takeaway.taken import taken
+from tests.takeaway.workbook.evaluated import Evaluated, cached
+
+SHEETS = ["Data", "Euler", "Exact", "Checks", "Graphs", "Read me"]
+DRIVEN = [name for name in names() if coursework.load(name).motor is None]
+
+
+def book(name, language="en"):
+    return taken(name, "xlsx", language)["report.xlsx"]
+
+
+def table(run):
+    """The rows of Euler's table, time first."""
+    motion = run.scene.scheme_rows or run.motion
+    return ["t", *motion.names], np.column_stack([motion.t, motion.rows])
+
+
+def off(found, rows):
+    return np.max(np.abs(found - rows) / np.maximum(1.0, np.abs(rows)), initial=0.0)
+
+
+@pytest.mark.parametrize("name", sampled(DRIVEN))
+def test_cached_cells_and_formulas_are_eulers_table(name):
+    heads, rows = table(solved(name))
+    content = book(name)
+    computed = Evaluated(content)
+    assert [computed.book["Euler"].cell(1, 1 + place).value for place in range(len(heads))] == heads
+    assert computed.book.sheetnames == SHEETS
+    assert off(cached(content, "Euler", *rows.shape), rows) < 1e-12
+    assert off(computed.rows("Euler", *rows.shape), rows) < 1e-9
+    assert all(cell.data_type == "f" for row in computed.book["Euler"].iter_rows(2, len(rows) + 1, 1, len(heads)) for cell in row)
+
+
+@pytest.mark.parametrize("name", ["31", "jansen"])
+def test_every_formula_of_every_sheet_gives_its_cached_number(name):
+    content = book(name)
+    computed, shown = Evaluated(content), openpyxl.load_workbook(io.BytesIO(content), data_only=True)
+    count = 0
+    for sheet in SHEETS[:4]:
+        for row in computed.book[sheet].iter_rows():
+            for cell in row:
+                if cell.data_type == "f":
+                    count += 1
+                    found = computed.value(sheet, cell.row, cell.column)
+                    assert found == pytest.approx(shown[sheet][cell.coordinate].value, rel=1e-9, abs=1e-9), (
+                        sheet,
+                        cell.coordinate,
+                    )
+    assert count > 500
+
+
+CHANGES = {
+    "31": {"step": 0.015, "_r1": 0.9, "_phi2_0": 3.3},
+    "jansen": {"step": 0.008, "_k": 0.0615, "_phi1_0": 0.2},
+    "robot-arm": {"_T": 0.25, "_r1": 0.51},
+    "example-6": {"_theta1_0": 0.1},
+    "prp": {"_psi_0": 1.1},
+    "engine-start": {"_t1": 0.35, "_phi1_0": 4.6},
+}
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_changed_cells_give_the_run_with_these_data(name):
+    computed, variant = Evaluated(book(name)), coursework.load(name)
+    for cell, value in CHANGES[name].items():
+        computed.set(cell, value)
+    given = {cell.removeprefix("_").removesuffix("_0"): value for cell, value in CHANGES[name].items() if cell != "step"}
+    step = CHANGES[name].get("step")
+    run = coursework.solve(variant.with_data(given=given, step=step), scheme="euler", quantities=["table"])
+    _, rows = table(run)
+    rows = rows[: len(table(solved(name))[1])]
+    assert off(computed.rows("Euler", *rows.shape), rows) < 1e-9
+
+
+@pytest.mark.parametrize(("name", "scheme"), [("robot-arm", "rk4"), ("v104", "heun"), ("variable-crank-table", "midpoint")])
+def test_other_schemes_have_their_slopes_in_further_columns(name, scheme):
+    run = solved(name, scheme=scheme, quantities=["table"])
+    content = workbook_of(run, "en")
+    rows = np.column_stack([run.motion.t, run.motion.rows])
+    assert off(Evaluated(content).rows("Euler", *rows.shape), rows) < 1e-9
+
+
+THREE = scene(
+    'phi = { start = "0.3 rad", rate = "v" }\nx = { start = "1 m", rate = "u" }\ny = { start = "0 m", rate = "w" }\n'
+    'z = { start = "0.2 m", rate = "s" }',
+    given='r = "0.1 m"', drive='v = "2"', end=0.2,
+    equations=["u*cos(phi) + w*2 - s = r*v", "u + w*sin(phi) + s*3 = r*v*x/r", "u - 2*w + s*cos(x/r) = 0"],
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "scheme"), [(THREE, "euler"), (THREE, "heun"), (two_by_two(5), "euler")])
+def test_a_block_without_a_formula_is_solved_over_hidden_columns(text, scheme, monkeypatch):
+    monkeypatch.setattr("coursework.equations.reduction.solution.MOST_LETTERS", 300)
+    run = solve(text, scheme=scheme)
+    assert () in run.solutions
+    content = workbook_of(run, "en")
+    computed = Evaluated(content)
+    rows = np.column_stack([run.motion.t, run.motion.rows])
+    assert off(computed.rows("Euler", *rows.shape), rows) < 1e-9
+    assert off(cached(content, "Euler", *rows.shape), rows) < 1e-12
+    sheet = computed.book["Euler"]
+    texts = [cell.value for cell in sheet[2] if cell.value is not None]
+    assert any("MINVERSE" in getattr(text, "text", "") for text in texts)
+    assert any(one.hidden for one in sheet.column_dimensions.values())
+
+
+def test_a_motion_that_stops_has_the_rows_before_its_dead_point():
+    run = solved("31", quantities=["table"])
+    stopped = coursework.solve(run.variant.with_data(given={"alpha": 0.02}), quantities=["table"])
+    content = workbook_of(stopped, "en")
+    _, rows = table(stopped)
+    assert stopped.stop is not None and 1 < len(rows) < 10
+    assert off(Evaluated(content).rows("Euler", *rows.shape), rows) < 1e-9
+
+
+def test_names_differ_by_more_than_case_and_text_is_no_formula():
+    text = scene(
+        'phi = { start = "0.3 rad", rate = "v" }\nx = { start = "0 m", rate = "u" }',
+        given='L = { value = "0.1 m", means = "=1+1" }\nl = { value = "0.2 m", means = "@sum" }', drive='v = "2"',
+        end=0.2, equations=["u = v*(L*sin(phi) + l)"],
+    )  # fmt: skip
+    computed = Evaluated(workbook_of(solve(text), "en"))
+    assert {"_L", "__l", "_phi_0", "_x_0", "step"} == set(computed.names)
+    data = computed.book["Data"]
+    assert [data.cell(row, 2).data_type for row in (4, 5)] == ["s", "s"]
+    assert [data.cell(row, 2).value for row in (4, 5)] == ["=1+1", "@sum"]
+
+
+def test_exact_has_the_true_motion_and_its_difference():
+    content, run = book("jansen"), solved("jansen")
+    exact = openpyxl.load_workbook(io.BytesIO(content), data_only=True)["Exact"]
+    assert [exact.cell(2, 1 + place).value for place in range(1, 4)] == pytest.approx(run.motion.rows[0, :3], rel=1e-15)
+    assert exact.cell(1, 3 + len(run.columns()[0])).value == "Δphi1"
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
+def test_sheets_keep_their_names_in_every_language(language):
+    content = book("31", language)
+    read = openpyxl.load_workbook(io.BytesIO(content))
+    assert read.sheetnames == SHEETS
+    head = [cell.value for cell in read["Data"][3]][:6]
+    assert (head[0] == "symbol") is (language == "en") and None not in head
+    with zipfile.ZipFile(io.BytesIO(content)) as packed:
+        assert all(one.date_time[0] == 1980 for one in packed.infolist())
+        assert len([name for name in packed.namelist() if "charts/chart" in name]) == 2
+
+
+@pytest.mark.usefixtures("folder")
+def test_it_is_written_on_request_only_and_listed(folder):
+    for out in ("one", "two"):
+        assert call("run", "31", "--quantities", "table", "--format", "csv,xlsx", "--out", out).exit_code == 0
+    first, second = (json.loads((folder / out / "run.json").read_text(encoding="utf-8"))["files"] for out in ("one", "two"))
+    assert first == second and {*first} == {"table.csv", "report.xlsx"}
+    with (folder / "one/table.csv").open(encoding="utf-8") as file:
+        rows = np.array([row for place, row in enumerate(csv.reader(file)) if place], dtype=float)
+    assert off(cached((folder / "one/report.xlsx").read_bytes(), "Euler", *rows.shape), rows) < 1e-12
+    assert "report.xlsx" not in coursework_files(folder)
+
+
+def coursework_files(folder):
+    assert call("run", "31", "--quantities", "table", "--out", "plain", "--no-live").exit_code == 0
+    return {path.name for path in (folder / "plain").iterdir()}
+
+
+@pytest.mark.usefixtures("folder")
+def test_what_has_no_workbook_is_told_and_the_rest_written(folder, monkeypatch):
+    told = call("run", "example-2-motor", "--quantities", "table", "--format", "csv,xlsx", "--out", "motor")
+    assert told.exit_code == 2 and "W044" in told.stderr and (folder / "motor/table.csv").is_file()
+    told = call("run", "example-1", "--scheme", "euler", "--project", "--format", "csv,xlsx", "--out", "projected")
+    assert told.exit_code == 2 and "W045" in told.stderr
+    monkeypatch.setattr("coursework.takeaway.missing.find_spec", lambda name: None)
+    told = call("run", "31", "--quantities", "table", "--format", "csv,xlsx", "--out", "missing")
+    assert told.exit_code == 2 and "-m pip install" in told.stderr and "[workbook]" in told.stderr
