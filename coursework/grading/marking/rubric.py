@@ -151,9 +151,9 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
     of_forces = _forces(variant)
     asked = [(force, "table.forces", of_forces) for force in rubric.forces]
     asked += [(answer.of, f"answers.{answer.name}.of", (*known, *of_forces)) for answer in rubric.answers]
-    for of, place, names in asked:
-        if of not in names:
-            faults.append(Fault(say("fault.G040", of=of, hint=closest(of, names), known=", ".join(names)), name, place=place))
+    for of, place, allowed in asked:
+        if of not in allowed:
+            faults.append(Fault(say("fault.G040", of=of, hint=closest(of, allowed), known=", ".join(allowed)), name, place=place))
     for answer in rubric.answers:
         if answer.row is not None and answer.row > variant.time.steps + 1:
             faults.append(
