@@ -18,7 +18,7 @@ from coursework.report.output.formats import FORMATS, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
-from coursework.scene.quantities import FORCES, TABLE, quantities_for
+from coursework.scene.quantities import DYNAMICS, ENERGY, FORCES, TABLE, quantities_for
 from coursework.system.budget import Ended
 from coursework.system.file_set import files_of, working_folder
 from coursework.system.on_demand import under_way
@@ -66,7 +66,8 @@ def run_variant(
         if read.forces is not None:
             from coursework.effects.told import effect_lines
 
-            for line in effect_lines(read, run.of(FORCES) if run.asks(FORCES) else None):
+            needed = any(run.asks(one) for one in (FORCES, ENERGY, DYNAMICS))
+            for line in effect_lines(read, run.of(FORCES) if needed else None):
                 tell(line)
         used, left = _blocks_evaluated(run)
         title = run.scheme_title

@@ -29,6 +29,7 @@ Take = Callable[[float, list[float]], list[float]]  # time and state of a row ->
 MOST_STEPS = 3000  # from a row to the next one: more are taken where a dead point is near alone
 _SLOWER = 0.9  # of the last rate: so much slower was the one beside which a dead point is looked for
 _LEAST = 1e-11  # of the whole time: a shorter step is none
+_ALONE = ((0, 1),)  # the first slope, nothing beside it
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
 
 
@@ -87,10 +88,10 @@ class Dynamics:
         """Return the rates and accelerations of a state (free coordinates, then their rates)."""
         count = len(self.motion.free)
         free, rates = state[:count], state[count:]
-        if self.motion.others and not all(self.q[place] == value for place, value in zip(self.motion.free, free, strict=True)):
-            self.q = self.closed(t, free) if not self._rates else self._followed(t, free)
-        elif not self.motion.others:
+        if not self.motion.others:
             self.q = self.closed(t, free)
+        elif [self.q[place] for place in self.motion.free] != list(free):
+            self.q = self.closed(t, free) if not self._rates else self._followed(t, free)
         found = self.motion.slope(t, *self.q, *rates)
         self.count += 1
         self._rates = [rates[0], *found[count:]]
@@ -163,13 +164,13 @@ class Dynamics:
         for row in range(steps + 1):
             t = row * step
             try:
-                if any(self.q[place] != value for place, value in zip(self.motion.free, now[:count], strict=True)) or not row:
+                if not row or [self.q[place] for place in self.motion.free] != now[:count]:
                     self.q = self._followed(t, now[:count]) if self._rates else self.closed(t, now[:count])
                 positions.append(list(self.q))
                 rates.append(now[count:])
                 if row < steps:
                     now = take(t, now)
-                if not all(abs(value) < _RUNAWAY for value in now):
+                if not (math.isfinite(sum(now)) and max(now) < _RUNAWAY and min(now) > -_RUNAWAY):
                     ended, at = "not finite", t + step
                     break
             except (Open, ZeroDivisionError) as error:
@@ -213,6 +214,8 @@ def _stepper(scheme: Scheme) -> Callable[..., list[float]]:
 def _added(row: Sum, now: list[float], h: float, found: list[list[float]]) -> list[float]:
     """Return a state moved by one row of a tableau."""
     factor = float(row.factor) * h
+    if row.terms == _ALONE:
+        return [value + factor * slope for value, slope in zip(now, found[0], strict=True)]
     return [value + factor * sum(whole * found[place][k] for place, whole in row.terms) for k, value in enumerate(now)]
 
 

@@ -77,7 +77,7 @@ def _energy(e: Evidence) -> Finding:
         return skipped(say("check.no_row"))
     left, exchanged = remainder(e.own)
     if not exchanged:
-        return skipped(say("check.forces.none"))
+        return skipped(say("check.ENERGY.rest" if not np.any(e.exact.rows.motion.velocities) else "check.forces.none"))
     row = int(np.argmax(np.abs(left)))
     share = float(abs(left[row]) / exchanged)
     told = {"energy": float(left[row]), "share": percent(share), "row": row + 1, "exchanged": exchanged}

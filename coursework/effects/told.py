@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.effects import EFFECTS
+from coursework.effects.effects import EFFECTS, FRICTION, MOTOR, Effect
 from coursework.effects.flywheel import find_flywheel
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import joined, say
 
 
 def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence]:
@@ -27,13 +27,28 @@ def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence
     lines = [say("plan.effects")]
     for effect in EFFECTS:
         on = effect.named(forces)
+        why = say("plan.on" if on else "plan.off", section=effect.section)
+        cost = _cost(effect, variant, found) if on and found is not None else None
         lines.append(
-            say("plan.line", name=f"{effect.name:<20}", why=say("plan.on" if on else "plan.off", section=effect.section))
+            say("plan.line", name=f"{effect.name:<20}", why=why if cost is None else joined([why, cost], "join.nothing"))
         )
     if found is not None:
         _, equations, unknowns = found.reactions.matrix.shape
         lines.append(say("plan.forces_cost", equations=equations, unknowns=unknowns, count=len(found.rows.scheme.bodies)))
     return lines
+
+
+def _cost(effect: Effect, variant: Variant, found: ForceAnalysis) -> Sentence:
+    """Return what an effect adds to every row."""
+    if effect is FRICTION:
+        from coursework.effects.friction import MOST_ROUNDS
+
+        return say("plan.effect_rounds", most=MOST_ROUNDS)
+    if effect is MOTOR:
+        return say("plan.effect_slope", count=len(variant.motor.rates) if variant.motor is not None else 0)
+    acts = [*effect.acts(found.rows)]
+    couples = sum(one.couple is not None for one in acts)
+    return say("plan.effect_acts", forces=len(acts) - couples, couples=couples)
 
 
 def dynamics_table(found: ForceAnalysis) -> ExtraTable:

@@ -24,6 +24,9 @@ CASES = [
     ("example-1-forces", 'value = "-200 N"', 'value = "-200 kg"', "V205", "a mass"),
     ("andrews-forces", ', free = "77.85 mm"', "", "V706", "free is missing"),
     ("andrews-forces", 'spring = ["S", "K"]', 'spring = ["S", "Q"]', "V059", "Q"),
+    ("andrews-forces", 'spring = ["S", "K"]', 'spring = ["K", "K"]', "V745", "Name two points"),
+    ("example-1-forces", 'on = "3", at = "C"', 'on = "9", at = "C"', "V723", 'there is no link "9"'),
+    ("example-1-forces", 'at = "C"', 'at = "Q"', "V053", "forces.F1.at"),
 ]  # fmt: skip
 
 
@@ -57,3 +60,22 @@ def test_a_mass_may_be_a_datum_and_is_set():
     assert variant.values["m1"] == 4.0
     assert variant.with_data(given={"m1": "5 kg"}).values["m1"] == 5.0
     assert variant.with_data(given={"m1": 6.0}).values["m1"] == 6.0
+
+
+@pytest.mark.parametrize("scheme", ["euler", "exact"])
+@pytest.mark.parametrize(("name", "code"), [("example-1-forces", "V322"), ("example-2-motor", "V522")])
+def test_a_load_table_that_ends_early_is_told_with_its_line(name, code, scheme):
+    force = {"example-1-forces": "(F0, 0)", "example-2-motor": "(-c*u3, 0)"}[name]
+    law = '\n[functions]\nP = { of = "t", table = "load.csv" }\n\n[time]'
+    text = text_of(name, ("\n[time]", law), (f'force = "{force}"', 'force = "(P, 0)"'))
+    table = b"t,P\n" + b"\n".join(b"%.2f,%d" % (0.05 * k, 10 * k) for k in range(8)) + b"\n"
+    with pytest.raises(coursework.InputError, match=f"{code} bad.toml:.*Add nodes, or end the"):
+        variant = coursework.parse_variant(text.encode(), "bad.toml", {"load.csv": table})
+        _ = coursework.solve(variant, scheme=scheme).motion
+
+
+def test_forces_that_hold_a_mechanism_where_it_stands_are_told():
+    weightless = text_of("falling-arm", ('gravity = "9.81 m/s^2"', ""))
+    run = coursework.solve(coursework.parse_variant(weightless), scheme="euler")
+    told = {one.code: str(one.sentence) for one in run.results.checks}
+    assert "it does not start" in told["ENERGY"]

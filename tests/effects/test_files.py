@@ -61,7 +61,8 @@ def test_what_is_not_unique_is_empty(folder):
 def test_the_plan_says_which_effects_are_on(folder):
     told = call("run", "example-1-forces", "--plan").stdout
     effects = told[told.index("Effects of forces:") :]
-    assert "inertia              on: named in [masses]" in effects
+    assert "inertia              on: named in [masses]; a row: forces 3, couples 3" in effects
+    assert "loads                on: named in [forces]; a row: forces 1, couples 1" in effects
     assert "springs              off: not named in [forces]" in effects
     assert "9 equations of 3 links with 9 unknown forces" in effects
     assert "Effects" not in call("run", "example-1", "--plan").stdout

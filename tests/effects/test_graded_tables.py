@@ -8,15 +8,18 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.effects.misread import SLIPS
+from coursework.grading.marking.forces import with_forces as force_grid
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
-from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.words.sentences import say
 from tests.effects.massed import text_of
 from tests.effects.moved import free_31
 
@@ -100,3 +103,68 @@ def test_a_class_is_marked_without_a_person():
     flat = marker.grade(handed_in(of, np.tile(of.table[:1], (len(of.table), 1))))
     assert flat.total < 10
     assert flat.plain()["table"]["state"] == "marked"
+
+
+@cache
+def with_forces():
+    """The key of 31 with masses, the rubric that asks for three columns, and the task's grid with them."""
+    of = key_of(coursework.load("31-forces"))
+    rubric = Rubric(weights={"table": 100.0, "equations": 0.0, "answers": 0.0}, forces=("FMx", "FMy", "R23"))
+    check_rubric(rubric, of.variant)
+    plain = grid_of(of.variant, {name: tuple(of.table[:, place].tolist()) for place, name in enumerate(of.names)})
+    return of, Marker(of, rubric), Expected(force_grid(plain, of.forces, rubric.forces), of.variant)
+
+
+def student(forces, heads=("FMx, N", "F_My (Н)", "R23, kN")):
+    """The file of a student whose motion is right, with these columns of forces."""
+    of, _, expected = with_forces()
+    sizes = [1000.0 if "kN" in head else 1.0 for head in heads]
+    lines = [";".join(["t", *of.names, *heads[: len(forces)]])]
+    for row, t in enumerate(of.t):
+        cells = [f"{value:.5f}" for value in of.table[row]]
+        lines.append(
+            ";".join([f"{t:.2f}", *cells, *(f"{one[row] / size:.4g}" for one, size in zip(forces, sizes, strict=False))])
+        )
+    return read_submission(Submission("a", "A", (submitted_file("t.csv", "\n".join(lines).encode()),)), expected)
+
+
+def columns(pick):
+    of, *_ = with_forces()
+    return [pick(*of.forces.columns(name)) for name in ("FMx", "FMy", "R23")]
+
+
+@pytest.mark.parametrize("which", ["exact", "table"])
+def test_columns_of_forces_are_right_by_the_motion_or_by_the_table(which):
+    _, marker, _ = with_forces()
+    grade = marker.grade(student(columns(lambda exact, table, _: exact if which == "exact" else table)))
+    found = grade.plain()["table"]["forces"]
+    assert [(one["name"], one["right"], one["missing"]) for one in found] == [(name, 25, 0) for name in ("FMx", "FMy", "R23")]
+    assert grade.total == 100.0
+
+
+@pytest.mark.parametrize("code", SLIPS)
+def test_a_class_in_which_each_has_one_slip_of_forces_is_told_it(code):
+    _, marker, _ = with_forces()
+    grade = marker.grade(student(columns(lambda exact, table, slips: slips[code])))
+    found = grade.plain()["table"]["forces"]
+    assert code in {one["slip"] for one in found}
+    assert 70 < grade.total < 100
+    told = [str(one.text) for one in grade.notes if one.code == "force_column"]
+    assert any(str(say(f"forces.slip.{code}")) in text for text in told)
+
+
+def test_a_column_of_forces_that_is_not_there_earns_nothing():
+    _, marker, _ = with_forces()
+    grade = marker.grade(student(columns(lambda exact, *_: exact)[:1]))
+    assert [one["missing"] for one in grade.plain()["table"]["forces"]] == [0, 25, 25]
+    assert grade.total == pytest.approx(100 * (172 + 25) / (172 + 75), abs=0.01)
+
+
+def test_a_rubric_asks_for_columns_of_forces_that_there_are():
+    rubric = read_rubric('[table]\nforces = ["FMx", "R99"]\n')
+    assert rubric.plain()["table"]["forces"] == ["FMx", "R99"]
+    with pytest.raises(coursework.InputError, match="R99"):
+        check_rubric(rubric, coursework.load("31-forces"))
+    with pytest.raises(coursework.InputError, match="FMx"):
+        check_rubric(rubric, coursework.load("31"))
+    assert "forces" not in Rubric().plain()["table"]

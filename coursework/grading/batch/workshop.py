@@ -78,6 +78,10 @@ class Workshop:
         if not len(key.table):
             raise InputError([Fault(say("fault.G006", stopped=key.stopped), source.name)])
         grid = grid_of(variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
+        if self.rubric.forces and key.forces is not None:
+            from coursework.grading.marking.forces import with_forces
+
+            grid = with_forces(grid, key.forces, self.rubric.forces)
         others = {name: table for name, table in self._tables.items() if name != source.name}
         made = Marker(key, self.rubric, others), Expected(grid, variant, tuple(a.name for a in self.rubric.answers))
         self._markers[kept] = made

@@ -1,13 +1,13 @@
 """Forces as answers: what is right on the exact rows and on the assigned table, and what each slip would give.
 
 Enters: a variant with masses.  Leaves: `ForceKey`.  Imported for a rubric that asks for forces only.
-Used by `key.py` and `rubric.py`.
+Used by `key.py`, `rubric.py` and `workshop.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -17,6 +17,7 @@ from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.force_scheme import names_of
 from coursework.effects.misread import slipped
 from coursework.effects.scheme import read_scheme
+from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.mechanism.mechanism import build
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.system.arrays import Array
@@ -64,12 +65,31 @@ class ForceKey:
         exact, _ = self._both
         return {code: _of(exact.reactions.names, rows, name, row) for code, rows in self._slipped.items()}
 
+    def columns(self, name: str) -> tuple[Array, Array, Mapping[str, Array]]:
+        """Return a force in all rows (n,): of the exact motion, of the table, and as each slip gives it."""
+        exact, table = self._both
+        names = exact.reactions.names
+        rows = [_whole(names, found.reactions.rows, name) for found in (exact, table)]
+        return rows[0], rows[1], {code: _whole(names, values, name) for code, values in self._slipped.items()}
+
     @cached_property
     def _slipped(self) -> dict[str, Array]:
         return slipped(self._both[0])
 
 
 def _of(names: tuple[str, ...], rows: Array, name: str, row: int) -> float:
+    return float(_whole(names, rows[row : row + 1], name)[0])
+
+
+def _whole(names: tuple[str, ...], rows: Array, name: str) -> Array:
     if name in names:
-        return float(rows[row, names.index(name)])
-    return float(np.hypot(*(rows[row, names.index(f"{name}{axis}")] for axis in "xy")))
+        return np.asarray(rows[:, names.index(name)])
+    return np.hypot(*(rows[:, names.index(f"{name}{axis}")] for axis in "xy"))
+
+
+def with_forces(grid: Grid, key: ForceKey, names: Sequence[str]) -> Grid:
+    """Return the grid of a table that has columns of forces, too; those of a couple measure N·m."""
+    columns = [
+        GridColumn(name, "N·m" if name[0] in "MK" else "N", tuple(key.columns(name)[1][: grid.rows].tolist())) for name in names
+    ]
+    return replace(grid, columns=(*grid.columns, *columns))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
 from decimal import ROUND_HALF_UP, Decimal
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,10 +22,10 @@ from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.earning import best_rule
-from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
-from coursework.grading.marking.table.misconceptions import Found, Misconception, explanations, indistinct, looked_for
-from coursework.grading.marking.table.points import Earned, TablePoints
+from coursework.grading.marking.table.first_wrong import first_wrong
+from coursework.grading.marking.table.misconceptions import Found, explanations, indistinct, looked_for
 from coursework.grading.marking.table.ways import HALF, StudentTable
+from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note
@@ -33,32 +33,14 @@ from coursework.system.arrays import Array
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+if TYPE_CHECKING:
+    from coursework.grading.marking.force_columns import ForceColumns
+
 # Decimals beyond these differ between two programs that compute the same table in another order.
 _COPIED = 1e-13
 # One decimal of degrees is nearly the third of radians, and as good.
 _FEWER = 2.0
 GRADED = ("graded", "graded-with-notes")
-
-
-@dataclass(frozen=True)
-class TableMarks:
-    """Everything about a marked table; `earned` says which share of its points it has and how they came about.
-
-    `hidden` are the misconceptions that its digits cannot tell, None where none was looked for.
-    """
-
-    table: Table
-    cells: Cells
-    points: TablePoints
-    first: FirstWrong | None
-    misconception: Misconception | None
-    earned: Earned
-    hidden: tuple[str, ...] | None = None
-
-    @property
-    def share(self) -> float:
-        """Return the share of the table's points."""
-        return self.earned.share
 
 
 @dataclass(frozen=True)
@@ -130,6 +112,7 @@ class Grade:
             "carried_cells": int(cells.carried.sum()),
             "decimals": {column.name: column.decimals for column in self.table.table.columns},
             "computed_to": cells.computed_to,
+            **({"forces": self.table.forces.plain()} if self.table.forces else {}),
         }  # fmt: skip
 
     def _equations(self) -> dict[str, Any] | None:
@@ -206,7 +189,15 @@ class Marker:
             hidden = self._hidden(cells.student)
             found = explanations(self.key, cells, self.confusions, self.others, hidden, equations)
         earned = best_rule(self.key, self.rubric, cells, points, found, self.others)
-        return TableMarks(table, cells, points, first_wrong(self.key, cells, table), found.named, earned, hidden)
+        first = first_wrong(self.key, cells, table)
+        return TableMarks(table, cells, points, first, found.named, earned, hidden, self._forces(table))
+
+    def _forces(self, table: Table) -> ForceColumns | None:
+        if not self.rubric.forces:
+            return None
+        from coursework.grading.marking.force_columns import mark_forces
+
+        return mark_forces(self.key, table, self.rubric.forces, self.rubric.misconception_floor)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
         """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
@@ -245,6 +236,7 @@ class Marker:
                 found.append(note("fewer_decimals", count=count, least=self.key.least_decimals))
             if cells.computed_to is not None:
                 found.append(note("coarse_work", decimals=cells.computed_to))
+            found += table.forces.notes() if table.forces else []
             if _is_the_key(cells.student, self.key):
                 found.append(note("bit_identical"))
         if self.key.stopped:

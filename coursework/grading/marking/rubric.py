@@ -49,7 +49,8 @@ class Confusion:
 class Rubric:
     """`points` in all; `weights` of the parts; floors and the worth of carried cells as parts of one.
 
-    `clockwise` says how work is taken that counts turning clockwise: one of `CONVENTIONS`.
+    `clockwise` says how work is taken that counts turning clockwise: one of `CONVENTIONS`; `forces` are the
+    columns of forces that a table has, too.
     """
 
     points: float = 100.0
@@ -64,6 +65,7 @@ class Rubric:
     confusions: tuple[Confusion, ...] = ()
     clockwise: str = "accept"
     late: Late | None = None
+    forces: tuple[str, ...] = ()
 
     @property
     def is_scaled(self) -> bool:
@@ -84,7 +86,7 @@ class Rubric:
         """Return the rubric as it was used, for grades.json."""
         return {
             "points": self.points, "missing_part": self.missing_part, "parts": dict(self.weights),
-            "table": {name: getattr(self, name) for name in FLOORS},
+            "table": {name: getattr(self, name) for name in FLOORS} | ({"forces": list(self.forces)} if self.forces else {}),
             "answers": {entry.name: {"of": entry.of, "row": entry.row, "tolerance": entry.tolerance} for entry in self.answers},
             "conventions": {"clockwise": self.clockwise},
             "confusion": [{"datum": c.datum, "value": c.value, "because": c.because} for c in self.confusions],
@@ -103,7 +105,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     faults: list[Fault] = []
     _refuse_unknown(found, KEYS, "", name, faults)
     parts = _section(found, "parts", PARTS, name, faults)
-    table = _section(found, "table", FLOORS, name, faults)
+    table = _section(found, "table", (*FLOORS, "forces"), name, faults)
     conventions = _section(found, "conventions", ("clockwise",), name, faults)
     default = Rubric()
     weights = {part: _number(parts, part, default.weights[part], f"parts.{part}", name, faults, most=1e6) for part in PARTS}
@@ -119,12 +121,17 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     answers = tuple(_answers(found.get("answers", {}), name, faults))
     confusions = tuple(_confusions(found.get("confusion", []), name, faults))
     floors = {key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0) for key in FLOORS}
+    forces = table.get("forces", [])
+    asked = tuple(map(str, forces if isinstance(forces, list) else [forces]))
     late = _late(found["late"], name, faults) if "late" in found else None
     if weights["answers"] and not answers:
         faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
     if faults:
         raise InputError(faults)
-    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise, late=late)
+    return Rubric(
+        points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise, late=late,
+        forces=asked,
+    )  # fmt: skip
 
 
 def _forces(variant: Variant) -> tuple[str, ...]:
@@ -140,11 +147,14 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
     """Raise `InputError` where the rubric asks for what a variant does not have."""
     faults = []
     points = [point for point, _ in variant.points]
-    known = [*variant.columns, *(f"v_{point}" for point in points), *_forces(variant)]
+    known = [*variant.columns, *(f"v_{point}" for point in points)]
+    of_forces = _forces(variant)
+    asked = [(force, "table.forces", of_forces) for force in rubric.forces]
+    asked += [(answer.of, f"answers.{answer.name}.of", (*known, *of_forces)) for answer in rubric.answers]
+    for of, place, allowed in asked:
+        if of not in allowed:
+            faults.append(Fault(say("fault.G040", of=of, hint=closest(of, allowed), known=", ".join(allowed)), name, place=place))
     for answer in rubric.answers:
-        if answer.of not in known:
-            message = say("fault.G040", of=answer.of, hint=closest(answer.of, known), known=", ".join(known))
-            faults.append(Fault(message, name, place=f"answers.{answer.name}.of"))
         if answer.row is not None and answer.row > variant.time.steps + 1:
             faults.append(
                 Fault(say("fault.G041", number=variant.time.steps + 1, row=answer.row), name, place=f"answers.{answer.name}.row")

@@ -14,13 +14,14 @@ from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.grade import Grade, TableMarks
+from coursework.grading.marking.grade import Grade
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.equations import why_of_line
 from coursework.grading.marking.reasons.reasons import summary
 from coursework.grading.marking.reasons.table import counts, shut
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, MISSING, WRONG
 from coursework.grading.marking.table.ways import KEY
+from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.pages.curves import SIZE, panel
 from coursework.grading.pages.shown_cells import shown_column
 from coursework.grading.reading.table.units import AS_READ

@@ -88,6 +88,8 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
     if ends:
         for place, point in enumerate(ends):
             parts.known_point((*path, "spring" if entry.spring else "damper", place), point)
+        if len(ends) == 2 and parts.names.canonical(ends[0]) == parts.names.canonical(ends[1]):
+            parts.say(path, say("fault.V745", name=key, point=ends[0]))
         named = {"stiffness": "N/m", "free": "m", "damping": "N*s/m"}
         missing = [name for name in (("stiffness", "free") if entry.spring else ("damping",)) if getattr(entry, name) is None]
         if missing:

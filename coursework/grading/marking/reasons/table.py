@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from coursework.grading.marking.grade import TableMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import Reason, in_sum
 from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN, Earned
+from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import euler_steps
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence

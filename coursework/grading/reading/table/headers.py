@@ -34,7 +34,10 @@ PRINTED: dict[str, dict[str, float]] = {
     "m": {"m": 1.0, "mm": 0.001, "cm": 0.01},
     "m/s": {"m/s": 1.0, "mm/s": 0.001, "cm/s": 0.01},
     "s": {"s": 1.0, "ms": 0.001},
+    "N": {"N": 1.0, "kN": 1000.0},
+    "N·m": {"N·m": 1.0, "kN·m": 1000.0},
 }
+_OF_FORCE = re.compile(r"(.+?)[\s,/(\[]+(k?)[nh]([·*]?m)?[)\]]?\s*")  # behind a name, as `fold` leaves it: the Cyrillic one is h
 _LONGEST = 80  # characters of a head that are looked at
 _TIMES = ["t", "time", "время", "час", "zeit", "时间", "時間", "τ", "tau", "т", "t0", "ti", "tk"]
 _INDICES = [
@@ -94,6 +97,8 @@ def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
     known = tuple(columns)
     whole = fold(" ".join(text[:_LONGEST].split()))
     body, unit = _without_unit(whole)
+    if any(si in {"N", "N·m"} for _, si in known) and (force := _OF_FORCE.fullmatch(whole)):
+        body, unit = force[1], ("kN" if force[2] else "N") + ("·m" if force[3] else "")
     if (name := _PUNCTUATION.sub("", whole)) in aliases(known):  # "Winkel c" has an index, no unit
         body, unit = name, ""
     key = _PUNCTUATION.sub("", body)
