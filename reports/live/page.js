@@ -85,10 +85,11 @@ const change = (element, name, value) => {
   kept[name] = value;
   element.setAttribute(name, value);
 };
-// What can be moved sideways is a stop of the keyboard, and only while it can.
+// What can be moved sideways, or is enlarged when reached, is a stop of the keyboard, and only while it can.
 const stops = () => {
   for (const one of document.querySelectorAll(".scroll, .formula, .drawing > div, .live-scroll")) {
-    if (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1) one.setAttribute("tabindex", "0");
+    const least = (parseFloat(getComputedStyle(one).getPropertyValue("--least")) || 0) * 96 / 25.4;
+    if (Math.max(one.scrollWidth, least) > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1) one.setAttribute("tabindex", "0");
     else one.removeAttribute("tabindex");
   }
 };

@@ -26,6 +26,7 @@ function layout() {
   }
   for (const svg of document.querySelectorAll("svg")) {
     if (!shown(svg) || svg.closest(".formula")) continue;
+    svg.closest(".drawing > div[tabindex]")?.focus({ preventScroll: true }); // enlarged, as it is read
     const sheet = svg.getBoundingClientRect();
     const words = [...svg.querySelectorAll("text")].map((text) => [text, text.getBoundingClientRect()]).filter(([, box]) => box.width);
     for (const [text, box] of words) {
@@ -50,6 +51,7 @@ function layout() {
       }
     });
   }
+  document.activeElement.blur();
   return found;
 }
 

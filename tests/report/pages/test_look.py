@@ -108,6 +108,19 @@ def test_the_answer_is_in_sight_and_nothing_is_marked_before_it_moves(places: di
     assert page.evaluate("document.querySelector('#contents').getBoundingClientRect().height") < 60
 
 
+def test_a_drawing_too_small_to_be_read_on_a_phone_is_seen_whole_and_enlarged_where_it_is_touched(
+    places: dict[str, Path], page: Any
+) -> None:
+    page.goto(places["report"].as_uri())
+    sized(page, 390)
+    wide = "document.querySelector('#graph_check .drawing svg').getBoundingClientRect().width"
+    assert page.evaluate(wide) <= 390
+    page.locator("#graph_check .drawing > div").click()
+    assert page.evaluate(wide) > 600
+    page.evaluate("document.activeElement.blur()")
+    assert page.evaluate(wide) <= 390
+
+
 def test_a_motion_that_stops_says_so_above_all(places: dict[str, Path], page: Any) -> None:
     page.goto(places["stopped"].as_uri())
     for width in WIDTHS:
@@ -134,6 +147,17 @@ def test_scales_are_said_on_paper_only(places: dict[str, Path], page: Any) -> No
     page.emulate_media(media="print")
     assert "none" not in page.evaluate(seen, ".paper") and {*page.evaluate(seen, ".screen")} == {"none"}
     page.emulate_media(media="screen")
+
+
+def test_a_printed_report_has_the_readings_of_the_check_beside_its_drawing(places: dict[str, Path], page: Any) -> None:
+    page.goto(places["report"].as_uri())
+    page.emulate_media(media="print", color_scheme="light")
+    with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
+        assert len(document) <= 10  # 8 of the tool's own
+        (lying,) = (sheet for sheet in document if sheet.rect.width > sheet.rect.height)
+        told = lying.get_text()
+    page.emulate_media(media="screen")
+    assert all(words in told for words in ("8 Graph-analytical check", "Figure 4", "100 mm", "Table 4", "Link 1 turns about D."))
 
 
 def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> None:
