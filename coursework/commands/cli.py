@@ -132,7 +132,7 @@ def variants_command(language: str) -> int:
     "--from",
     "original",
     shell_complete=offered("variants"),
-    help="Copy this variant with its tables, or a file of PMKS, pylinkage, Linkage.",
+    help="Copy this variant with its tables, or a file of PMKS+, pylinkage, Linkage.",
 )
 @SET
 @spoken(passed_on=True)

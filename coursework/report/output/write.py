@@ -68,6 +68,8 @@ def write_set(results: Results, formats: Sequence[Format], folder: Path, hidden:
     for each in formats:
         try:
             for name, content in each.write(results):
+                if name in digests:
+                    continue  # a drawing that two formats show
                 with refused(folder / name):
                     (hidden / name).parent.mkdir(parents=True, exist_ok=True)
                     write_through(hidden / name, content)

@@ -56,6 +56,8 @@ def dxf_of(picture: Picture) -> bytes:
         draft = Draft(picture.width, picture.height)
         for shape in shapes_of(picture.svg, picture.height):
             draft.draw(shape)
+        for kind in sorted(draft.document.entitydb.dxf_types_in_use()):
+            draft.document.classes.add_class(kind)  # else in the order of a set, another one in each process
         text = io.StringIO()
         draft.document.write(text)
     finally:

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from coursework.takeaway.foreign import linkage, pmks, pylinkage
+from coursework.takeaway.foreign import linkage, pmks, pmks_plus, pylinkage
 from coursework.takeaway.foreign.scheme import MOST_BYTES, Scheme
 from coursework.takeaway.foreign.text import text_of
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 READERS: dict[str, Callable[[bytes], Scheme]] = {
-    ".pmks.csv": pmks.read, ".pmks.txt": pmks.read, ".json": pylinkage.read, ".linkage2": linkage.read,
+    ".pmks.csv": pmks.read, ".pmks.txt": pmks.read, ".pmks": pmks_plus.read, ".json": pylinkage.read, ".linkage2": linkage.read,
 }  # fmt: skip
 ADDRESS = ("http://", "https://")
 
@@ -24,7 +24,8 @@ ADDRESS = ("http://", "https://")
 def foreign_text(given: str, stem: str, said: Callable[[str], str]) -> str | None:
     """Return the variant file; `said` returns a sentence in the language of the command."""
     if given.lower().startswith(ADDRESS):
-        return text_of(pmks.read(given[:MOST_BYTES].encode()), stem, said)  # read, never fetched
+        typed = given[:MOST_BYTES].encode()  # read, never fetched
+        return text_of(pmks.read(typed) if "mech=" in given else pmks_plus.read(typed), stem, said)
     reader = next((reader for ending, reader in READERS.items() if given.lower().endswith(ending)), None)
     path = Path(given)
     if reader is None or not path.is_file():

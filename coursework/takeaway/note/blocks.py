@@ -32,6 +32,7 @@ from coursework.report.text.parts import (
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note import tree
 from coursework.takeaway.note.dialects import Dialect
+from coursework.takeaway.note.styles import REACH
 from coursework.takeaway.note.tree import Node
 
 BLANK = "_" * 24  # to be written on
@@ -171,8 +172,9 @@ class Blocks:
     def _(self, part: Figure) -> list[Node]:
         fits = 1.0 if part.exact else min(1.0, self.width / part.width)  # what is true to scale rather lies on its side
         picture = self.dialect.picture(self.place_of(part.svg), part.alt, (part.width * fits, part.height * fits))
-        shown = [tree.styled("Figure", [tree.paragraph([picture])]), *self._caption("figure", part.label, part.caption)]
-        return self.dialect.turned(shown) if part.width * fits > self.width else shown
+        style = "Figure" if part.width * fits <= self.width else "Wide Figure"
+        shown = [tree.styled(style, [tree.paragraph([picture])]), *self._caption("figure", part.label, part.caption)]
+        return self.dialect.turned(shown) if part.width * fits > self.width + REACH else shown
 
     @of.register
     def _(self, part: Panels) -> list[Node]:

@@ -20,8 +20,11 @@ NEXT_LINE = " \\ "
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 
 
-def latex_of(sources: Iterable[str], mark: str) -> dict[str, str]:
-    """Return LaTeX by Typst source; `mark` is the decimal sign of the language."""
+def latex_of(sources: Iterable[str], mark: str, *, aligned: bool) -> dict[str, str]:
+    """Return LaTeX by Typst source; `mark` is the decimal sign of the language.
+
+    What takes several lines is `aligned`, or, for programs that show a sign in the empty place before it, a column.
+    """
     listed = list(dict.fromkeys(sources))
     if not listed:
         return {}
@@ -30,7 +33,16 @@ def latex_of(sources: Iterable[str], mark: str) -> dict[str, str]:
     made = [math for block in tree["blocks"] for math in _maths(block)]
     if mark != POINT:
         made = [_DECIMAL.sub(f"{{{mark}}}", one) for one in made]
-    return dict(zip(listed, made, strict=True))
+    return dict(zip(listed, made if aligned else map(_in_a_column, made), strict=True))
+
+
+def _in_a_column(latex: str) -> str:
+    opening, closing = "\\begin{aligned}", "\\end{aligned}"
+    if not (latex.startswith(opening) and latex.endswith(closing)):
+        return latex
+    lines = latex[len(opening) : -len(closing)].split("\\\\")
+    inside = "\\\\\n".join(line.strip().removeprefix("&").strip() for line in lines)
+    return f"\\begin{{array}}{{l}}\n{inside}\n\\end{{array}}"
 
 
 def _maths(block: dict[str, object]) -> Iterable[str]:

@@ -13,6 +13,7 @@ from coursework.system.frozen import frozen
 
 TWIPS = 1440 / 25.4  # a mm
 PAGE = (210.0, 297.0)  # mm
+REACH = 5.0  # mm into the right margin, for a drawing true to scale that is hardly wider than the text
 
 
 @frozen
@@ -68,6 +69,7 @@ class Style:
     tabs: bool = False  # one in the middle of the text, one at its end
     grey: bool = False
     new_page: bool = False
+    right: float = 0.0
 
 
 def styles_of(house: House) -> tuple[Style, ...]:
@@ -96,8 +98,10 @@ def styles_of(house: House) -> tuple[Style, ...]:
         Style("Image Caption", caption, align="center", after=10, first=0, line=1.0),
         Style("Table Caption", caption, align="left", before=8, after=4, first=0, line=1.0, keep=True),
         Style("Figure", align="center", before=8, after=4, first=0, line=1.0, keep=True),
+        Style("Wide Figure", align="center", before=8, after=4, first=0, line=1.0, keep=True, right=-REACH),
         Style("Equation", 11.0, align="left", before=4, after=4, first=0, line=1.0, tabs=True),
         Style("Table Text", 9.0, align="left", first=0, line=1.0),
+        Style("Table Text Small", 7.0, align="left", first=0, line=1.0),
         Style("Remark", small, align="both", after=4, line=1.0),
         Style("To Write", italic=True, grey=True),
     )  # fmt: skip
@@ -120,7 +124,8 @@ def _word_style(style: Style, house: House) -> str:
         paragraph += f"<w:tabs>{stops}</w:tabs>"
     paragraph += (
         f'<w:spacing w:before="{round(style.before * 20)}" w:after="{round(style.after * 20)}" '
-        f'w:line="{round(line * 240)}" w:lineRule="auto"/><w:ind w:left="0" w:firstLine="{round(first * TWIPS)}"/>'
+        f'w:line="{round(line * 240)}" w:lineRule="auto"/>'
+        f'<w:ind w:left="0" w:right="{round(style.right * TWIPS)}" w:firstLine="{round(first * TWIPS)}"/>'
         f'<w:jc w:val="{style.align}"/>'
     )
     paragraph += f'<w:outlineLvl w:val="{style.level - 1}"/>' if style.level else ""
@@ -166,7 +171,7 @@ def _open_style(style: Style, name: str, house: House) -> str:
     return (
         f'<style:style style:name="{name}" style:display-name="{shown}" style:family="paragraph"{parent} '
         f'style:class="text"{level}>'
-        f'<style:paragraph-properties fo:margin-left="0mm" fo:margin-right="0mm" fo:text-indent="{first}mm" '
+        f'<style:paragraph-properties fo:margin-left="0mm" fo:margin-right="{style.right}mm" fo:text-indent="{first}mm" '
         f'fo:margin-top="{style.before}pt" fo:margin-bottom="{style.after}pt" fo:line-height="{(style.line or house.line):.0%}" '
         f'fo:text-align="{align}" style:justify-single-word="false"{keep}>{tabs}</style:paragraph-properties>'
         f'<style:text-properties fo:font-family="{house.face}" style:font-family-asian="{house.eastern}" fo:font-size="{size}pt" '

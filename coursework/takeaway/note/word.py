@@ -18,6 +18,7 @@ from coursework.takeaway.note.styles import PAGE, TWIPS, House, word_styles
 DOCUMENT, STYLES, RELATIONS = "word/document.xml", "word/styles.xml", "word/_rels/document.xml.rels"
 TYPES = "[Content_Types].xml"
 _SECTION = re.compile(r"<w:sectPr\b(?:[^>]*/>|.*?</w:sectPr>)", re.S)
+MANY = 9  # columns; more have small letters
 _TABLE = re.compile(r"<w:tbl>.*?</w:tbl>", re.S)
 _STYLE = r'<w:style\b[^>]*w:styleId="{}".*?</w:style>'
 _EMBEDDED = re.compile(r'<a:blip r:embed="(\w+)"\s*/>|<a:blip r:embed="(\w+)"\s*></a:blip>')
@@ -60,11 +61,17 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
         for name in STRUCTURAL:
             document = re.sub(rf'(<w:bookmarkStart [^>]*w:name="{name}"\s*/>\s*<w:p>\s*<w:pPr>\s*<w:pStyle w:val=")Heading1"',
                               r'\1HeadingStructural"', document, count=1)  # fmt: skip
-    document = _TABLE.sub(lambda found: found[0].replace('w:val="Compact"', 'w:val="TableText"'), document)
+    document = _TABLE.sub(_lettered, document)
     own = _SECTION.findall(document)[-1]
     document = document.replace(UPRIGHT, own).replace(TURNED, _turned(own))
     files[DOCUMENT] = _with_drawings(files, document, drawings).encode()
     return packed(files)
+
+
+def _lettered(found: re.Match[str]) -> str:
+    """Return a table in letters that fit its columns."""
+    columns = found[0].partition("</w:tr>")[0].count("<w:tc>")
+    return found[0].replace('w:val="Compact"', f'w:val="TableText{"Small" if columns > MANY else ""}"')
 
 
 def _with_styles(styles: str, house: House | None) -> str:

@@ -102,7 +102,7 @@ class _Note:
         parts = [part for section in results.model.sections for part in section.parts]
         self.pictures = pictures(parts, pictures_of(results.model))
         shown = list(displays(parts))
-        latex = latex_of((one.math for one in shown), self.words("decimal"))
+        latex = latex_of((one.math for one in shown), self.words("decimal"), aligned=suffix == "tex")
         self.house = house_of(results.language)
         named = {one.name for one in shown if one.name}
         self.blocks = Blocks(self.dialect, latex, self._place, self.house.width, named)

@@ -10,6 +10,17 @@ follower,ground,R,5,0
 coupler,R,2,5
 """
 
+# The same in PMKS+, in metres and turned 30 times a minute: 1500 thousandths are "NS", 23 * 64 + 28; the force is left out.
+SHARED = (
+    "https://app.pmksplus.com/?3u.BG.U,0.2112.6A,A,0,0,0.0B,B,0,NS,0.0C,C,ku,_W,0.4D,D,1E8,0,0.0E,E,VG,1E8,0..YRAB,AB,0,0,0,0,c5cae9,"
+    "A,B,,.YRBCE,BCE,0,0,0,0,303e9f,B,C,E,,.YRCD,CD,0,0,0,0,0d125a,C,D,,..2F1,BCE,Q,0,0,0,0,0..NQ"
+)
+# A slider on a line of 30 degrees, 524 thousandths of a radian, in centimetres and turned 20 times a minute clockwise.
+SHARED_SLIDER = (
+    "0P.SS.K,0.1012.6A,A,0,0,0.0B,B,0,NS,0.0C,C,ku,0,0.5D,D,ku,0,8C..YRAB,AB,0,0,0,0,c5cae9,A,B,,.YRBC,BC,0,0,0,0,303e9f,B,C,,"
+    ".YPCD,CD,0,0,0,0,0d125a,C,D,,...JAQ"
+)
+
 # A crank and a slider on a slanted line; the gear has no counterpart.
 SLIDER = (
     "https://designengrlab.github.io/PMKS/pmks.html?mech=ground,2,R,0.000,0.000,0.000,ttft%7C2,3,R,0.300,0.400,0.000,ffff"
@@ -26,7 +37,8 @@ MECHANISM = json.dumps({
     ],
     "links": [
         {"id": "G", "type": "ground", "joints": ["A", "D"]},
-        {"id": "crank", "type": "driver", "joints": ["A", "B"], "angular_velocity": 0.1, "motor_joint": "A"},
+        {"id": "crank", "type": "driver", "joints": ["A", "B"], "angular_velocity": 0.1,
+         "initial_angle": 1.5707963267948966, "motor_joint": "A"},
         {"id": "rod", "type": "link", "joints": ["B", "C"]}, {"id": "rocker", "type": "link", "joints": ["C", "D"]},
         {"id": "cam", "type": "arc_driver", "joints": ["D"], "angular_velocity": 0.2},
     ],

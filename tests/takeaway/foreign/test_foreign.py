@@ -7,11 +7,22 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.takeaway.foreign import linkage, pmks, pylinkage
+from coursework.takeaway.foreign import linkage, pmks, pmks_plus, pylinkage
 from coursework.takeaway.foreign.scheme import MOST_BYTES
 from coursework.words.errors import InputError
 from tests.command import call
-from tests.takeaway.foreign.files import FILES, FOUR_BAR, LINKAGE, MECHANISM, PISTON, ROCKER, SLIDER, linkage2
+from tests.takeaway.foreign.files import (
+    FILES,
+    FOUR_BAR,
+    LINKAGE,
+    MECHANISM,
+    PISTON,
+    ROCKER,
+    SHARED,
+    SHARED_SLIDER,
+    SLIDER,
+    linkage2,
+)
 
 pytestmark = pytest.mark.usefixtures("folder")
 INCH = 0.0254
@@ -58,6 +69,22 @@ def test_a_four_bar_of_pmks_moves_as_it_does_there(folder):
         assert of(run, "C", "velocity")[row] == pytest.approx(velocities(place, t), abs=1e-7)
     tracer = abs(2 + 5j - 1.5j)  # from the pin of the crank, with the coupler
     assert abs(of(run, "E") - of(run, "B"))[7] == pytest.approx(tracer)
+
+
+def test_a_share_address_of_pmks_plus(folder):
+    run = taken(folder, SHARED)
+    place = four_bar(1.5, math.pi / 2, math.pi, 0j, abs(3 + 2.5j), abs(2 - 4j), 5 + 0j, 1)
+    assert of(run, "C", "velocity")[9] == pytest.approx(velocities(place, run.motion.t[9]), abs=1e-6)
+    assert abs(of(run, "E") - of(run, "B"))[3] == pytest.approx(abs(2 + 3.5j))
+    assert any("force F1" in remark for remark in run.variant.remarks)
+
+
+def test_a_file_of_pmks_plus_with_a_slider(folder):
+    run = taken(folder, "arm.pmks", SHARED_SLIDER.encode())
+    assert [group.kind for group in run.variant.groups] == ["crank", "RRP"] and run.variant.remarks == ()
+    assert run.motion.column("w1")[0] == pytest.approx(-20 * math.tau / 60)
+    ways = (of(run, "C") - 0.03) / np.exp(0.524j)
+    assert np.abs(ways.imag).max() < 1e-12 and ways[0] == pytest.approx(0, abs=1e-12)
 
 
 def test_a_share_address_of_pmks_gives_a_slider_and_lists_the_gear(folder):
@@ -119,6 +146,8 @@ HOSTILE = {
     "few": (pmks.read, b"ground,input,R,0"),
     "letters": (pmks.read, b"ground,input,R,x,y"),
     "bytes": (pmks.read, bytes(range(256))),
+    "no base": (pmks_plus.read, b"3u.BG.U,0.2112.6A,A,!,0,0..YRAB,AB..."),
+    "long": (pmks_plus.read, b"3u.BG.U,0.2112.6A,A,zzzzzzzzzzzzzzzz,0,0..YRAB..."),
 }
 
 
