@@ -15,7 +15,7 @@ from coursework.desk.answering import bench
 from coursework.desk.job import Bounds, Job, Policy, Setup
 from coursework.words.data_folders import folder
 from tests.benchmarks import test_march as march
-from tests.benchmarks.timer import ratio
+from tests.benchmarks.timer import ratio, spent
 from tests.desk.server import Server, running
 
 # A page against 20 000 Euler steps of variant 31 by a loop written by hand: about 25 ms on a calm core.
@@ -23,6 +23,8 @@ MOST = {"31": 4.8, "jansen": 16.0}  # 3.6 and 12.2 measured
 SAVED = 0.7  # a page that waits with what stands behind the graphs against one with all its sections: 0.52 measured
 QUIET, TICKS = 2.0, 2  # s without a request, and the hundredths of a second of a processor that they may cost
 MEBIBYTES = 300  # that server and process hold together
+MOST_START = 100.0  # server and processes from the command to the first page, against the same loop: 60 measured
+WARM, FURTHER, GROWN = 120, 180, 6  # pages before, pages after, and MiB that these may leave: 2.4 measured
 NUMBERS = itertools.count(1)  # no page of before is asked for again
 _DATUM = re.compile(r'"([\d.]+) (m|mm)"')
 
@@ -77,3 +79,33 @@ def test_a_desk_that_nobody_asks_costs_nothing(tmp_path):
         assert spent_by(server) - before <= TICKS
         held = [Path(f"/proc/{one}/statm").read_text().split()[1] for one in (server.process.pid, *server.workers())]
         assert sum(map(int, held)) * 4096 <= MEBIBYTES * 2**20
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="a system that does not say what another process costs")
+def test_from_the_command_to_the_first_page(tmp_path):
+    """3 s on a warm disk are two seconds of two processors, and one for the browser."""
+    text = (folder("variants") / "31.toml").read_text(encoding="utf-8")
+
+    def begun() -> int:
+        with running("edit", "31", "--no-browser", folder=tmp_path) as server:
+            assert server.ask("POST", "/api/page", {"text": text, "study": False})[0] == 200
+            return spent_by(server)
+
+    bare = spent(partial(march.by_hand, march.STEPS, 0.48 / march.STEPS), 5)
+    assert min(begun() for _ in range(2)) / 100 <= MOST_START * bare
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="a system that does not say what a process holds")
+def test_pages_leave_nothing_behind():
+    page = pages("31", study=False)
+
+    def held() -> float:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096 / 2**20
+
+    for _ in range(WARM):
+        page()
+    before = held()
+    for _ in range(FURTHER):
+        page()
+    assert held() - before <= GROWN

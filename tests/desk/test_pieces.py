@@ -94,6 +94,10 @@ def test_equations_of_ones_own_are_not_left_without_those_of_a_piece(client):
     ]
 
 
+def test_the_mark_that_some_editors_put_before_a_text_is_no_part_of_it(client):
+    assert put(client, f"\ufeff{TEXT}", "guide", "A")["text"] == put(client, TEXT, "guide", "A")["text"]
+
+
 def test_a_rod_with_a_slider_on_a_chain_is_its_group(client):
     text = put(client, put(client, "", "crank")["text"], "guide", "B")["text"]
     assert parse_variant(text).groups[-1].kind == "RRP"

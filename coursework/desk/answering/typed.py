@@ -32,7 +32,7 @@ class Desk:
 
     def __init__(self, body: dict[str, Any], language: str, setup: Setup) -> None:
         self.body, self.language, self.setup = body, language, setup
-        self.text: str = str(body.get("text") or "").replace("\r\n", "\n")
+        self.text: str = str(body.get("text") or "").removeprefix("\ufeff").replace("\r\n", "\n")
         self.name: str = str(body.get("name") or UNNAMED)
 
     @property

@@ -13,6 +13,7 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from string import ascii_uppercase
+from sys import intern
 
 from coursework.report.formulas.line_breaks import pieces
 from coursework.report.formulas.outlines import UNITS, outline
@@ -106,7 +107,7 @@ def _joined(parts: list[Picture]) -> Picture:
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     """Return the picture without its glyphs, and their outlines by id.  Raises `ValueError` where Typst writes another SVG."""
-    glyphs = {found[1]: found[2] for found in _SYMBOL.finditer(svg)}
+    glyphs = {intern(found[1]): intern(found[2]) for found in _SYMBOL.finditer(svg)}  # one outline a letter, not one a formula
     opening = _OPENING.search(svg)
     if not opening:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")

@@ -19,16 +19,13 @@ export async function openNew(host, desk) {
   const pieces = make("div", { className: "cards pieces" });
   const count = make("output", { className: "count" });
   const empty = make("button", { type: "button", onclick: () => start("", {}) }, say("new_empty"));
+  const parts = make("h3", {}, say("pieces"));
+  // They stand below some forty pictures.
+  const down = make("button", { type: "button", onclick: () => parts.scrollIntoView() }, say("pieces"));
   const { dialog } = openDialog(
     host,
     say("new_title"),
-    [
-      make("p", { className: "row" }, search, count, empty),
-      cards,
-      make("h3", {}, say("pieces")),
-      make("p", {}, say("pieces_how")),
-      pieces,
-    ],
+    [make("p", { className: "row" }, search, count, empty, down), cards, parts, make("p", {}, say("pieces_how")), pieces],
     { wide: true },
   );
 

@@ -103,6 +103,9 @@ export function showFaults(view, list, answer, doc, since) {
   );
 }
 
+/** @param {string} insert */
+const mendWords = (insert) => say("mend_to", { text: insert.trim() || say("nothing") });
+
 /**
  * @param {EditorView} view
  * @param {Told} fault
@@ -116,7 +119,7 @@ function line(view, fault, kind) {
     make(
       "button",
       { type: "button", className: "mend", onclick: () => mendIt(view, fault) },
-      say("mend_to", { text: fault.mend.insert.trim() || say("nothing") }),
+      fault.missing ? say("begin_with", { text: fault.mend.insert.trim().split("\n")[0] }) : mendWords(fault.mend.insert),
     );
   return make("li", { className: kind, "data-line": fault.line, "data-column": fault.column }, go, mend);
 }

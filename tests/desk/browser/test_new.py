@@ -48,6 +48,13 @@ def test_a_mechanism_is_built_from_pieces(desk: Callable[..., Any]) -> None:
         one.until(lambda: one.text != before)
         one.rest("changed")
 
+    # The pieces stand below the catalogue; a button leads there.
+    page.click("#desk-new")
+    page.wait_for_selector("[data-variant] svg")
+    page.wait_for_selector("[data-piece=wheel] svg")
+    page.click("dialog .row button >> nth=1")
+    one.until(lambda: page.eval_on_selector("[data-piece=crank]", "one => one.getBoundingClientRect().bottom < innerHeight"))
+    page.keyboard.press("Escape")
     hang("crank")
     assert one.faults() == []
     hang("RRR", "B")

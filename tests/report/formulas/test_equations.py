@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coursework.report.formulas import display, typst_math
+from coursework.report.formulas import display, svg, typst_math
 from coursework.report.formulas.outlines import UNITS, outline
 from coursework.report.formulas.svg import draw
 from coursework.report.formulas.typesetting import typeset
@@ -109,6 +109,13 @@ def test_a_formula_that_repeats_is_drawn_once() -> None:
     assert drawn.glyphs.count('<g id="f') == 1
     assert re.search(r'<use href="#(f\d+)"/></svg>', drawn.pictures["x_1 = y"].svg)[1] in drawn.glyphs
     assert "<use" not in drawn.pictures["y"].svg
+
+
+def test_a_letter_of_many_formulas_is_kept_once() -> None:
+    """A desk draws a few new formulas with every page: they hold places, and share the outlines of their letters."""
+    draw([f"omega_1 = {number}.5" for number in range(40)])
+    outlines = [outline for _, glyphs in svg._cache.values() for outline in glyphs.values()]
+    assert len({id(outline) for outline in outlines}) == len(set(outlines))
 
 
 def test_no_rounding_adds_up_along_an_outline() -> None:
