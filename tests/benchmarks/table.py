@@ -16,7 +16,7 @@ Each limit is asserted by `pytest tests/benchmarks`; README.md names some of the
 | `coursework run 31 --format csv` | importing numpy, click | 2.5 | at most 2.8 |
 | `coursework run 31 --set r1=0.95m --format csv` | importing numpy, click | 2.6 | at most 2.8 |
 | `coursework run jansen --format csv` | importing numpy, click | 2.6 | at most 2.8 |
-| `coursework check 31` | importing numpy, click | 2.0 | at most 2.6 |
+| `coursework check 31` | importing numpy, click | 1.9 | at most 2.2 |
 | `coursework run 31` | importing numpy, click | 7.2 | at most 9 |
 | `coursework --help` | click alone, as many commands | 1.0 | at most 1.5 |
 | the first page of a process | a further one with other data | 1.33 | at most 1.4 |

@@ -73,7 +73,7 @@ CASES = [
     (["run", "31", "--format", "csv"], LIBRARIES, 2.8),
     (["run", "31", "--set", "r1=0.95m", "--format", "csv"], LIBRARIES, 2.8),
     (["run", "jansen", "--format", "csv"], LIBRARIES, 2.8),
-    (["check", "31"], LIBRARIES, 2.6),
+    (["check", "31"], LIBRARIES, 2.2),
     (["run", "31"], LIBRARIES, 9.0),
     (["--help"], BARE_HELP, 1.5),
 ]

@@ -4,6 +4,7 @@ import copy
 import pickle
 from dataclasses import FrozenInstanceError, asdict, dataclass, field, fields, replace
 from functools import cached_property
+from typing import ClassVar
 
 import pytest
 
@@ -42,6 +43,12 @@ def family(decorate):
             return "own"
 
     @decorate
+    class Told:
+        kind: ClassVar[str] = "x"
+        later: "ClassVar[int]" = 1
+        value: "float | None" = None
+
+    @decorate
     class OwnWays:
         value: float
 
@@ -54,7 +61,7 @@ def family(decorate):
         def __repr__(self):
             return "own"
 
-    return {kind.__name__: kind for kind in (Empty, One, Several, Heir, OwnWays)}
+    return {kind.__name__: kind for kind in (Empty, One, Several, Heir, Told, OwnWays)}
 
 
 OURS = family(frozen)
@@ -66,6 +73,7 @@ PAIRS = [
 CALLS = [
     ("Empty", (), {}), ("One", (1,), {}), ("One", ("a",), {}), ("One", ((1, 2),), {}), ("Several", (1.0,), {}),
     ("Several", (1.0, "z"), {"listed": [1]}), ("Several", (), {"first": 2.0, "hidden": {1: 2}}), ("Heir", (1.0,), {"third": 4}),
+    ("Told", (0.5,), {}), ("Told", (), {"kind": "y"}),
     ("OwnWays", (0.5,), {}), ("One", (), {}), ("One", (1, 2), {}), ("Several", (1.0,), {"made": 1}), ("Empty", (), {"x": 1}),
 ]  # fmt: skip
 
@@ -84,7 +92,8 @@ def answers(kinds, call):
     copies = [copy.copy(one), copy.deepcopy(one), replace(one)]
     return (
         repr(one), str(one), number, asdict(one), one == twin, one != twin, one == 1 if name != "OwnWays" else None,
-        [each == one for each in copies], [each.name for each in fields(one)], one.__match_args__, hasattr(one, "__dict__"),
+        [each == one for each in copies], [(each.name, each.type) for each in fields(one)],
+        one.__match_args__, hasattr(one, "__dict__"),
         type(one).__eq__(one, twin),
     )  # fmt: skip
 

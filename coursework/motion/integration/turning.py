@@ -76,7 +76,7 @@ def root(exact: Motion, rates: Rates, slope: Slope, bracket: tuple[float, float]
     for _ in range(_TRIALS):
         # The straight line through both ends; one that stays twice counts half (Illinois), so that both close in.
         between = (low * at_high - high * at_low) / (at_high - at_low) if at_high != at_low else time
-        if not low < between < high or high - low <= _SETTLED * width:
+        if not low < between < high or min(high - low, abs(between - time)) <= _SETTLED * width:
             break
         time, found = between, value(between)
         if not math.isfinite(found):
