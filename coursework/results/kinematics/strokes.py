@@ -30,6 +30,15 @@ Bracket = tuple[int, int]
 
 
 @frozen
+class Samples:
+    """The exact `motion` at close samples; it `begins` with the first row, or `ends` with the last, where nothing lies beyond."""
+
+    motion: Motion
+    begins: bool
+    ends: bool
+
+
+@frozen
 class Way:
     """A way back or forth of a `slider`, or rocker: `motion` has its rows, `first` and `last` of the table lie in it (from 1).
 
@@ -45,8 +54,9 @@ class Way:
 
 def longest_way(exact: Motion, rates: Rates, crank: Coordinate, slider: Coordinate) -> Way:
     """Return the stroke of a run over which the crank turns furthest; without one the longest stretch of rows one way."""
-    samples, brackets = _bracketed(exact, rates, slider.rate)
-    omega, angle = samples.column(crank.rate), samples.column(crank.name)
+    samples = samples_of(exact, rates)
+    brackets = _brackets(samples, slider.rate)
+    omega, angle = samples.motion.column(crank.rate), samples.motion.column(crank.name)
     strokes = [
         (abs(float(np.mean(angle[list(end)]) - np.mean(angle[list(begin)]))), begin, end)
         for begin, end in itertools.pairwise(brackets)
@@ -54,16 +64,15 @@ def longest_way(exact: Motion, rates: Rates, crank: Coordinate, slider: Coordina
     ]
     longest = max((turned for turned, *_ in strokes), default=0.0)
     chosen = next((ends for turned, *ends in strokes if turned >= (1 - _ALIKE) * longest), [])
-    times = [_dead(exact, rates, slider.rate, samples.t[list(end)].tolist()) for end in chosen]
+    times = [_dead(exact, rates, slider.rate, samples.motion.t[list(end)].tolist()) for end in chosen]
     dead = [at_times(exact, rates, [time]) for time in times if time is not None]
     ends = [end for end in dead if end is not None]
     return _stroke(exact, rates, slider, *ends) if len(ends) == 2 else _stretch(exact, rates, slider)
 
 
-def dead_positions(exact: Motion, rates: Rates, rate: str) -> Motion | None:
+def dead_positions(exact: Motion, rates: Rates, rate: str, samples: Samples) -> Motion | None:
     """Return the exact motion in the moments in which the coordinate of a rate turns back, None where one cannot be reached."""
-    samples, brackets = _bracketed(exact, rates, rate)
-    found = [_dead(exact, rates, rate, samples.t[list(one)].tolist()) for one in brackets]
+    found = [_dead(exact, rates, rate, samples.motion.t[list(one)].tolist()) for one in _brackets(samples, rate)]
     times = [time for time in found if time is not None]
     return at_times(exact, rates, times) if len(times) == len(found) else None
 
@@ -73,17 +82,21 @@ def swings(exact: Motion, coordinate: Coordinate) -> bool:
     return bool(turns(exact.column(coordinate.rate)))
 
 
-def _bracketed(exact: Motion, rates: Rates, rate: str) -> tuple[Motion, list[Bracket]]:
-    """Return close samples of a run, and between which of them (both the same: at which) the coordinate is at a dead position."""
-    samples = closer(exact, rates)
+def samples_of(exact: Motion, rates: Rates) -> Samples:
+    """Return close samples of a run, from a little before its first row to a little behind its last, where it can be followed."""
     before, behind = (
         at_times(exact, rates, [float(exact.t[place]) + part * exact.step]) for place, part in ((0, -_OFF), (-1, _OFF))
     )
-    whole = _together(exact, rates, [part for part in (before, samples, behind) if part is not None])
-    found, at_rest = turns(whole.column(rate)), stands(whole.column(rate))
-    last = len(at_rest) - 1
-    begins = [(0, 0)] if before is None and at_rest[0] else []
-    return whole, [*begins, *found, *([(last, last)] if behind is None and at_rest[last] else [])]
+    parts = [part for part in (before, closer(exact, rates), behind) if part is not None]
+    return Samples(_together(exact, rates, parts), before is None, behind is None)
+
+
+def _brackets(samples: Samples, rate: str) -> list[Bracket]:
+    """Return between which of the samples (both the same: at which) the coordinate of a rate is at a dead position."""
+    slopes = samples.motion.column(rate)
+    at_rest, last = stands(slopes), len(slopes) - 1
+    begins = [(0, 0)] if samples.begins and at_rest[0] else []
+    return [*begins, *turns(slopes), *([(last, last)] if samples.ends and at_rest[last] else [])]
 
 
 def _dead(exact: Motion, rates: Rates, rate: str, bracket: list[float]) -> float | None:

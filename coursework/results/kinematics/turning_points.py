@@ -9,8 +9,9 @@ import math
 
 import numpy as np
 
+from coursework.motion.integration.motion import Motion
 from coursework.results.checks.evidence import Evidence
-from coursework.results.kinematics.strokes import dead_positions
+from coursework.results.kinematics.strokes import dead_positions, samples_of
 from coursework.system.frozen import frozen
 
 STILL = 1e-9  # of a period: moments so near are one
@@ -59,11 +60,17 @@ def turning_points(evidence: Evidence, name: str, rate: str) -> tuple[TurningPoi
     exact = evidence.exact
     if exact is None or name not in exact.coordinate_names or rate not in exact.velocity_names or len(exact.t) < 3:
         return None
+    rows = f"of {len(exact.t)} rows each {exact.step!r} s"
+    return evidence.once(f"turning points of {name} {rows}", lambda: _turning_points(evidence, exact, name, rate, rows))
+
+
+def _turning_points(evidence: Evidence, exact: Motion, name: str, rate: str, of: str) -> tuple[TurningPoint, ...] | None:
     last, place = _last(evidence), exact.coordinate_names.index(name)
     if not np.any(exact.column(rate)[: last + 1]):
         return ()
     whole = evidence.rates.motion(exact.t[: last + 1], exact.coordinates[: last + 1], exact.scheme, exact.step)
-    found = dead_positions(whole, evidence.rates, rate)
+    samples = evidence.once(f"close samples {of}", lambda: samples_of(whole, evidence.rates))
+    found = dead_positions(whole, evidence.rates, rate, samples)
     if found is None or len(found.t) > MOST:
         return None
     rows = zip(found.t.tolist(), found.coordinates.tolist(), strict=True)
