@@ -97,6 +97,29 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, budget: 
         return animate_variant(variant, out, scheme, language)
 
 
+@main.command("listing", short_help="Print the coursework as a program of your own.")
+@VARIANT
+@click.option(
+    "--language", "code", type=click.Choice(["python", "octave", "c", "pascal", "javascript"]),
+    help="Language of the program (default: python; none with --chart alone).",
+)  # fmt: skip
+@click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
+@click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto": the one that was found.')
+@SET
+@click.option("--out", type=click.Path(path_type=Path), help="The file to write (default: the screen).")
+@click.option("--chart", type=click.Path(path_type=Path), help="Write the block diagram of this program: FILE.svg.")
+@spoken(passed_on=True, option="--comments")
+@limited
+def listing_command(variant: str, budget: float, memory: float, **options: Any) -> int:
+    """Print VARIANT as a program that needs no library and prints its table; draw its block diagram."""
+    from coursework.commands.listing import list_variant
+    from coursework.commands.screen import tell_faults
+    from coursework.system.budget import Budget, watched
+
+    with watched(Budget(budget, memory), variant, tell_faults):
+        return list_variant(variant, **options)
+
+
 @main.command("check", short_help="Tell faults, mobility, and whether it can move.")
 @VARIANT
 @limited

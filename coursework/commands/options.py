@@ -74,10 +74,10 @@ def _speaks(_context: click.Context, _option: click.Parameter, language: str) ->
     return language
 
 
-def spoken(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
+def spoken(*, passed_on: bool, option: str = "--language") -> Callable[[Callable[..., int]], Callable[..., int]]:
     """Add the option of every command that says in which language it speaks; `passed_on` to one that makes pages."""
     return click.option(
-        "--language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
+        option, "language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
         callback=_speaks, shell_complete=offered("languages"),
         help="Language of pages and messages: a words file in reports/.",
     )  # fmt: skip

@@ -1,0 +1,55 @@
+"""`coursework listing`: the coursework as a program of one's own, and the block diagram of that program.
+
+Enters: a variant, a language, a scheme.  Leaves: the listing on the screen or in a file, a picture.  Used by `cli.py`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from coursework.api import make_run, step_choice, variant_of
+from coursework.commands.screen import tell, tell_own_file
+from coursework.motion.settings import stepping
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
+from coursework.system.whole_files import write_bytes
+from coursework.takeaway.listing.chart import block_diagram
+from coursework.takeaway.listing.listings import listing
+from coursework.takeaway.listing.program import program_of, refuse_exact
+from coursework.variant.reading.set_values import with_set
+from coursework.words.sentences import say
+
+
+def list_variant(
+    variant: str, *, code: str | None, scheme: str | None, step: str | None, set_values: tuple[str, ...], out: Path | None,
+    chart: Path | None, language: str,
+) -> int:  # fmt: skip
+    """Return 0 after writing what was asked for."""
+    refuse_exact(scheme)
+    if out or chart:
+        tell_own_file(variant)
+    read = with_set(variant_of(variant), set_values, None)
+    chosen = stepping(read, scheme) if read.motor is None else scheme
+    if step == "auto":
+        step = f"{step_choice(make_run(read, chosen, quantities=('table',)), None).step!r}"
+    run = make_run(read, chosen, step, quantities=("table",))
+    words = load_words(language)
+    program = program_of(PageContext(run, words))
+    if chart is not None:
+        _write(chart, block_diagram(program, words))
+    if code is None and out is None and chart is not None:
+        return 0
+    text = listing(program, code or "python", words)
+    if out is None:
+        click.echo(text, nl=False)
+    else:
+        _write(out, text)
+    return 0
+
+
+def _write(path: Path, text: str) -> None:
+    content = text.encode("utf-8")
+    write_bytes(path, content)
+    tell(say("screen.animated", path=str(path), size=len(content) / 1000))

@@ -1,0 +1,26 @@
+"""A program -> its listing in a language.
+
+Enters: a `Program`, a language, the words of the comments.  Leaves: text.  Used by `commands/listing.py`.
+A language is a `Syntax`, a function of its name, its elimination and its tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from coursework.report.text.words import Words
+from coursework.takeaway.listing.compiled import c, pascal
+from coursework.takeaway.listing.interpreted import javascript, octave, python
+from coursework.takeaway.listing.program import Program
+from coursework.takeaway.listing.syntax import SYNTAXES
+from coursework.takeaway.listing.writer import Writer
+
+_LANGUAGES: dict[str, Callable[[Writer], list[str]]] = {
+    "python": python, "octave": octave, "c": c, "pascal": pascal, "javascript": javascript,
+}  # fmt: skip
+
+
+def listing(program: Program, language: str, words: Words) -> str:
+    """Return the listing of a program."""
+    lines = _LANGUAGES[language](Writer(program, SYNTAXES[language], words))
+    return "\n".join(line.rstrip() for line in lines) + "\n"

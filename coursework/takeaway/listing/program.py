@@ -1,0 +1,186 @@
+"""A run as a program that a student types in: data, start, velocities block by block, the loop of a scheme, its boxes.
+
+Enters: a `SceneRun`.  Leaves: `Program`, whose boxes have the numbers of comments and diagram.
+Raises `InputError` for what no tableau makes: the exact motion, projection, Baumgarte's term, a motion under forces.
+Used by `writer.py`, `chart.py` and `commands/listing.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from coursework.equations.codegen.names import private, public
+from coursework.equations.codegen.programs import Assign, Statement
+from coursework.equations.codegen.straight_line import Line
+from coursework.equations.codegen.tabulated import TableLaw
+from coursework.equations.reduction.statements import block_statements
+from coursework.equations.reduction.symbolic import constants, local, symbol
+from coursework.equations.reduction.system import scene_program
+from coursework.motion.integration.motion import AT_EVENT, Motion
+from coursework.motion.schemes import Scheme, scheme_of, title_of
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import Words
+from coursework.scene.scene_run import SceneRun
+from coursework.system.frozen import frozen
+from coursework.variant.record.vocabulary import EXACT
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
+
+
+@frozen
+class Box:
+    """A box of the block diagram: `kind` terminator, data, process, decision, begin or end of a loop; what stands in it."""
+
+    number: int
+    kind: str
+    text: str
+
+
+@frozen
+class Datum:
+    """A number at the top of a listing: private name, value, what it is."""
+
+    name: str
+    value: float
+    told: str
+
+
+@frozen
+class BlockOf:
+    """The lines of one block of velocities; `checked` is its determinant where that can vanish, "" where it cannot."""
+
+    box: Box
+    lines: tuple[Line, ...]
+    checked: str
+
+
+@frozen
+class Limit:
+    """The velocities at a time at which a determinant vanishes and the motion goes on."""
+
+    time: float
+    within: float
+    values: tuple[float, ...]
+
+
+@frozen
+class Program:
+    """What the listings of all languages have in common; names are private ones."""
+
+    title: str
+    scheme: Scheme
+    scheme_title: str
+    data: tuple[Datum, ...]
+    start: tuple[Datum, ...]
+    step: float
+    rows: int
+    known: tuple[Line, ...]
+    blocks: tuple[BlockOf, ...]
+    velocities: tuple[str, ...]
+    tables: Mapping[str, TableLaw]
+    breaks: tuple[float, ...]
+    limits: tuple[Limit, ...]
+    boxes: Mapping[str, Box]
+    declared: tuple[str, ...]
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Return the private names of the coordinates."""
+        return tuple(one.name for one in self.start)
+
+    @property
+    def heads(self) -> tuple[str, ...]:
+        """Return the head line of the table."""
+        return ("t", *(public(name, self.declared) for name in (*self.coordinates, *self.velocities)))
+
+    def returned(self, words: Words) -> Box:
+        """Return the last box of the velocities."""
+        last = self.blocks[-1]
+        return Box(last.box.number + 1 + bool(last.checked), "terminator", words("listing.box.ret"))
+
+    @property
+    def calls(self) -> set[str]:
+        """Return every word of the lines."""
+        lines = [*self.known, *(line for block in self.blocks for line in block.lines)]
+        return {word for line in lines for word in re.findall(r"[A-Za-z_]\w*", line.text.partition(" = ")[2])}
+
+
+def program_of(context: PageContext) -> Program:
+    """Return the program of a run whose words are those of a page."""
+    run, motion = context.run, rows_of(context.run)
+    scene, variant = run.scene, run.variant
+    scheme = scheme_of(motion.scheme)
+    statements: list[Statement] = [
+        one for index, block in enumerate(run.reduction.blocks) for one in block_statements(block, index)
+    ]
+    velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
+    statements += [Assign(local(f"_{private(name)}"), symbol(name)) for name in velocities]
+    found = scene_program(scene.equations, statements)
+    numbers = constants(variant)
+    boxes = _boxes(context)
+    units = {private(one.name): one.si for one in variant.given}
+    data = tuple(Datum(name, numbers[name], context.words.unit(units.get(name, "s"))) for name in found.data)
+    start = tuple(
+        Datum(private(one.name), value, context.words.unit(one.unit))
+        for one, value in zip(variant.coordinates, scene.start, strict=True)
+    )
+    limits = tuple(
+        Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in velocities))
+        for one in scene.search.passages
+    )
+    outputs = {f"_{private(name)}" for name in velocities}
+    lines = tuple(line for line in found.lines if not outputs & set(line.targets))
+    blocks = tuple(_blocks(context, lines, {name for line in found.known for name in line.targets}, len(boxes)))
+    title = context.words("listing.title", name=variant.name, title=context.variant.title)
+    return Program(
+        title, scheme, context.words.written(title_of(scheme)), data, start,
+        motion.step, len(motion.t), found.known, blocks, tuple(map(private, velocities)), found.tables,
+        scene.rates.breaks if scheme.slopes > 1 else (), limits, boxes, variant.names,
+    )  # fmt: skip
+
+
+def rows_of(run: SceneRun) -> Motion:
+    """Return the rows that a listing prints: those of its scheme, Euler's where the run's own table is the exact motion."""
+    if run.variant.motor is not None:
+        raise InputError(say("fault.C094"))
+    if run.settings.project or run.settings.gain:
+        raise InputError(say("fault.C095"))
+    beside = run.scene.scheme_rows
+    return run.motion if beside is None else beside
+
+
+def refuse_exact(scheme: str | None) -> None:
+    """Raise `InputError` where the exact motion itself is asked for."""
+    if scheme == EXACT:
+        raise InputError(say("fault.C096"))
+
+
+def _boxes(context: PageContext) -> dict[str, Box]:
+    """Return the boxes of the main program by what they are for, in their order."""
+    kinds = {
+        "start": "terminator", "data": "data", "loop": "begin", "time": "process", "rates": "subroutine", "row": "data",
+        "more": "decision", "step": "process", "again": "end", "end": "terminator",
+    }  # fmt: skip
+    return {key: Box(number, kind, context.words(f"listing.box.{key}")) for number, (key, kind) in enumerate(kinds.items(), 1)}
+
+
+def _blocks(context: PageContext, lines: Sequence[Line], known: set[str], taken: int) -> Iterator[BlockOf]:
+    """Yield the blocks of velocities with the lines that each of them needs first."""
+    blocks = context.run.reduction.blocks
+    number, waiting = taken + 2, list(lines)  # behind the terminator of the velocities
+    for index, block in enumerate(blocks):
+        left, own = set(map(private, block.unknowns)), list[Line]()
+        while waiting and (left or index == len(blocks) - 1):
+            line = waiting.pop(0)
+            own.append(line)
+            left -= set(line.targets)
+        determinant = f"_det{index}"
+        value = next((line.text.partition(" = ")[2] for line in own if determinant in line.targets), "")
+        fixed = value.removeprefix("-") in known or value.removeprefix("-").replace(".", "").isdigit()
+        told = context.words(
+            "listing.block", names=", ".join(block.unknowns),
+            equations=", ".join(f"({context.equation(name)})" for name in block.equations),
+        )  # fmt: skip
+        yield BlockOf(Box(number, "process", told), tuple(own), "" if fixed else determinant)
+        number += 1 if fixed else 2

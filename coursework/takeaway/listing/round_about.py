@@ -1,0 +1,42 @@
+"""What the languages say alike round their lines: data with units, limits at singular positions, breaks of the drive.
+
+Enters: a `Writer`.  Leaves: lines.  Used by `interpreted.py` and `compiled.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from coursework.takeaway.listing.writer import Writer, indented
+
+Lines = list[str]
+
+
+def data_lines(one: Writer, written: Callable[[str, str], str]) -> Lines:
+    """Return data, step, number of steps and start, each with its unit."""
+    program = one.program
+    data = [f"{written(one.names[datum.name], repr(datum.value))}  {one.comment(datum.told)}" for datum in program.data]
+    start = [f"{written(one.names[datum.name], repr(datum.value))}  {one.comment(datum.told)}" for datum in program.start]
+    step = [written(one.h, repr(program.step)), f"{written(one.steps, str(one.last))}  {one.say('rows')}"]
+    return [*data, *step, *start]
+
+
+def limit_lines(one: Writer, leave: Callable[[Sequence[str]], Lines], test: str) -> Lines:
+    """Return what stands for the velocities where a determinant vanishes and the motion goes on."""
+    lines = []
+    for limit in one.program.limits:
+        size = {"javascript": "Math.abs", "c": "fabs"}.get(one.syntax.name, "abs")
+        holds = f"{size}({one.t} - {limit.time!r}) <= {limit.within!r}"
+        lines += [one.say("limit"), test.format(holds=holds), *indented(leave([repr(value) for value in limit.values]))]
+    return lines
+
+
+def break_times(one: Writer) -> str:
+    """Return the times at which the drive changes its formula, commas between."""
+    return ", ".join(map(repr, one.program.breaks))
+
+
+def largest_block(one: Writer) -> int:
+    """Return the size of the largest block that is solved by elimination."""
+    lines = (line for block in one.program.blocks for line in block.lines)
+    return max(len(line.targets) - 1 for line in lines if "_solve" in line.text)

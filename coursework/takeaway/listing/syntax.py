@@ -1,0 +1,178 @@
+"""Straight lines of `codegen` -> expressions and names of five languages.
+
+Enters: lines that the tool printed itself.  Leaves: text that means the same.  Used by `writer.py`.
+"""
+
+from __future__ import annotations
+
+import ast
+import keyword
+from collections.abc import Collection, Mapping
+
+from coursework.equations.codegen.names import public
+from coursework.system.frozen import changing, frozen
+
+_MATH = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sqrt", "pow", "abs", "sign", "pi")
+_C = """auto break case char const continue default do double else enum extern float for goto if inline int long register restrict
+return short signed sizeof static struct switch typedef union unsigned void volatile while main printf j0 j1 jn y0 y1 yn gamma
+lgamma tgamma erf div abs labs exit free time signal remove rename index round floor ceil fabs fmin fmax stderr fprintf"""
+_PASCAL = """and array as begin case const constructor destructor div do downto else end except exports file finalization finally
+for function goto if implementation in inherited initialization inline interface is label library mod nil not object of on
+operator or out packed procedure program property raise record repeat set shl shr string then threadvar to try type unit
+until uses var
+while with xor power arcsin arccos arctan arctan2 ifthen double write writeln exit halt ln result read single real integer
+boolean true false sqr odd ord trunc round frac int high low length break continue self min max"""
+_JAVASCRIPT = """await break case catch class const continue debugger default delete do else enum export extends false finally for
+function if implements import in instanceof interface let new null package private protected public return static super switch
+this throw true try typeof var void while with yield Math console Number Error arguments eval undefined NaN Infinity"""
+_OCTAVE = """break case catch continue do else elseif end end_try_catch end_unwind_protect endfor endfunction endif endswitch
+endwhile for function global if otherwise persistent return switch try until unwind_protect unwind_protect_cleanup while printf
+merge error e i j I J Inf NaN eps ans min max floor abs zeros numel e1 det inv"""
+
+
+@frozen
+class Syntax:
+    """How a language writes what differs: functions by name (others alike), the choice of two values, comments, assignment."""
+
+    name: str
+    suffix: str
+    reserved: frozenset[str]
+    calls: Mapping[str, str]
+    choice: str
+    comment: str
+    assign: str = " = "
+    end: str = ";"
+    knows_case: bool = True
+    wrap: str = ""  # what stands at the end of a line that goes on
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+PYTHON = Syntax(
+    "python", "py", frozenset((*keyword.kwlist, *_MATH, "print", "range", "min", "max", "int")), {"pow": "pow"},
+    "({yes} if {holds} else {no})", "# ", end="",
+)  # fmt: skip
+OCTAVE = Syntax("octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ", wrap=" ...")
+C = Syntax("c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ")
+PASCAL = Syntax(
+    "pascal", "pas", _words(_PASCAL) | {*_MATH},
+    {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "log": "ln", "pow": "power"},
+    "ifthen({holds}, {yes}, {no})", "// ", assign=" := ", knows_case=False,
+)  # fmt: skip
+JAVASCRIPT = Syntax(
+    "javascript", "js", _words(_JAVASCRIPT) | {*_MATH}, {name: f"Math.{name}" for name in _MATH},
+    "({holds} ? {yes} : {no})", "// ",
+)  # fmt: skip
+SYNTAXES = {one.name: one for one in (PYTHON, OCTAVE, C, PASCAL, JAVASCRIPT)}
+
+
+@changing
+class Names:
+    """The names of a listing: those of the page where the language allows them, each once."""
+
+    syntax: Syntax
+    declared: Collection[str]
+    _found: dict[str, str]
+    _taken: set[str]
+
+    @classmethod
+    def of(cls, syntax: Syntax, declared: Collection[str]) -> Names:
+        """Return names of which none is given yet."""
+        found = cls(syntax, declared, {}, set())
+        found._taken = {found._key(word) for word in syntax.reserved}
+        return found
+
+    def __getitem__(self, name: str) -> str:
+        if name not in self._found:
+            self._found[name] = self._free(self._shown(name))
+        return self._found[name]
+
+    def own(self, key: str, *wishes: str) -> str:
+        """Return a name of the listing's own: the first of some wishes that is free."""
+        if key not in self._found:
+            wish = next((one for one in wishes if self._key(one) not in self._taken), wishes[-1])
+            self._found[key] = self._free(wish)
+        return self._found[key]
+
+    def _free(self, wish: str) -> str:
+        while self._key(wish) in self._taken:
+            wish = f"{wish}_"
+        self._taken.add(self._key(wish))
+        return wish
+
+    def _key(self, word: str) -> str:
+        return word if self.syntax.knows_case else word.lower()
+
+    def _shown(self, name: str) -> str:
+        if name.startswith("_det"):
+            return f"D{int(name[4:]) + 1}"
+        if name.startswith("_end"):
+            number, _, law = name[4:].partition("_")
+            return f"{law}_end{int(number) + 1}"
+        if name.startswith("_table_"):
+            return f"{'slope' if name.endswith('_1') else 'value'}_{name[7:-2]}"
+        if name[0] == "d" and name[1:2].isdigit():
+            above, below = public(name, tuple(self.declared)).replace("∂", "d").split("/")
+            return f"{above}_{below}"
+        text = public(name, tuple(self.declared)) if name[:2] == "v_" or name == "t" else name
+        return text.strip("_") + "_" * (text != text.strip("_")) if text.strip("_") else "x"
+
+
+def expression(text: str, syntax: Syntax, names: Names) -> str:
+    """Return an expression that the tool printed, in a language.
+
+    >>> names = Names.of(PASCAL, ("t", "r", "R"))
+    >>> expression("-v_r*pow(v_R, 3.0)", PASCAL, names)
+    '-r*power(R_, 3.0)'
+    """
+    return _written(ast.parse(text, mode="eval").body, syntax, names)
+
+
+def parts(text: str, syntax: Syntax, names: Names) -> list[str]:
+    """Return the expressions of a call such as `_solve((a, b))`, one by one."""
+    call = ast.parse(text, mode="eval").body
+    assert isinstance(call, ast.Call) and isinstance(call.args[0], ast.Tuple)
+    return [_written(one, syntax, names) for one in call.args[0].elts]
+
+
+_SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Gt: ">"}
+
+
+def _written(node: ast.expr, syntax: Syntax, names: Names) -> str:
+    def inner(one: ast.expr) -> str:
+        return _written(one, syntax, names)
+
+    match node:
+        case ast.Constant():
+            return repr(node.value)
+        case ast.Name():
+            return names[node.id]
+        case ast.UnaryOp():
+            held = isinstance(node.operand, (ast.BinOp, ast.UnaryOp)) and not _is_product(node.operand)
+            return f"-({inner(node.operand)})" if held else f"-{inner(node.operand)}"
+        case ast.BinOp():
+            sign, left, right = _SIGNS[type(node.op)], inner(node.left), inner(node.right)
+            if _is_product(node):
+                left = f"({left})" if _is_sum(node.left) else left
+                right = f"({right})" if isinstance(node.right, (ast.BinOp, ast.UnaryOp)) else right
+                return f"{left}{sign}{right}"
+            right = f"({right})" if _is_sum(node.right) or isinstance(node.right, ast.UnaryOp) else right
+            return f"{left} {sign} {right}"
+        case ast.Compare():
+            return f"{inner(node.left)} {_SIGNS[type(node.ops[0])]} {inner(node.comparators[0])}"
+        case ast.Call(func=ast.Name(id="_choose"), args=[holds, ast.Lambda(body=yes), ast.Lambda(body=no)]):
+            return syntax.choice.format(holds=inner(holds), yes=inner(yes), no=inner(no))
+        case ast.Call(func=ast.Name(id=name)):
+            called = names[name] if name.startswith("_table_") else syntax.calls.get(name, name)
+            return f"{called}({', '.join(map(inner, node.args))})"
+    raise AssertionError(ast.dump(node))
+
+
+def _is_sum(node: ast.expr) -> bool:
+    return isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub))
+
+
+def _is_product(node: ast.expr) -> bool:
+    return isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Mult, ast.Div))

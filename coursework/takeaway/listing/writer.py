@@ -1,0 +1,211 @@
+"""What the listings of all languages have in common: names, comments numbered as the block diagram, lines block by block.
+
+Enters: a `Program`, a syntax, the words of the comments.  Leaves: lines.  Used inside `listing/`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+
+from coursework.equations.codegen.straight_line import Line
+from coursework.motion.schemes import Sum
+from coursework.report.text.words import Words
+from coursework.takeaway.listing.program import BlockOf, Box, Program
+from coursework.takeaway.listing.syntax import Names, Syntax, expression, parts
+from coursework.words.templates import clean
+
+WIDEST = 100  # letters of a line; a longer one goes on in the next
+
+
+class Writer:
+    """The parts of a listing that differ in their syntax alone."""
+
+    def __init__(self, program: Program, syntax: Syntax, words: Words) -> None:
+        self.program, self.syntax, self.words = program, syntax, words
+        self.names = Names.of(syntax, program.declared)
+        for datum in (*program.data, *program.start):
+            _ = self.names[datum.name]
+        for name in program.velocities:
+            _ = self.names[name]
+        own = self.names.own
+        self.t, self.h, self.row = self.names["t"], own("_step", "h", "step"), own("_row", "i", "k", "row")
+        self.rates, self.steps = own("_rates", "rates", "velocities"), own("_steps", "n", "steps")
+        self.gauss, self.look = own("_gauss", "gauss"), own("_look", "before_break")
+        self.tables = [name for name in sorted(program.calls) if name.startswith("_table_")]
+        self.needs_gauss = any("_solve" in line.text for block in program.blocks for line in block.lines)
+        self.needs_sign = "sign" in program.calls
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Return the names of the coordinates."""
+        return [self.names[name] for name in self.program.coordinates]
+
+    @property
+    def velocities(self) -> list[str]:
+        """Return the names of the velocities."""
+        return [self.names[name] for name in self.program.velocities]
+
+    @property
+    def data(self) -> list[str]:
+        """Return the names of what stands at the top of the listing: data and what they alone give."""
+        return [self.names[name] for name in (*(one.name for one in self.program.data), *self.targets(self.program.known))]
+
+    def targets(self, lines: Iterable[Line]) -> list[str]:
+        """Return the private names that lines give a value."""
+        return [name for line in lines for name in line.targets]
+
+    @property
+    def locals(self) -> list[str]:
+        """Return what is computed inside the velocities beside them."""
+        found = self.targets(line for block in self.program.blocks for line in block.lines)
+        return [self.names[name] for name in dict.fromkeys(found) if name not in self.program.velocities]
+
+    def comment(self, text: str) -> str:
+        """Return a line of comment; no word of a file ends it or begins another."""
+        return f"{self.syntax.comment}{clean(text)}".replace("\\", "/")
+
+    def box(self, key: str) -> str:
+        """Return the comment of a box of the main program."""
+        return self.of(self.program.boxes[key])
+
+    def of(self, box: Box) -> str:
+        """Return the comment of a box."""
+        return self.comment(f"{box.number}  {box.text}")
+
+    def say(self, key: str, **values: object) -> str:
+        """Return a comment of its own."""
+        return self.comment(self.words(f"listing.{key}", **values))
+
+    def head(self) -> list[str]:
+        """Return the first lines: what this is, and by which scheme."""
+        return [self.comment(self.program.title), self.say("scheme", title=self.program.scheme_title)]
+
+    def sets(self, name: str, value: str) -> str:
+        """Return an assignment."""
+        return f"{name}{self.syntax.assign}{value}{self.syntax.end}"
+
+    def known(self) -> list[str]:
+        """Return the lines of what the data alone give."""
+        return [line for one in self.program.known for line in self.assigned(one)]
+
+    def assigned(self, line: Line) -> list[str]:
+        """Return a straight line in the language."""
+        value = line.text.partition(" = ")[2]
+        if value.startswith("_solve("):
+            return self.solved(line, parts(value, self.syntax, self.names))
+        return self.wrapped(self.sets(self.names[line.targets[0]], expression(value, self.syntax, self.names)))
+
+    def solved(self, line: Line, entries: list[str]) -> list[str]:
+        """Return the lines that solve a block by elimination; a list goes in, the unknowns and the determinant come back."""
+        found, size = [self.names[name] for name in line.targets], len(line.targets) - 1
+        return _solved(self, found, size, entries)
+
+    def wrapped(self, line: str) -> list[str]:
+        """Return a line that is too long in several."""
+        if len(line) <= WIDEST:
+            return [line]
+        name, sign, value = line.partition(self.syntax.assign)
+        if not sign:
+            name, value = "", line
+        found = [f"{name}{sign}("] if sign and self.syntax.name == "python" else [f"{name}{sign}"]
+        for word in value.split(" "):
+            if len(found[-1]) + len(word) > WIDEST and found[-1].strip():
+                found[-1] = found[-1].rstrip() + self.syntax.wrap
+                found.append("    ")
+            found[-1] += f"{word} "
+        return [*found[:-1], found[-1].rstrip() + (")" if sign and self.syntax.name == "python" else "")]
+
+    @property
+    def of_velocities(self) -> str:
+        """Return the comment over the velocities."""
+        return self.of(Box(len(self.program.boxes) + 1, "terminator", self.words("listing.velocities")))
+
+    def blocks(self, stop: Callable[[str, Box], list[str]]) -> list[str]:
+        """Return the velocities block by block; `stop` writes what is done where a determinant is zero."""
+        lines: list[str] = []
+        for block in self.program.blocks:
+            lines.append(self.of(block.box))
+            for one in block.lines:
+                lines += self.assigned(one)
+                if block.checked and block.checked in one.targets:
+                    lines += stop(self.names[block.checked], self.decision(block))
+        return [*lines, self.of(self.program.returned(self.words))]
+
+    def decision(self, block: BlockOf) -> Box:
+        """Return the box in which the determinant of a block is asked about."""
+        name = self.names[block.checked]
+        return Box(block.box.number + 1, "decision", self.words("listing.zero", name=name))
+
+    def share(self, part: Fraction | int) -> str:
+        """Return a part of the step."""
+        above = self.h if part.numerator == 1 else f"{part.numerator}*{self.h}"
+        return above if part.denominator == 1 else f"{above}/{part.denominator}"
+
+    def moved(self, name: str, row: Sum, rates: list[str]) -> str:
+        """Return a coordinate after one row of the tableau; `rates` are its rates in the slopes so far."""
+        if not row.terms:
+            return name
+        terms = [f"{'' if whole == 1 else f'{whole}*'}{rates[place]}" for place, whole in row.terms]
+        total = terms[0] if len(terms) == 1 else f"({' + '.join(terms)})"
+        return f"{name} + {self.share(row.factor)}*{total}"
+
+    def slope(self, stage: int, out: Callable[[int, str], str]) -> list[str]:
+        """Return the arguments of a slope: its time and its position; `out` names a velocity of an earlier slope."""
+        scheme = self.program.scheme
+        node, inner = scheme.nodes[stage], scheme.inner[stage]
+        time = f"{self.t} + {self.share(node)}" if node else self.t
+        if stage and self.program.breaks:
+            time = f"{self.look}({time}, ({self.row} + 1)*{self.h})"
+        return [time, *(self.moved(name, inner, rates) for name, rates in self.rates_of(out, stage))]
+
+    def rates_of(self, out: Callable[[int, str], str], stages: int) -> list[tuple[str, list[str]]]:
+        """Return each coordinate with the names of its rate in the slopes so far."""
+        pairs = zip(self.coordinates, self.velocities, strict=False)
+        return [(name, [out(stage, rate) for stage in range(stages)]) for name, rate in pairs]
+
+    def steps_on(self, out: Callable[[int, str], str]) -> list[str]:
+        """Return the new coordinates as assignments."""
+        scheme = self.program.scheme
+        return [
+            line
+            for name, rates in self.rates_of(out, scheme.slopes)
+            for line in self.wrapped(self.sets(name, self.moved(name, scheme.outer, rates)))
+        ]
+
+    @property
+    def last(self) -> int:
+        """Return the number of steps."""
+        return max(0, self.program.rows - 1)
+
+
+def indented(lines: Iterable[str], by: int = 4) -> list[str]:
+    """Return lines moved to the right."""
+    return [f"{' ' * by}{line}" for line in lines]
+
+
+def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> list[str]:
+    """Return the lines that solve a block: matrix row by row, then the right side; unknowns and determinant come back."""
+    name, rows = writer.syntax.name, []
+    for row in range(size):
+        rows.append([*entries[row * size : (row + 1) * size], entries[size * size + row]])
+    work = writer.names.own("_work", "work")
+    match name:
+        case "python":
+            listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
+            return writer.wrapped(f"{', '.join(found)} = {writer.gauss}([{listed}])")
+        case "javascript":
+            listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
+            return writer.wrapped(f"[{', '.join(found)}] = {writer.gauss}([{listed}]);")
+        case "octave":
+            filled = writer.wrapped(f"{work} = [{'; '.join(', '.join(f'({one})' for one in row) for row in rows)}];")
+            return [
+                *filled,
+                f"{found[size]} = det({work}(:, 1:{size}));",
+                f"{work} = {work}(:, 1:{size}) \\ {work}(:, {size + 1});",
+                *(f"{one} = {work}({place});" for place, one in enumerate(found[:size], 1)),
+            ]
+    cells = [(row, column, value) for row, values in enumerate(rows) for column, value in enumerate(values)]
+    filled = [line for row, column, value in cells for line in writer.wrapped(writer.sets(f"{work}[{row}][{column}]", value))]
+    read = [writer.sets(one, f"{work}[{place}][{size}]") for place, one in enumerate(found[:size])]
+    return [*filled, writer.sets(found[size], f"{writer.gauss}({size})"), *read]

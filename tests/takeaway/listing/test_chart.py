@@ -1,0 +1,43 @@
+"""The block diagram: well-formed, its boxes numbered as the comments of the listing, its shapes those of ISO 5807."""
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
+from coursework.takeaway.listing.chart import block_diagram
+from coursework.takeaway.listing.program import program_of
+from tests.sample import sampled
+from tests.solved import solved
+from tests.takeaway.listing.test_listing import DRIVEN, written
+
+SPACE = "{http://www.w3.org/2000/svg}"
+
+
+def drawn(name, words="en"):
+    run = solved(name, scheme="euler", quantities=["table"])
+    return ElementTree.fromstring(block_diagram(program_of(PageContext(run, load_words(words))), load_words(words)))
+
+
+@pytest.mark.parametrize("name", sampled(DRIVEN))
+def test_boxes_and_comments_have_the_same_numbers(name):
+    numbers = [int(text.text) for text in drawn(name).iter(f"{SPACE}text") if text.get("class") == "n"]
+    assert numbers == list(range(1, len(numbers) + 1))
+    run = solved(name, scheme="euler", quantities=["table"])
+    told = {int(one) for one in re.findall(r"^ *# (\d+) ", written(run, "python"), re.MULTILINE)}
+    assert told == {*numbers}
+
+
+def test_shapes_are_those_of_the_standard():
+    svg = drawn("31")
+    assert len([one for one in svg.iter(f"{SPACE}rect") if one.get("rx") == "22"]) == 4
+    corners = sorted(len(one.get("points").split()) for one in svg.iter(f"{SPACE}polygon"))
+    assert corners == [4, 4, 4, 4, 4, 6, 6]  # two of data, three decisions, two limits of the loop
+
+
+@pytest.mark.parametrize("words", ["ru", "uk", "zh"])
+def test_it_speaks_the_language_of_the_report(words):
+    said = {text.text for text in drawn("31", words).iter(f"{SPACE}text")}
+    assert {load_words(words)("listing.box.start"), load_words(words)("listing.box.end")} <= said and "start" not in said

@@ -1,0 +1,171 @@
+"""`coursework listing`: each program is run where its language lives and prints the table of its scheme."""
+
+import re
+import shutil
+import subprocess
+import sys
+from functools import cache
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
+from coursework.takeaway.listing.listings import listing
+from coursework.takeaway.listing.program import program_of
+from coursework.takeaway.listing.syntax import SYNTAXES
+from coursework.variant.catalogue import names
+from tests.command import call
+from tests.hard.scenes import scene, solve
+from tests.motion.singular.test_passages import BY_CLOSURE, past_its_pivot
+from tests.sample import SAMPLE
+from tests.solved import solved
+from tests.takeaway.workbook.test_workbook import THREE, off
+
+DRIVEN = [name for name in names() if coursework.load(name).motor is None]
+PROGRAMS = {"python": sys.executable, "octave": "octave-cli", "c": "gcc", "pascal": "fpc", "javascript": "node"}
+OTHERS = [language for language in PROGRAMS if language != "python"]
+GATE = {("31", language) for language in PROGRAMS} | {(name, "python") for name in SAMPLE}
+
+
+@cache
+def written(run, language, words="en"):
+    return listing(program_of(PageContext(run, load_words(words))), language, load_words(words))
+
+
+def printed(text, language, folder):
+    """The table that a program prints."""
+    if shutil.which(PROGRAMS[language]) is None:
+        pytest.skip(f"{PROGRAMS[language]} is not installed")
+    file, made = folder / f"own.{SYNTAXES[language].suffix}", folder / "made"
+    file.write_text(text, encoding="utf-8")
+    build = {
+        "c": ["gcc", "-Wall", "-Werror", "-o", made, file, "-lm"], "pascal": ["fpc", "-v0", f"-o{made}", file],
+    }.get(language)  # fmt: skip
+    if build:
+        told = subprocess.run(build, capture_output=True, text=True, check=False)
+        assert told.returncode == 0, told.stdout + told.stderr
+    start = {"python": [sys.executable, "-I", file], "octave": ["octave-cli", "--norc", "-q", file], "javascript": ["node", file]}
+    told = subprocess.run(start.get(language, [made]), capture_output=True, text=True, check=False)
+    assert told.returncode == 0, told.stderr
+    head, *rows = told.stdout.splitlines()
+    return head, np.array([row.split(",") for row in rows], dtype=float)
+
+
+def agrees(run, language, folder):
+    head, rows = printed(written(run, language), language, folder)
+    assert head == ",".join(["t", *run.motion.names])
+    return off(rows, np.column_stack([run.motion.t, run.motion.rows])) < 1e-9
+
+
+PAIRS = [
+    pytest.param(name, language, marks=() if (name, language) in GATE else pytest.mark.long)
+    for name in DRIVEN
+    for language in PROGRAMS
+]
+
+
+@pytest.mark.parametrize(("name", "language"), PAIRS)
+def test_a_program_prints_the_table_of_eulers_scheme(name, language, tmp_path):
+    assert agrees(solved(name, scheme="euler", quantities=["table"]), language, tmp_path)
+
+
+@pytest.mark.parametrize("language", ["python", *(pytest.param(one, marks=pytest.mark.long) for one in OTHERS)])
+@pytest.mark.parametrize(("name", "scheme"), [("robot-arm", "rk4"), ("engine-start", "heun")])
+def test_further_slopes_stop_at_a_break_of_the_drive(name, scheme, language, tmp_path):
+    assert agrees(solved(name, scheme=scheme, quantities=["table"]), language, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "language", ["python", "c", *(pytest.param(one, marks=pytest.mark.long) for one in OTHERS if one != "c")]
+)
+def test_a_block_of_three_is_eliminated_in_the_listing(language, tmp_path):
+    assert agrees(solve(THREE), language, tmp_path)
+
+
+ODD = scene(
+    'phi = { start = "0.3 rad", rate = "v" }\nx = { start = "0 m", rate = "u" }',
+    given='lambda = "0.1 m"\nbegin = "0.2 m"\nR = "0.3 m"\nr = "0.2 m"\nh = "0.5 m"\ni = "0.1 m"\nn = "0.2 m"\ny1 = "0.1 m"',
+    drive='v = "2"', end=0.2, equations=["u = v*(lambda*sin(phi) + begin*r/R + abs(h - i)*n/R + y1*sqrt(r/R)*exp(-phi)*log(2))"],
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_names_that_a_language_keeps_for_itself_are_changed(language, tmp_path):
+    assert agrees(solve(ODD), language, tmp_path)
+
+
+def test_a_motion_that_stops_prints_the_rows_before(tmp_path):
+    variant = coursework.load("31").with_data(given={"alpha": 0.02})
+    run = coursework.solve(variant, quantities=["table"])
+    assert run.stop is not None and agrees(run, "python", tmp_path)
+
+
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_comments_are_numbered_and_speak_the_language_of_the_report(language):
+    mark = re.escape(SYNTAXES[language].comment)
+    for words in ("en", "ru", "uk", "zh"):
+        text = written(solved("31"), language, words)
+        numbers = [int(one) for one in re.findall(rf"^ *{mark}(\d+) ", text, re.MULTILINE)]
+        assert sorted(numbers) == list(range(1, 18)) and 40 <= len(text.splitlines()) < 100
+        assert ("number of steps" in text) is (words == "en")
+        assert "(16), (18): w1, w2" in text.replace("：", ": ")
+
+
+def test_words_of_a_file_stay_in_their_comment():
+    text = ODD.replace("[given]", 'title = "a\\u2028b */ print(1) \\\\"\n[given]', 1)
+    run = solve(text)
+    for language in PROGRAMS:
+        first = written(run, language).split("\n")[0]
+        assert first.startswith(SYNTAXES[language].comment) and "print(1)" in first and "\\" not in first
+
+
+@pytest.mark.usefixtures("folder")
+def test_the_command_prints_or_writes(folder):
+    shown = call("listing", "31", "--language", "python")
+    assert shown.exit_code == 0 and shown.stdout == written(solved("31"), "python")
+    assert call("listing", "31", "--language", "c", "--out", "own.c", "--chart", "own.svg").exit_code == 0
+    assert (folder / "own.c").read_text(encoding="utf-8") == written(solved("31"), "c")
+    assert (folder / "own.svg").read_text(encoding="utf-8").startswith("<svg")
+    finer = call("listing", "31", "--scheme", "rk4", "--step", "h/2", "--set", "r1=0.9m").stdout
+    assert "h = 0.01" in finer and "r1 = 0.9" in finer and "n = 48" in finer
+
+
+SPLINE = """x, f
+0.0, 0.10
+0.1, 0.13
+0.2, 0.19
+0.3, 0.20
+0.4, 0.18
+0.5, 0.12
+0.6, 0.11
+"""
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_a_law_that_is_a_spline(folder, language):
+    (folder / "own.csv").write_text(SPLINE, encoding="utf-8")
+    text = scene(
+        'phi = { start = "0.05 rad", rate = "v" }\nx = { start = "0 m", rate = "u" }',
+        drive='v = "2"',
+        end=0.2,
+        equations=["u = v*f"],
+    ).replace("[time]", '[functions]\nf = { table = "own.csv", of = "phi", method = "spline" }\n[time]')
+    (folder / "own.toml").write_text(text, encoding="utf-8")
+    assert agrees(coursework.solve(folder / "own.toml", scheme="heun", quantities=["table"]), language, folder)
+
+
+def test_a_singular_position_that_is_gone_through_prints_its_limit(tmp_path):
+    run = solve(past_its_pivot(BY_CLOSURE), "euler")
+    assert len(run.scene.search.passages) == 1 and agrees(run, "python", tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("options", "code"),
+    [(("31", "--scheme", "exact"), "C096"), (("falling-arm",), "C094"), (("31", "--language", "lisp"), "C054")],
+)
+def test_what_has_no_listing_is_told(options, code):
+    told = call("listing", *options)
+    assert told.exit_code == 2 and code in told.stderr
