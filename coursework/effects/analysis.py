@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from coursework.effects.effects import Action, actions_of
-from coursework.effects.energy import Energy, energy_of
+from coursework.effects.energy import Energy, energy_of, reduced_inertia
 from coursework.effects.force_scheme import drives_of
 from coursework.effects.groups import by_groups
 from coursework.effects.kinetostatics import Reactions, react
@@ -20,6 +20,7 @@ from coursework.effects.rows import RATE, SECOND, Program, Rows, compile_program
 from coursework.effects.scheme import read_scheme
 from coursework.effects.virtual_power import drive_by_power
 from coursework.equations.reduction.equations import VelocityEquations
+from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.extra import ExtraTable
@@ -87,6 +88,11 @@ class ForceAnalysis:
             force = self.column(self.drive_names[0]) + 1j * self.column(self.drive_names[1])
             speed = np.abs(moved)
             found["F_path"] = np.where(speed > 0, (np.conj(moved) * force).real / np.where(speed > 0, speed, 1.0), 0.0)
+        drives = drives_of(self.rows.scheme)
+        cranks = [body for body in self.rows.scheme.bodies if len(drives) == 1 and drives[0].on == body.name]
+        if cranks and drives[0].direction.kind == "couple" and drives[0].off == FRAME:
+            rate, change = self.rows.turns[cranks[0].name]
+            found["J"], found["dJ"] = reduced_inertia(self.rows, rate, change)
         for name, (value, angle) in self.reactions.partly.items():
             found |= {f"{name}.across": value, f"{name}.angle": angle}
         return found
@@ -116,6 +122,8 @@ class ForceAnalysis:
 def _unit_beside(name: str) -> str:
     if name == "F_path" or name.endswith(".across"):
         return "N"
+    if name in {"J", "dJ"}:
+        return "kg·m²"
     return "rad" if name.endswith(".angle") else "rad/s²" if name[0] == "e" else "m/s²"
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from coursework.effects.effects import LOADS, Action
 from coursework.effects.force_scheme import Unknown
-from coursework.effects.rows import PLACE, RATE, Rows
+from coursework.effects.rows import PLACE, RATE, SECOND, Rows
 from coursework.mechanism.joints import FRAME
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array
@@ -78,6 +78,25 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, 
         dampers -= rows.scalar(spring.damping) * rate**2
     driven = sum((value * velocity_of_drive(rows, one) for one, value in drives.items()), still)
     return Energy(kinetic, potential, driven, loads, rubbed, dampers)
+
+
+def reduced_inertia(rows: Rows, rate: Array, change: Array) -> tuple[Array, Array]:
+    """Return J(phi) = sum (m S'^2 + J phi'^2) and its derivative by phi (n,) kg m^2 of a crank with a `rate` that has a `change`.
+
+    Not a number where the crank stands still.
+    """
+    total, slope = np.zeros(rows.count), np.zeros(rows.count)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for body in rows.scheme.bodies:
+            if body.mass is not None:
+                first = rows.vector(body.centre, RATE) / rate
+                second = (rows.vector(body.centre, SECOND) - first * change) / rate**2
+                total += rows.mass(body) * np.abs(first) ** 2
+                slope += 2 * rows.mass(body) * (np.conj(first) * second).real
+            turned = rows.omega(body) / rate
+            total += rows.inertia(body) * turned**2
+            slope += 2 * rows.inertia(body) * turned * (rows.epsilon(body) - turned * change) / rate**2
+    return np.where(np.isfinite(total), total, np.nan), np.where(np.isfinite(slope), slope, np.nan)
 
 
 def _power(rows: Rows, actions: Iterable[Action]) -> Array:

@@ -147,3 +147,19 @@ def test_rows_of_a_scheme_whose_links_have_drifted_apart_are_analysed_and_judged
     found = {one.code: one.verdict for one in run.results.force_checks}
     assert found["VIRTUAL-POWER"] == "PASS"
     assert found["FORCE-ACCURACY"] == "COARSE"
+
+
+def test_the_inertia_reduced_to_the_crank_and_its_slope_give_the_moment_that_the_links_need():
+    """M = J eps + J'/2 omega^2 - M of loads and weight, by five points of J over equal angles too."""
+    found = of("example-2-forces")
+    j, slope, t = found.beside["J"], found.beside["dJ"], found.rows.motion.t
+    omega = found.rows.motion.column("w1")
+    assert np.allclose(j * omega**2 / 2, found.energy.kinetic, rtol=1e-12)
+    h = omega[0] * (t[1] - t[0])
+    by_points = (j[:-4] - 8 * j[1:-3] + 8 * j[3:-1] - j[4:]) / (12 * h)
+    assert np.abs(by_points - slope[2:-2]).max() < 2e-2 * np.abs(slope).max()
+    change = np.gradient(found.energy.potential, t, edge_order=2)
+    power = slope / 2 * omega**3 - found.energy.loads + change
+    assert np.abs(power - found.energy.drive)[2:-2].max() < 2e-2 * np.abs(found.energy.drive).max()
+    assert found.names[-2:] == ("J", "dJ")
+    assert "J" not in of("31-forces").beside

@@ -51,8 +51,11 @@ class Moved:
 
 
 def _once(statements: Sequence[Statement]) -> Iterator[Statement]:
-    """Yield statements that give each name its value once: a block that is solved for several sides has one determinant."""
-    known: set[Expression] = set()
+    """Yield statements that give each name its value once: a block that is solved for several sides has one determinant.
+
+    Those of the energies are left out: `acting` has them.
+    """
+    known: set[Expression] = {local("_kinetic"), local("_potential")}
     for one in statements:
         if isinstance(one, Solve) and one.determinant in known:
             yield replace(one, determinant=local(f"_again{len(known)}"))

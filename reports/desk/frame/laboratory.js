@@ -4,8 +4,8 @@ const CONTROLS = ["lab-scheme", "lab-step", "lab-datum-name", "lab-datum", "spee
 const laboratory = {
   /** @type {Map<string, string>} */
   values: new Map(),
-  /** @type {string[]} */
-  pressed: [],
+  /** @type {Map<string, string | null>} */
+  switches: new Map(),
   playing: false,
   focus: "",
   keep() {
@@ -16,7 +16,8 @@ const laboratory = {
       if (id === "lab-datum" ? control.dataset.moved : control.value !== control.dataset.first)
         this.values.set(id, control.value);
     }
-    this.pressed = [...document.querySelectorAll("#live .live-switches [aria-pressed=true]")].map((one) => one.id);
+    const switches = document.querySelectorAll("#live .live-switches [aria-pressed]");
+    this.switches = new Map([...switches].map((one) => [one.id, one.getAttribute("aria-pressed")]));
     const play = document.getElementById("play");
     this.playing = play?.getAttribute("aria-pressed") === "true";
     this.focus = document.activeElement?.closest("#live") ? document.activeElement.id : "";
@@ -34,7 +35,11 @@ const laboratory = {
       control.value = value;
       for (const kind of ["input", "change"]) control.dispatchEvent(new Event(kind, { bubbles: true }));
     }
-    for (const id of this.pressed) document.getElementById(id)?.click();
+    // Some are on from the beginning.
+    for (const [id, pressed] of this.switches) {
+      const own = document.getElementById(id);
+      if (own && own.getAttribute("aria-pressed") !== pressed) own.click();
+    }
     if (this.playing) document.getElementById("play")?.click();
     if (this.focus) document.getElementById(this.focus)?.focus({ preventScroll: true });
   },
