@@ -153,3 +153,16 @@ def test_an_origin_without_a_name_is_marked_where_data_count_from_it() -> None:
     assert min(abs(tip.real - (mark.box[0] + mark.box[2]) / 2) for tip in tips) < 5
     for name in ("v112", "31"):
         assert all(word.text != "0" for word in measured.words(solved(name, quantities=["table"]).mechanism().svg))  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize("name", ["example-4", "31"])
+def test_no_length_of_a_part_stands_above_another_as_in_a_fraction(name: str) -> None:
+    given = {datum.name for datum in solved(name).variant.given}
+    scene = solved(name).scene
+    svg = draw_start(scene.mechanism, scene.equations, solved(name).motion, scene.start).svg
+    boxes = [word.box for word in measured.words(svg) if word.text.translate(_LOWERED) in given]
+    assert len(boxes) >= 3
+    for place, (left, top, right, bottom) in enumerate(boxes):
+        for other in boxes[place + 1 :]:
+            if min(right, other[2]) > max(left, other[0]):
+                assert max(top, other[1]) - min(bottom, other[3]) > 4.0  # mm between what is inked

@@ -17,7 +17,7 @@ from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.outline import Bar
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
-from coursework.drawing.paper.placing import Owner, Place
+from coursework.drawing.paper.placing import FRACTION, Owner, Place
 from coursework.drawing.paper.sheet import BOLD, ITALIC
 from coursework.drawing.paper.symbols import length_word, name_word, short
 from coursework.mechanism.mechanism import Mechanism
@@ -131,7 +131,8 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
         if word[0] and abs(b - a) > SHORT:
             thin = [(begin, end) for _, begin, end in (*named[:place], *named[place + 1 :])]
             rivals = [line for line in (*thin, *painter.sheet.heavy, *near, *painter.grounds) if not lies_on(line, (a, b))]
-            painter.sheet.label(word, beside(painter, (a, b), 1.0, towards=-1), ITALIC, owner=Owner([(a, b)], rivals))
+            owner = Owner([(a, b)], rivals, leading=FRACTION)
+            painter.sheet.label(word, beside(painter, (a, b), 1.0, towards=-1), ITALIC, owner=owner)
 
 
 def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> dict[str, float]:

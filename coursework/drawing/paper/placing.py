@@ -30,7 +30,7 @@ WORD_ON_WORD = 200.0  # the same for another word
 CROSSED = 20.0  # the same for every line that goes through it
 SYMBOL = (3.0, 6.0)  # the same for a mm² of a symbol, and for every symbol
 GAP, SIDE_BY_SIDE = 2.2, 20.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
-LEADING = 0.8  # mm: so do words nearer above each other
+LEADING, FRACTION = 0.8, 2.0  # mm: so do words nearer above each other, and lengths that would read as a fraction
 BEYOND = 30.0  # mm of lines for each mm beyond the field
 CLEARLY = 1.0  # mm: a word is that much nearer to its own than to what it might be mistaken for
 LOST = 5.0  # mm: farther from a line or a point a word seems to belong to nothing
@@ -49,6 +49,7 @@ class Owner:
     rivals: Sequence[Segment] = ()
     mistaken: float = 8.0
     lost: float = LOST  # mm: a word farther from it is led back by a thin line
+    leading: float = LEADING  # mm: words so near above or below it are read with it
 
 
 @frozen
@@ -77,7 +78,7 @@ class Taken:
             self._lines[name] = Lines(listed, None if name == "heavy" else len(self.segments), CLEAR)
         return self._lines[name]
 
-    def covered(self, middles: Array, width: float, height: float, room: Rectangle) -> Array:
+    def covered(self, middles: Array, width: float, height: float, room: Rectangle, leading: float = LEADING) -> Array:
         """Return what equal rectangles cover: mm of lines, more for heavy ones, words, symbols and what is beyond `room`."""
         half = np.array([width / 2 + MARGIN, height / 2 + MARGIN])
         low, high = middles - half, middles + half
@@ -87,7 +88,7 @@ class Taken:
         areas = np.multiply.reduce(np.maximum(symbols, 0.0), axis=2)
         level = words[..., 1] > 0
         over, beside = level & (words[..., 0] > 0), level & (words[..., 0] > -GAP)
-        stacked = (words[..., 0] > 0) & (words[..., 1] > -LEADING) & ~level
+        stacked = (words[..., 0] > 0) & (words[..., 1] > -leading) & ~level
         crossed, length, heavy = self.lines("all").within(low, high)
         cost: Array = BEYOND * beyond.sum(axis=1) + length + CROSSED * crossed + HEAVY * heavy
         cost += SYMBOL[0] * areas.sum(axis=1) + SYMBOL[1] * (areas > 0).sum(axis=1)
@@ -118,7 +119,7 @@ class Taken:
             least, at = leasts[kept], ats[kept]
             middles = np.column_stack([at.real, at.imag])
             low, high = middles - half, middles + half
-            cost = least + self.covered(middles, width, height, room)
+            cost = least + self.covered(middles, width, height, room, owner.leading)
             feet = begins[kept]
             # What a reader could mistake only adds to the cost: it is looked at where the rest is cheap.
             order = np.argsort(np.round(cost, 6), kind="stable")
