@@ -123,7 +123,7 @@ def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path
 
     if (taken := foreign_text(original, target.stem, in_language)) is not None:
         if set_values:
-            raise InputError(say("fault.C093"))
+            raise InputError(say("fault.C097"))
         return {target: taken.encode("utf-8")}
     tell_own_file(original)
     source = find(original)

@@ -34,7 +34,7 @@ def foreign_text(given: str, stem: str, said: Callable[[str], str]) -> str | Non
         content = file.read(MOST_BYTES + 1)
     try:
         if len(content) > MOST_BYTES:
-            raise InputError(say("fault.C092", most=MOST_BYTES // 1000))
+            raise InputError(say("fault.C096", most=MOST_BYTES // 1000))
         return text_of(reader(content), stem, said)
     except InputError as error:
         raise InputError([Fault(fault.message, given) for fault in error.faults]) from None

@@ -48,7 +48,7 @@ class Scheme:
 
 def refused(program: str, place: object) -> InputError:
     """Return what is told of a file that cannot be read as one of a program."""
-    return InputError(say("fault.C090", program=program, place=place))
+    return InputError(say("fault.C094", program=program, place=place))
 
 
 def number(value: object, program: str, place: object) -> float:
@@ -69,7 +69,7 @@ def left_out(what: str) -> Sentence:
 
 def no_crank(program: str) -> InputError:
     """Return what is told where nothing turns about a fixed joint."""
-    return InputError(say("fault.C091", program=program))
+    return InputError(say("fault.C095", program=program))
 
 
 def driven_link(program: str, links: tuple[tuple[str, ...], ...], pivot: str, fixed: frozenset[str]) -> int:

@@ -143,9 +143,9 @@ def program_of(context: PageContext) -> Program:
 def rows_of(run: SceneRun) -> Motion:
     """Return the rows that a listing prints: those of its scheme, Euler's where the run's own table is the exact motion."""
     if run.variant.motor is not None:
-        raise InputError(say("fault.C094"))
+        raise InputError(say("fault.C091"))
     if run.settings.project or run.settings.gain:
-        raise InputError(say("fault.C095"))
+        raise InputError(say("fault.C092"))
     beside = run.scene.scheme_rows
     return run.motion if beside is None else beside
 
@@ -153,7 +153,7 @@ def rows_of(run: SceneRun) -> Motion:
 def refuse_exact(scheme: str | None) -> None:
     """Raise `InputError` where the exact motion itself is asked for."""
     if scheme == EXACT:
-        raise InputError(say("fault.C096"))
+        raise InputError(say("fault.C093"))
 
 
 def _boxes(context: PageContext) -> dict[str, Box]:

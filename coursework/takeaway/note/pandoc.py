@@ -19,7 +19,7 @@ LONGEST = 500  # characters of what it says
 
 @cache
 def _program() -> str:
-    import pypandoc
+    import pypandoc  # type: ignore[import-untyped]
 
     found: str = pypandoc.get_pandoc_path()
     return found

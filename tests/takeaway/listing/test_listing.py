@@ -164,7 +164,7 @@ def test_a_singular_position_that_is_gone_through_prints_its_limit(tmp_path):
 
 @pytest.mark.parametrize(
     ("options", "code"),
-    [(("31", "--scheme", "exact"), "C096"), (("falling-arm",), "C094"), (("31", "--language", "lisp"), "C054")],
+    [(("31", "--scheme", "exact"), "C093"), (("falling-arm",), "C091"), (("31", "--language", "lisp"), "C054")],
 )
 def test_what_has_no_listing_is_told(options, code):
     told = call("listing", *options)
