@@ -1,7 +1,7 @@
 """Single values of a text replaced, and lines added: the new text, and what in it is new.
 
 Enters: a text, values by their path.  Leaves: the text, places in it (line and column from 1, the end excluded).
-Used by `controls.py`, `derived.py`, `drag.py` and `pieces.py`.
+Used by `controls.py`, `derived.py`, `drag.py`, `pieces.py` and `point_pieces.py`.
 """
 
 from __future__ import annotations

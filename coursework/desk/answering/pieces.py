@@ -35,6 +35,8 @@ from coursework.words.sentences import say
 ASKED = (TABLE, PLOTS, CHECKS, GRAPH_CHECK, ACCELERATIONS, POINTS)
 STILL = 1e-9  # m: a point that goes less far stands
 DRIVEN = next(kind for kind, shape in GROUP_SHAPES.items() if shape.driven)
+# The group that is a rod and a slider in a guide of the frame.
+ROD = next(kind for kind, shape in GROUP_SHAPES.items() if (shape.points, shape.lengths, shape.guides) == (1, (1,), 1))
 
 
 def pieces(desk: Desk) -> Answer:
@@ -95,7 +97,7 @@ def piece(desk: Desk) -> dict[str, Any]:
     if kind in ASKS and not (kind == GUIDE and desk.variant.groups):
         return _put_to(kind, hung[0], known, number, taken, desk)
     beside = [*known.values()][-1:] if kind == DRIVEN else []  # so that it does not stand on another
-    return _hang("RRP" if kind == GUIDE else kind, [known[name] for name in hung] or beside, number, taken, desk)
+    return _hang(ROD if kind == GUIDE else kind, [known[name] for name in hung] or beside, number, taken, desk)
 
 
 def _put_to(kind: str, on: str, known: dict[str, End], number: int, taken: set[str], desk: Desk) -> dict[str, Any]:
