@@ -18,14 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, near, own_ways
+from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, as_printed, near, own_ways
 from coursework.system.arrays import Array, Flags
 
 Places = NDArray[np.intp]
 Counts = NDArray[np.intp]
 # What is found is set in, and what stands beside it looked for again; so is the march forward with the angles that it found.
 _PASSES = 2
-# So many velocities must agree on what another was when they were made; what is so in nearly all rows was never otherwise.
+# So many cells must agree on what another was when they were made; what is so in nearly all rows was never otherwise.
 _AGREE, _FEW = 2, 0.75
 # So many of the longest steps of its column it may lie from the rows beside.
 _FAR = 4.0
@@ -36,7 +36,12 @@ _ROUNDS, _DIFFERENCE = 5, 1e-6
 
 
 def from_what_was(key: Key, student: StudentTable, wrong: Flags, own: OwnWays, before: StudentTable | None) -> Iterator[Way]:
-    """Yield the ways to `wrong` cells (n, m + r) from what others were; `before` is the table as the rows above make it."""
+    """Yield the ways to `wrong` cells (n, m + r) from what others were; `before` is the table as the rows above make it.
+
+    A cell that is the task's may have been put right: it speaks neither for nor against what stood beside it.
+    """
+    put = near(student.values, key.table, as_printed(key, student.units))
+    wrong = wrong & ~put
     if before is not None:
         above = own_ways(key, before, own.coarse).tried
         yield from above
@@ -51,7 +56,7 @@ def from_what_was(key: Key, student: StudentTable, wrong: Flags, own: OwnWays, b
             tried = own_ways(key, guess, own.coarse).tried
             ways = [replace(way, expected=np.where(way.tolerance <= usual, way.expected, np.nan)) for way in tried]
             held = _held(ways, student)
-            new, lost = wrong & held, (as_it_stands & ~held)[:, m:].sum(axis=1)
+            new, lost = wrong & held, (as_it_stands & ~held & ~put)[:, m:].sum(axis=1)
             rows = (_made_from(new, m) > fitted + lost) & new[:, m:].any(axis=1)
             if rows.any():
                 made = np.zeros_like(wrong)
@@ -131,7 +136,7 @@ def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[St
 def _by_velocities(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
     """Yield each cell as the velocities of its row have it: all follow from a coordinate, later blocks from a velocity."""
     m = len(key.coordinates)
-    rows = np.flatnonzero(wrong[:, m:].sum(axis=1) >= _AGREE)
+    rows = np.flatnonzero(wrong[:, m:].any(axis=1) & (_made_from(wrong, m) >= _AGREE))
 
     def by_coordinates(t: Array, cells: Array) -> Array:
         return key.velocities_at(t, cells[:, :m])
@@ -141,7 +146,7 @@ def _by_velocities(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[
         for places, made in ((range(m), by_coordinates), (first, partial(_later, key))):
             for place in places:
                 guess = replace(was, values=was.values.copy())
-                guess.values[rows, place] = _fitted(made, key.t[rows], was.values[rows], was.units[rows], place, m)
+                guess.values[rows, place] = _fitted(made, key.t[rows], was.values[rows], was.units[rows], wrong[rows, m:], place)
                 fitted = np.full(len(wrong), wrong.size)
                 fitted[rows[_beside(key, guess.values[:, place], was.values[:, place], place)[rows]]] = 1
                 yield guess, fitted
@@ -158,9 +163,10 @@ def _beside(key: Key, guess: Array, printed: Array, place: int) -> Flags:
     return near
 
 
-def _fitted(made: Callable[[Array, Array], Array], t: Array, cells: Array, units: Array, place: int, m: int) -> Array:
-    """Return what most of the velocities in rows of `cells` (n, m + r) have the one at a place for (n,)."""
-    count, r = len(cells), cells.shape[1] - m
+def _fitted(made: Callable[[Array, Array], Array], t: Array, cells: Array, units: Array, wrong: Flags, place: int) -> Array:
+    """Return what most of the `wrong` velocities (n, r) in rows of `cells` (n, m + r) have the one at a place for (n,)."""
+    count, r = wrong.shape
+    m = cells.shape[1] - r
     one, printed = (np.arange(r * count), np.repeat(np.arange(r), count)), np.tile(cells[:, m:], (r, 1))
     times, moved = np.tile(t, r), np.tile(cells, (r, 1))
     for _ in range(_ROUNDS):
@@ -173,7 +179,7 @@ def _fitted(made: Callable[[Array, Array], Array], t: Array, cells: Array, units
     doubt = np.tile(units[:, m:], (r, 1)) + np.abs(slopes) * np.tile(units[:, [place]], (r, 1))
     with np.errstate(invalid="ignore"):
         agree = (np.abs(printed - made(times, moved)) <= doubt) & (slopes != 0)
-    best = agree.sum(axis=1).reshape(r, count).argmax(axis=0)
+    best = (agree & np.tile(wrong, (r, 1))).sum(axis=1).reshape(r, count).argmax(axis=0)
     return np.asarray(moved[:, place].reshape(r, count)[best, np.arange(count)])
 
 
