@@ -24,7 +24,9 @@ from coursework.grading.platforms.escapes import text_cell
 from coursework.grading.platforms.roster import ACCEPTED, Student
 from coursework.report.pages.pdf import pdf_of
 from coursework.report.text.words import Words
+from coursework.scene.quantities import TABLE
 from coursework.scene.scene import Scene
+from coursework.scene.scene_run import SceneRun
 from coursework.system.csv_text import csv_text
 from coursework.system.frozen import frozen
 from coursework.system.whole_files import refused, write_bytes
@@ -36,13 +38,16 @@ ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
 class Wishes:
     """How the files are made: `seed` as the user gave it, what stands on the line of the deadline, whether there is a PDF.
 
-    By the `rubric` a sheet says what is marked and what a person looks at.
+    By the `rubric` a sheet says what is marked and what a person looks at.  With `workbooks` everybody gets one, whose first row
+    has its formulas where `help_level` is 1.
     """
 
     seed: str
     deadline: str = ""
     pdf: bool = False
     rubric: Rubric = field(default_factory=Rubric)
+    workbooks: bool = False
+    help_level: int = 0
 
 
 def assign(
@@ -55,6 +60,11 @@ def assign(
     `drawn` and `made` are told how many students more have data and files, `missed` which letters the PDF shows as boxes.
     Raises `InputError`, `OutputError`.
     """
+    if wishes.workbooks:
+        from coursework.takeaway.missing import require
+        from coursework.takeaway.workbook.book import task_workbook
+
+        require("xlsxwriter", "xlsx", "workbook")  # before the first file
     individuals = assignment.individuals([student.id for student in roster], drawn)
     equations = key_equations(Scene(assignment.template, assignment.settings), words)
     for name, content in assignment.tables.items():
@@ -68,10 +78,15 @@ def assign(
         _write(out / "sheets" / f"{handout.stem}.html", sheet_html(page).encode("utf-8"))
         _write(out / "key" / f"{handout.stem}.csv", key_csv(handout).encode("utf-8"))
         _write(out / "key" / f"{handout.stem}.html", key_html(handout, equations, words).encode("utf-8"))
+        if wishes.workbooks:
+            content = task_workbook(SceneRun(handout.scene, (TABLE.name,)), words.phrases.language, wishes.help_level)
+            _write(out / "workbooks" / f"{handout.stem}.xlsx", content)
         handouts.append(handout)
         pages.append(page)
         made(1)
     written = ["ID.toml", "sheets/ID.html", "key/ID.csv", "key/ID.html", ROSTER, CLASS]
+    if wishes.workbooks:
+        written.append("workbooks/ID.xlsx")
     if wishes.pdf:
         paper = pdf_of("sheets.typ", pages)  # each sheet begins on a page of its own
         _write(out / PDF, paper.content)

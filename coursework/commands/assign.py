@@ -22,7 +22,7 @@ from coursework.words.sentences import say
 
 def assign_class(
     roster: Path, *, template: str, ranges: str | None, seed: str, out: Path, pdf: bool, deadline: str, rubric: Path | None,
-    language: str,
+    language: str, workbooks: str | None, help_level: int,
 ) -> int:  # fmt: skip
     """Return the exit status of giving a class its variants."""
     words = load_words(language)
@@ -37,10 +37,9 @@ def assign_class(
     centre, count = assignment.acceptance.centre, len(listed)
     tell(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
     letters: list[str] = []
+    wishes = Wishes(seed, deadline, pdf, marking, workbooks is not None, help_level)
     with click.progressbar(length=2 * count, label=in_language(say("assign.progress")), width=30) as bar:
-        written = assign(
-            listed, assignment, out, Wishes(seed, deadline, pdf, marking), words, bar.update, bar.update, letters.append
-        )
+        written = assign(listed, assignment, out, wishes, words, bar.update, bar.update, letters.append)
         bar.finish()
     tell_unprinted("".join(letters))
     tell(say("assign.written", count=count, out=str(out), written=tuple(written)))

@@ -229,6 +229,8 @@ def grade_command(source: Path, **options: Any) -> int:
 @click.option("--seed", required=True, help="Any number or word: the same seed gives everybody the same data.")
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for variants, sheets and keys.")
 @click.option("--pdf", is_flag=True, help="All sheets in one PDF, too.")
+@click.option("--format", "workbooks", type=click.Choice(["xlsx"]), help="A workbook for everybody: data and an empty table.")
+@click.option("--help-level", type=click.IntRange(0, 1), default=0, show_default=True, help="1: its first row has its formulas.")
 @click.option("--deadline", default="", help="What stands on the line of the deadline (default: a line to write on).")
 @click.option("--rubric", type=click.Path(path_type=Path), help="By it the sheets say what is marked (TOML, as for grade).")
 @templates(passed_on=False)

@@ -1,7 +1,7 @@
 """A run as a workbook: sheets Data, Euler, Exact, Checks, Graphs, Read me; the same bytes on every run.
 
 Enters: a `SceneRun` and a language.  Leaves: the bytes of an xlsx file.  Raises `NotToBeHad` where there can be none.
-Used by `run.py`, and by the list of formats, by name.
+Used by `run.py`, `assigning/assign.py`, and by the list of formats, by name.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_check
 from coursework.takeaway.workbook.columns import euler_columns
 from coursework.takeaway.workbook.data import TABLES, write_data
 from coursework.takeaway.workbook.euler import SHEET as EULER
-from coursework.takeaway.workbook.euler import write_euler
+from coursework.takeaway.workbook.euler import write_euler, write_first_row
 from coursework.takeaway.workbook.graphs import write_graphs
 from coursework.takeaway.workbook.sheet import Book, plain
 from coursework.takeaway.workbook.tables import SHEET as DATA
@@ -42,25 +42,12 @@ def write(results: Results) -> Iterator[tuple[str, bytes]]:
 
 def workbook_of(run: SceneRun, language: str) -> bytes:
     """Return the workbook of a run."""
-    require("xlsxwriter", "xlsx", "workbook")
-    if run.variant.motor is not None:
-        raise NotToBeHad(say("fault.W044"))
-    if run.settings.project or run.settings.gain:
-        raise NotToBeHad(say("fault.W045"))
-    import xlsxwriter
-
-    content = BytesIO()
-    file = xlsxwriter.Workbook(content, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
-    book = Book.of(file, PageContext(run, load_words(language)))
-    file.set_properties({"title": plain(book.context.variant.title), "created": _MADE})
+    _refuse(run)
+    book, content = _begun(run, language)
     tables = Tables(run.scene.equations.tables, TABLES)
     euler = euler_columns(run, tables)
     residuals = list(residuals_of(book, euler))
-    sheets = {name: file.add_worksheet(name) for name in (DATA, EULER, EXACT, "Checks", "Graphs", "Read me")}
-    for sheet in sheets.values():
-        sheet.set_landscape()
-        sheet.set_paper(_A4)
-        sheet.fit_to_pages(1, 0)
+    sheets = _sheets(book, (DATA, EULER, EXACT, "Checks", "Graphs", "Read me"))
     sheets["Graphs"].set_portrait()
     write_data(book, sheets[DATA], euler.names, tables)
     write_euler(book, sheets[EULER], euler)
@@ -68,8 +55,60 @@ def workbook_of(run: SceneRun, language: str) -> bytes:
     write_checks(book, sheets["Checks"], euler, residuals)
     write_graphs(book, sheets["Graphs"], euler)
     _readme(book, sheets["Read me"])
-    file.close()
+    book.file.close()
     return content.getvalue()
+
+
+def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
+    """Return the workbook of a task: its data and a table whose formulas are left to the student.
+
+    With `help_level` 1 the first row has its formulas, and start values that the geometry gives have theirs.
+    """
+    _refuse(run)
+    book, content = _begun(run, language)
+    tables = Tables(run.scene.equations.tables, TABLES)
+    euler = euler_columns(run, tables)
+    sheets = _sheets(book, (DATA, EULER))
+    write_data(book, sheets[DATA], euler.names, tables, solved=help_level > 0)
+    write_first_row(book, sheets[EULER], euler, help_level)
+    book.file.close()
+    return content.getvalue()
+
+
+def _refuse(run: SceneRun) -> None:
+    """Raise `NotToBeHad` for what has no workbook, and without XlsxWriter."""
+    require("xlsxwriter", "xlsx", "workbook")
+    if run.variant.motor is not None:
+        raise NotToBeHad(say("fault.W044"))
+    if run.settings.project or run.settings.gain:
+        raise NotToBeHad(say("fault.W045"))
+
+
+def _begun(run: SceneRun, language: str) -> tuple[Book, BytesIO]:
+    import xlsxwriter
+
+    content = BytesIO()
+    file = xlsxwriter.Workbook(content, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
+    book = Book.of(file, PageContext(run, load_words(language)))
+    file.set_properties({"title": plain(book.context.variant.title), "created": _MADE})
+    return book, content
+
+
+def _bare(_sheet: Any, formula: str, *_: Any) -> str:
+    """Return a formula as it is stored.  XlsxWriter looks for newer functions, none of which is here: half its time."""
+    return formula.removeprefix("{").removeprefix("=").removesuffix("}")
+
+
+def _sheets(book: Book, names: tuple[str, ...]) -> dict[str, Any]:
+    from xlsxwriter.worksheet import Worksheet
+
+    plain_sheet = type("PlainSheet", (Worksheet,), {"_prepare_formula": _bare})
+    sheets = {name: book.file.add_worksheet(name, plain_sheet) for name in names}
+    for sheet in sheets.values():
+        sheet.set_landscape()
+        sheet.set_paper(_A4)
+        sheet.fit_to_pages(1, 0)
+    return sheets
 
 
 def _readme(book: Book, sheet: Any) -> None:

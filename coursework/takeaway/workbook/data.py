@@ -35,10 +35,11 @@ class _Line:
     written: str
     name: str
     formula: str = ""
+    is_start: bool = False
 
 
-def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables) -> None:
-    """Write the sheet and define its names."""
+def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables, *, solved: bool = True) -> None:
+    """Write the sheet and define its names; where not `solved`, start values that the geometry gives are left to the student."""
     variant = book.context.variant
     sheet.write_string(0, 0, plain(f"{variant.name}. {variant.title}"), book.bold)
     book.heads(sheet, HEAD, [book.say(f"head.{key}") for key in COLUMNS])
@@ -48,7 +49,9 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables)
     for row, line in enumerate(lines, start=HEAD + 1):
         for column, text in ((0, line.symbol), (1, line.meaning), (3, line.unit), (4, line.written), (5, line.name)):
             sheet.write_string(row, column, plain(text))
-        if line.formula:
+        if line.is_start and line.formula and not solved:
+            sheet.write_blank(row, VALUE, None, book.head)
+        elif line.formula:
             sheet.write_formula(row, VALUE, f"={line.formula}", None, line.value)
             sheet.write_formula(row, ORIGINAL, f"={line.formula}", None, line.value)
         else:
@@ -60,7 +63,7 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables)
     for column, width in enumerate((14, 46, 22, 9, 24, 18)):
         sheet.set_column(column, column, width)
     sheet.set_column(ORIGINAL, ORIGINAL, None, None, {"hidden": True})
-    for row, term in enumerate(work.cells):
+    for row, term in enumerate(work.cells if solved else []):
         sheet.write_formula(row, work.column, f"={term.text}", None, number(term.value))
     sheet.set_column(work.column, work.column, None, None, {"hidden": True})
     for column, head, values in tables.columns():
@@ -89,7 +92,7 @@ def _starts(book: Book, names: Mapping[str, str], formulas: dict[str, tuple[str,
         if is_given:
             written = f"{coordinate.text} {coordinate.written or coordinate.unit}".strip()
         name = names[start_of(coordinate.name)]
-        yield _Line(_symbol(book, coordinate.name), meaning, value, _unit(book, coordinate.unit), written, name, formula)
+        yield _Line(_symbol(book, coordinate.name), meaning, value, _unit(book, coordinate.unit), written, name, formula, True)
 
 
 def _times(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:

@@ -41,6 +41,18 @@ def write_euler(book: Book, sheet: Any, euler: Euler) -> None:
     sheet.freeze_panes(1, 1)
 
 
+def write_first_row(book: Book, sheet: Any, euler: Euler, help_level: int) -> None:
+    """Write the heads, and with help the formulas of the row of t = 0 in all columns; the other rows are the student's."""
+    shown = len(euler.columns) if help_level else 1 + len(euler.motion.names)
+    for place, column in enumerate(euler.columns[:shown]):
+        sheet.write_string(0, place, plain(column.head), book.head)
+        if help_level and column.formula and euler.rows:
+            text = column.first or _at(column.formula, 0)
+            sheet.write_formula(FIRST - 1, place, f"={text}", None, number(float(column.values[0])))
+    sheet.set_column(0, shown - 1, 14)
+    sheet.freeze_panes(1, 1)
+
+
 def _formulas(sheet: Any, place: int, column: Column, rows: int) -> None:
     text, write = f"={column.formula}", sheet.write_formula
     for step, value in enumerate(column.values.tolist()[: rows - column.until]):
