@@ -19,7 +19,7 @@ LONGEST = 500  # characters of what it says
 
 @cache
 def _program() -> str:
-    import pypandoc  # type: ignore[import-untyped]
+    import pypandoc
 
     found: str = pypandoc.get_pandoc_path()
     return found
