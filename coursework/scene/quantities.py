@@ -116,6 +116,18 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
     return check_graph(results.scene.mechanism, results.scene.equations, results.motion, results.scene.exact)
 
 
+@computed("motion")
+def listing(results: MotionResults) -> Motion:
+    """The coursework as a program of one's own, in Python; what its comments name stands in the block diagram."""
+    return results.motion
+
+
+@computed("motion")
+def flowchart(results: MotionResults) -> Motion:
+    """The block diagram of that program."""
+    return results.motion
+
+
 def problem_of(variant: Variant, rates: Rates, start: list[float], exact: Motion, closure: Closure | None) -> Problem:
     """Return what a study of accuracy works on: as many rows as the exact motion has."""
     from coursework.results.accuracy.problem import Problem
@@ -242,6 +254,10 @@ def _refuse_no_motor(variant: Variant) -> Sentence | None:
     return say("fault.V743") if variant.motor is None else None
 
 
+def _refuse_forces(variant: Variant) -> Sentence | None:
+    return say("fault.C091") if variant.motor is not None else None
+
+
 _POINT_COLUMNS = Columns(_point_columns, _moving)
 TABLE = Quantity(table, OwnSection(), restrictable=True, usual=True)
 PLOTS = Quantity(plots, OwnSection(), restrictable=True, usual=True, only_pages=True)
@@ -262,11 +278,13 @@ PLANS = Quantity(
 FORCES = Quantity(MotionResults.forces, OwnSection(_force_columns, _force_listing), order=2, refuses=_refuse_no_forces)
 DYNAMICS = Quantity(MotionResults.dynamics, OwnSection(lambda _, found: found), order=2, refuses=_refuse_no_motor)
 ENERGY = Quantity(MotionResults.energy, OwnSection(_energy_columns), order=2, refuses=_refuse_no_forces)
+LISTING = Quantity(listing, OwnSection(), refuses=_refuse_forces, only_pages=True)
+FLOWCHART = Quantity(flowchart, OwnSection(), refuses=_refuse_forces, only_pages=True)
 HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points, only_pages=True)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (
     TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, PLANS, TRAJECTORIES, HODOGRAPHS,
-    FORCES, ENERGY, DYNAMICS,
+    FORCES, ENERGY, DYNAMICS, LISTING, FLOWCHART,
 )  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from coursework.report.sections.dead_point import dead_point
 from coursework.report.sections.graphs import graphs
 from coursework.report.sections.method import method
 from coursework.report.sections.motion_equations import equations
+from coursework.report.sections.program import flowchart, listing
 from coursework.report.sections.results import results
 from coursework.report.sections.solution import solution
 from coursework.report.sections.statement import statement
@@ -30,7 +31,19 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part, Section
 from coursework.report.text.tables import TABLE_FILE, extra_parts
 from coursework.report.text.text_runs import LONGEST_NAME
-from coursework.scene.quantities import ACCURACY, CHECKS, DYNAMICS, ENERGY, FORCES, GRAPH_CHECK, PLOTS, TABLE, Quantity
+from coursework.scene.quantities import (
+    ACCURACY,
+    CHECKS,
+    DYNAMICS,
+    ENERGY,
+    FLOWCHART,
+    FORCES,
+    GRAPH_CHECK,
+    LISTING,
+    PLOTS,
+    TABLE,
+    Quantity,
+)
 
 Writer = Callable[[PageContext], list[Part]]
 Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
@@ -42,7 +55,7 @@ PAPER: Writers = (
     (energy, ENERGY),
 )  # fmt: skip
 LAST: Writers = ((conclusion, CHECKS),)
-APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None))
+APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None), (listing, LISTING), (flowchart, FLOWCHART))
 # What is read behind the table and the graphs: a page that is written again and again waits with it until somebody looks.
 BEHIND: Writers = ((graph_check, GRAPH_CHECK), *LAST, *APPENDIX)
 

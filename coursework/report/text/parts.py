@@ -38,6 +38,14 @@ class Bullets:
 
 
 @frozen
+class Code:
+    """Lines of a program, as they are typed."""
+
+    text: str
+    kind: str = field(default="code", init=False)
+
+
+@frozen
 class Facts:
     """Pairs of a word and what holds, two columns."""
 
@@ -214,7 +222,7 @@ class Checks:
     kind: str = field(default="checks", init=False)
 
 
-Part = Paragraph | Bullets | Facts | TitleBlock | Result | Claims | Equations | Table | Figure | Panels | Checks
+Part = Paragraph | Bullets | Code | Facts | TitleBlock | Result | Claims | Equations | Table | Figure | Panels | Checks
 
 
 @frozen

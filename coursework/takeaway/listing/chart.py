@@ -1,6 +1,6 @@
 """The block diagram of a program, ISO 5807 (ГОСТ 19.701): its boxes are those of the listing and bear the same numbers.
 
-Enters: a `Program` and words.  Leaves: SVG.  Used by `commands/listing.py` and the appendix.
+Enters: a `Program` and words.  Leaves: SVG.  Used by `commands/listing.py` and `appendix.py`.
 
 Two columns: the program with its loop between two loop limits, and beside it the velocities, which the program calls as a
 predefined process.  A block whose determinant can vanish has its decision, which leads to a stop.
@@ -21,6 +21,17 @@ _LETTERS = 30  # of a line in a box
 _CUT = 12.0  # of a slanted side
 
 
+# Attributes, no style sheet: on a page a sheet would set every other drawing too.
+_LETTERING = (
+    """font-family="sans-serif, 'Noto Sans CJK SC', 'Noto Serif CJK SC', 'Microsoft YaHei'" font-size="12" """
+    'fill="currentColor" text-anchor="middle"'
+)
+_BOX = 'fill="none" stroke="currentColor" stroke-width="1.2"'
+_LINE = 'fill="none" stroke="currentColor"'
+_TIP = 'fill="currentColor"'
+_NUMBER = 'font-size="10" text-anchor="start"'
+
+
 @frozen
 class Placed:
     """A box and the middle of its upper edge."""
@@ -32,22 +43,27 @@ class Placed:
 
 def block_diagram(program: Program, words: Words) -> str:
     """Return the block diagram as SVG."""
-    main = list(_down(list(program.boxes.values()), EDGE + WIDTH / 2))
-    right = EDGE + WIDTH + APART + WIDTH / 2
-    own = list(_down(list(_velocities(program, words)), right))
-    height = max(one.y for one in (*main, *own)) + HEIGHT + EDGE
-    width = right + WIDTH / 2 + APART
+    main, own = _columns(program, words)
+    width, height = size_of(program, words)
     drawn = [part for column in (main, own) for part in _column(column)]
     drawn += list(_skip(main, program)) + list(_stops(own, words))
     label = clean(program.title)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:g} {height:g}" width="{width:g}" height="{height:g}" '
         f'role="img" aria-label="{escape(label, {chr(34): "&quot;"})}">'
-        "<style>.b{fill:none;stroke:currentColor;stroke-width:1.2}.l{fill:none;stroke:currentColor;stroke-width:1}"
-        "text{font:12px sans-serif,'Noto Sans CJK SC','Noto Serif CJK SC','Microsoft YaHei';fill:currentColor;"
-        "text-anchor:middle}.n{font-size:10px;text-anchor:start}"
-        ".a{fill:currentColor;stroke:none}</style>" + "".join(drawn) + "</svg>\n"
+        f"<g {_LETTERING}>{''.join(drawn)}</g></svg>\n"
     )
+
+
+def size_of(program: Program, words: Words) -> tuple[float, float]:
+    """Return width and height of the block diagram, px."""
+    main, own = _columns(program, words)
+    return own[0].x + WIDTH / 2 + APART, max(one.y for one in (*main, *own)) + HEIGHT + EDGE
+
+
+def _columns(program: Program, words: Words) -> tuple[list[Placed], list[Placed]]:
+    main = list(_down(list(program.boxes.values()), EDGE + WIDTH / 2))
+    return main, list(_down(list(_velocities(program, words)), EDGE + WIDTH + APART + WIDTH / 2))
 
 
 def _velocities(program: Program, words: Words) -> Iterator[Box]:
@@ -78,7 +94,7 @@ def _outline(one: Placed) -> str:
     left, right, top, low = one.x - WIDTH / 2, one.x + WIDTH / 2, one.y, one.y + HEIGHT
     match one.box.kind:
         case "terminator":
-            return f'<rect class="b" x="{left:g}" y="{top:g}" width="{WIDTH:g}" height="{HEIGHT:g}" rx="{HEIGHT / 2:g}"/>'
+            return f'<rect {_BOX} x="{left:g}" y="{top:g}" width="{WIDTH:g}" height="{HEIGHT:g}" rx="{HEIGHT / 2:g}"/>'
         case "data":
             return _polygon((left + _CUT, top), (right, top), (right - _CUT, low), (left, low))
         case "decision":
@@ -91,15 +107,15 @@ def _outline(one: Placed) -> str:
             return _polygon(
                 (left, top), (right, top), (right, low - _CUT), (right - _CUT, low), (left + _CUT, low), (left, low - _CUT)
             )
-    box = f'<rect class="b" x="{left:g}" y="{top:g}" width="{WIDTH:g}" height="{HEIGHT:g}"/>'
+    box = f'<rect {_BOX} x="{left:g}" y="{top:g}" width="{WIDTH:g}" height="{HEIGHT:g}"/>'
     if one.box.kind == "subroutine":
         sides = "".join(f"M{x:g} {top:g}V{low:g}" for x in (left + 8, right - 8))
-        box += f'<path class="l" d="{sides}"/>'
+        box += f'<path {_LINE} d="{sides}"/>'
     return box
 
 
 def _polygon(*points: tuple[float, float]) -> str:
-    return f'<polygon class="b" points="{" ".join(f"{x:g},{y:g}" for x, y in points)}"/>'
+    return f'<polygon {_BOX} points="{" ".join(f"{x:g},{y:g}" for x, y in points)}"/>'
 
 
 def _text(one: Placed) -> Iterator[str]:
@@ -107,7 +123,7 @@ def _text(one: Placed) -> Iterator[str]:
     top = one.y + HEIGHT / 2 + 4 - 7 * (len(lines) - 1)
     for place, line in enumerate(lines):
         yield f'<text x="{one.x:g}" y="{top + 14 * place:g}">{escape(line)}</text>'
-    yield f'<text class="n" x="{one.x - WIDTH / 2:g}" y="{one.y - 3:g}">{one.box.number}</text>'
+    yield f'<text {_NUMBER} x="{one.x - WIDTH / 2:g}" y="{one.y - 3:g}">{one.box.number}</text>'
 
 
 def _lines(text: str) -> list[str]:
@@ -121,10 +137,10 @@ def _lines(text: str) -> list[str]:
 
 
 def _arrow(x0: float, y0: float, x: float, y: float) -> str:
-    line = f'<path class="l" d="M{x0:g} {y0:g}L{x:g} {y:g}"/>'
+    line = f'<path {_LINE} d="M{x0:g} {y0:g}L{x:g} {y:g}"/>'
     if x0 == x:
-        return f'{line}<path class="a" d="M{x:g} {y:g}l-3 -7h6z"/>'
-    return f'{line}<path class="a" d="M{x:g} {y:g}l-7 -3v6z"/>'
+        return f'{line}<path {_TIP} d="M{x:g} {y:g}l-3 -7h6z"/>'
+    return f'{line}<path {_TIP} d="M{x:g} {y:g}l-7 -3v6z"/>'
 
 
 def _skip(main: list[Placed], program: Program) -> Iterator[str]:
@@ -133,8 +149,8 @@ def _skip(main: list[Placed], program: Program) -> Iterator[str]:
     more, again = (places[program.boxes[key].number] for key in ("more", "again"))
     x = more.x + WIDTH / 2
     out, low = x + 25, again.y + HEIGHT / 2
-    yield f'<path class="l" d="M{x:g} {more.y + HEIGHT / 2:g}H{out:g}V{low:g}H{x:g}"/>'
-    yield f'<path class="a" d="M{x:g} {low:g}l7 -3v6z"/>'
+    yield f'<path {_LINE} d="M{x:g} {more.y + HEIGHT / 2:g}H{out:g}V{low:g}H{x:g}"/>'
+    yield f'<path {_TIP} d="M{x:g} {low:g}l7 -3v6z"/>'
     yield f'<text x="{x + 12:g}" y="{more.y + HEIGHT / 2 - 5:g}">−</text>'
     yield f'<text x="{more.x + 10:g}" y="{more.y + HEIGHT + 14:g}">+</text>'
 
@@ -145,6 +161,6 @@ def _stops(own: list[Placed], words: Words) -> Iterator[str]:
         if one.box.kind == "decision":
             x, y = one.x + WIDTH / 2, one.y + HEIGHT / 2
             yield _arrow(x, y, x + 26, y)
-            yield f'<rect class="b" x="{x + 26:g}" y="{y - 13:g}" width="52" height="26" rx="13"/>'
+            yield f'<rect {_BOX} x="{x + 26:g}" y="{y - 13:g}" width="52" height="26" rx="13"/>'
             yield f'<text x="{x + 52:g}" y="{y + 4:g}">{escape(words("listing.box.end"))}</text>'
             yield f'<text x="{x + 12:g}" y="{y - 5:g}">+</text><text x="{one.x + 10:g}" y="{one.y + HEIGHT + 14:g}">−</text>'

@@ -1,6 +1,6 @@
 """A program -> its listing in a language.
 
-Enters: a `Program`, a language, the words of the comments.  Leaves: text.  Used by `commands/listing.py`.
+Enters: a `Program`, a language, the words of the comments.  Leaves: text.  Used by `commands/listing.py` and `appendix.py`.
 A language is a `Syntax`, a function of its name, its elimination and its tables.
 """
 

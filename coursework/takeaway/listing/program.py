@@ -21,6 +21,7 @@ from coursework.motion.integration.motion import AT_EVENT, Motion
 from coursework.motion.schemes import Scheme, scheme_of, title_of
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import Words
+from coursework.scene.quantities import LISTING
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
 from coursework.variant.record.vocabulary import EXACT
@@ -142,8 +143,8 @@ def program_of(context: PageContext) -> Program:
 
 def rows_of(run: SceneRun) -> Motion:
     """Return the rows that a listing prints: those of its scheme, Euler's where the run's own table is the exact motion."""
-    if run.variant.motor is not None:
-        raise InputError(say("fault.C091"))
+    if (refused := LISTING.refuses(run.variant)) is not None:
+        raise InputError(refused)
     if run.settings.project or run.settings.gain:
         raise InputError(say("fault.C092"))
     beside = run.scene.scheme_rows

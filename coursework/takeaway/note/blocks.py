@@ -17,6 +17,7 @@ from coursework.report.text.parts import (
     Cell,
     Checks,
     Claims,
+    Code,
     Display,
     Equations,
     Facts,
@@ -97,6 +98,10 @@ class Blocks:
         lead = [tree.strong(tree.text(part.lead)), {"t": "Space"}] if part.lead else []
         block = tree.paragraph([*lead, *self.inlines(part.text)])
         return [tree.styled("Remark", [block])] if part.style == "note" else [block]
+
+    @of.register
+    def _(self, part: Code) -> list[Node]:
+        return [tree.code(part.text)]
 
     @of.register
     def _(self, part: Bullets) -> list[Node]:

@@ -74,6 +74,11 @@ def paragraph(inlines: Iterable[Node]) -> Node:
     return {"t": "Para", "c": list(inlines)}
 
 
+def code(lines: str) -> Node:
+    """Return lines as they are typed."""
+    return {"t": "CodeBlock", "c": [attributes(), lines]}
+
+
 def styled(style: str, blocks: Iterable[Node]) -> Node:
     """Return paragraphs of a style."""
     return {"t": "Div", "c": [attributes(custom_style=style), list(blocks)]}

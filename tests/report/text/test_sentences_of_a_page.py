@@ -93,7 +93,7 @@ def unusual(real: ModuleType) -> list[Any]:
         judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solved("v107"),
         solved("v108"), solved("v104"), solved("v112", quantities=["table"]),
         solved("31", project=1), solved("31", project=2), solved("31", gain=5.0), solved("31", scheme="rk4"),
-        solved("31", scheme="exact"),
+        solved("31", scheme="exact"), solved("31", quantities=["table", "listing", "flowchart"]),
         solved("31", step=0.48 / 999, quantities=["table", "plots"]), solved("31", end=0.02, quantities=["table"]),
         solved("example-2", quantities=extras), solved("variable-crank-table"), solved("variable-crank"), solved("robot-arm"),
         solved("andrews", quantities=["table"]), solved("31", quantities=["checks"]), solved("oscillating-cylinder"),

@@ -5,6 +5,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.takeaway.listing.chart import block_diagram
@@ -23,7 +25,7 @@ def drawn(name, words="en"):
 
 @pytest.mark.parametrize("name", sampled(DRIVEN))
 def test_boxes_and_comments_have_the_same_numbers(name):
-    numbers = [int(text.text) for text in drawn(name).iter(f"{SPACE}text") if text.get("class") == "n"]
+    numbers = [int(text.text) for text in drawn(name).iter(f"{SPACE}text") if text.get("font-size") == "10"]
     assert numbers == list(range(1, len(numbers) + 1))
     run = solved(name, scheme="euler", quantities=["table"])
     told = {int(one) for one in re.findall(r"^ *# (\d+) ", written(run, "python"), re.MULTILINE)}
@@ -41,3 +43,15 @@ def test_shapes_are_those_of_the_standard():
 def test_it_speaks_the_language_of_the_report(words):
     said = {text.text for text in drawn("31", words).iter(f"{SPACE}text")}
     assert {load_words(words)("listing.box.start"), load_words(words)("listing.box.end")} <= said and "start" not in said
+
+
+def test_both_stand_in_the_appendix_where_they_are_asked_for():
+    usual = solved("31")
+    assert not {"listing", "flowchart"} & {*usual.asked}
+    model = build_model(solved("31", quantities=["table", "listing", "flowchart"]), "ru")
+    program, picture = (next(part for part in one.parts) for one in model.sections if one.name in {"listing", "flowchart"})
+    assert program.text == written(solved("31"), "python", "ru")
+    assert ElementTree.fromstring(picture.svg).tag == f"{SPACE}svg" and picture.width == pytest.approx(580 * 25.4 / 96, rel=1e-6)
+    page = render_html(model)
+    assert "# 12  (11): w3" in page.replace("&#39;", "'") or "(11): w3" in page
+    assert "<style>" not in picture.svg  # it would set every other drawing too
