@@ -71,7 +71,7 @@ def signs(formula):
     formula = COMMANDS.sub("", formula)
     for letter, name in GREEK.items():
         formula = re.sub(rf"\\{name}(?![a-z])", letter, formula)
-    plain = formula.translate(str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹−⁻ϕφᵗⁿ", "01234567890123456789--φφtn"))
+    plain = formula.translate(str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹−⁻ϕφᵗⁿ½", "01234567890123456789--φφtn2"))
     return Counter(re.findall(r"[^\W_]|[=+\-∂]", plain))
 
 
