@@ -17,6 +17,7 @@ _NUMBERS = re.compile(r"[\d.,+−·/()=²³⁰¹⁴⁵⁶⁷⁸⁹⁻ \u2009\u20
 _RAISED = re.compile(r"[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 NEXT_LINE = " \\ "
+_WORD = re.compile(r"_\{\\text\{([^{}]*?) \}\}")  # pandoc leaves a space behind a word that stands lower
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 
 
@@ -31,6 +32,7 @@ def latex_of(sources: Iterable[str], mark: str, *, aligned: bool) -> dict[str, s
     text = "\n\n".join(f"$ {_bare(one, mark)} $" for one in listed)
     tree = json.loads(called(["-f", "typst", "-t", "json"], text.encode()))
     made = [math for block in tree["blocks"] for math in _maths(block)]
+    made = [_WORD.sub(r"_{\\text{\1}}", one) for one in made]
     if mark != POINT:
         made = [_DECIMAL.sub(f"{{{mark}}}", one) for one in made]
     return dict(zip(listed, made if aligned else map(_in_a_column, made), strict=True))

@@ -59,18 +59,25 @@ def squeezed(text):
 
 def signs(formula):
     """The letters, digits and signs of a formula, in whichever language and order it is written."""
-    for command, sign in (("\\overset{\\rightarrow}", ""), ("→", ""), ("\\partial", "∂"), ("\\frac{1}", "")):
+    for command, sign in (
+        ("\\overset{\\rightarrow}", ""),
+        ("→", ""),
+        ("\\partial", "∂"),
+        ("\\frac{1}{2}", "½"),
+        ("\\frac{1}", ""),
+        ("dω/dt", "ω"),
+    ):
         formula = formula.replace(command, sign)
     formula = COMMANDS.sub("", formula)
     for letter, name in GREEK.items():
         formula = re.sub(rf"\\{name}(?![a-z])", letter, formula)
-    plain = formula.translate(str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹−⁻ϕφ", "01234567890123456789--φφ"))
+    plain = formula.translate(str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹−⁻ϕφᵗⁿ½", "01234567890123456789--φφtn2"))
     return Counter(re.findall(r"[^\W_]|[=+\-∂]", plain))
 
 
 COMMANDS = re.compile(
     r"\\(?:begin|end)\{\w+\}(?:\{\w*\})?"
-    r"|\\(?:frac|left|right|quad|angle|lbrack|rbrack|cdot|text|underline|sqrt|dot|mathring|operatorname)\b"
+    r"|\\(?:frac|left|right|quad|angle|lbrack|rbrack|cdot|text|underline|sqrt|dot|ddot|mathring|operatorname)\b"
 )
 GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "varepsilon", "θ": "theta", "λ": "lambda", "μ": "mu", "ξ": "xi",
