@@ -13,6 +13,7 @@ from coursework.system.frozen import frozen
 
 TWIPS = 1440 / 25.4  # a mm
 PAGE = (210.0, 297.0)  # mm
+MONO = "Courier New"
 REACH = 5.0  # mm into the right margin, for a drawing true to scale that is hardly wider than the text
 
 
@@ -70,6 +71,7 @@ class Style:
     grey: bool = False
     new_page: bool = False
     right: float = 0.0
+    typed: bool = False  # in letters of one width
 
 
 def styles_of(house: House) -> tuple[Style, ...]:
@@ -100,6 +102,7 @@ def styles_of(house: House) -> tuple[Style, ...]:
         Style("Figure", align="center", before=8, after=4, first=0, line=1.0, keep=True),
         Style("Wide Figure", align="center", before=8, after=4, first=0, line=1.0, keep=True, right=-REACH),
         Style("Equation", 11.0, align="left", before=4, after=4, first=0, line=1.0, tabs=True),
+        Style("Source Code", 8.0, align="left", first=0, line=1.0, typed=True),
         Style("Table Text", 9.0, align="left", first=0, line=1.0),
         Style("Table Text Small", 7.0, align="left", first=0, line=1.0),
         Style("Remark", small, align="both", after=4, line=1.0),
@@ -130,7 +133,8 @@ def _word_style(style: Style, house: House) -> str:
     )
     paragraph += f'<w:outlineLvl w:val="{style.level - 1}"/>' if style.level else ""
     half = round((style.size or house.size) * 2)
-    faces = f'w:ascii="{house.face}" w:hAnsi="{house.face}" w:cs="{house.face}" w:eastAsia="{house.eastern}"'
+    face = MONO if style.typed else house.face
+    faces = f'w:ascii="{face}" w:hAnsi="{face}" w:cs="{face}" w:eastAsia="{house.eastern}"'
     run = f"<w:rFonts {faces}/>" + ("<w:b/>" if style.bold else "") + ("<w:i/>" if style.italic else "")
     run += "<w:caps/>" if style.capitals else ""
     run += f'<w:color w:val="{"7F7F7F" if style.grey else "000000"}"/><w:sz w:val="{half}"/><w:szCs w:val="{half}"/>'
@@ -146,7 +150,8 @@ def _word_style(style: Style, house: House) -> str:
 def open_document_styles(house: House) -> dict[str, str]:
     """Return the XML of every style by its name in OpenDocument's `styles.xml`."""
     names = {"Normal": "Standard", "Body Text": "Text_20_body", "Image Caption": "FigureCaption", "Table Caption": "TableCaption",
-             "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents"}  # fmt: skip
+             "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents",
+             "Source Code": "Preformatted_20_Text"}  # fmt: skip
     return {
         (name := names.get(one.name, one.name.replace(" ", "_20_"))): _open_style(one, name, house) for one in styles_of(house)
     }
@@ -174,7 +179,7 @@ def _open_style(style: Style, name: str, house: House) -> str:
         f'<style:paragraph-properties fo:margin-left="0mm" fo:margin-right="{style.right}mm" fo:text-indent="{first}mm" '
         f'fo:margin-top="{style.before}pt" fo:margin-bottom="{style.after}pt" fo:line-height="{(style.line or house.line):.0%}" '
         f'fo:text-align="{align}" style:justify-single-word="false"{keep}>{tabs}</style:paragraph-properties>'
-        f'<style:text-properties fo:font-family="{house.face}" style:font-family-asian="{house.eastern}" fo:font-size="{size}pt" '
+        f'<style:text-properties fo:font-family="{MONO if style.typed else house.face}" style:font-family-asian="{house.eastern}" fo:font-size="{size}pt" '
         f'style:font-size-asian="{size}pt" fo:font-weight="{weight}" style:font-weight-asian="{weight}" fo:font-style="{slope}" '
         f'fo:color="{"#7f7f7f" if style.grey else "#000000"}"{more}/></style:style>'
     )
