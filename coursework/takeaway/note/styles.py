@@ -173,13 +173,14 @@ def _open_style(style: Style, name: str, house: House) -> str:
     level = f' style:default-outline-level="{style.level}"' if style.level and style.name.startswith("Heading ") else ""
     parent = "" if name == "Standard" else ' style:parent-style-name="Standard"'
     shown = style.name if name != "Standard" else "Standard"
+    face = MONO if style.typed else house.face
     return (
         f'<style:style style:name="{name}" style:display-name="{shown}" style:family="paragraph"{parent} '
         f'style:class="text"{level}>'
         f'<style:paragraph-properties fo:margin-left="0mm" fo:margin-right="{style.right}mm" fo:text-indent="{first}mm" '
         f'fo:margin-top="{style.before}pt" fo:margin-bottom="{style.after}pt" fo:line-height="{(style.line or house.line):.0%}" '
         f'fo:text-align="{align}" style:justify-single-word="false"{keep}>{tabs}</style:paragraph-properties>'
-        f'<style:text-properties fo:font-family="{MONO if style.typed else house.face}" style:font-family-asian="{house.eastern}" fo:font-size="{size}pt" '
+        f'<style:text-properties fo:font-family="{face}" style:font-family-asian="{house.eastern}" fo:font-size="{size}pt" '
         f'style:font-size-asian="{size}pt" fo:font-weight="{weight}" style:font-weight-asian="{weight}" fo:font-style="{slope}" '
         f'fo:color="{"#7f7f7f" if style.grey else "#000000"}"{more}/></style:style>'
     )

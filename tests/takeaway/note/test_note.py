@@ -217,3 +217,13 @@ def test_a_missing_package_is_told_with_the_line_that_installs_it(folder, monkey
         "table.csv"
     ]
     assert called.stderr.count("[note]") == 2
+
+
+@pytest.mark.parametrize("suffix", KINDS)
+def test_a_program_in_the_appendix_is_typed_line_by_line(suffix, tmp_path):
+    call("run", "31", "--quantities", "table,listing", "--format", suffix, "--out", str(tmp_path))
+    command = [pypandoc.get_pandoc_path(), "-f", {"tex": "latex"}.get(suffix, suffix), "-t", "plain", "--wrap=none"]
+    read = subprocess.run(command, input=(tmp_path / f"report.{suffix}").read_bytes(), capture_output=True, check=True).stdout
+    lines = [" ".join(line.replace("\xa0", " ").split()) for line in read.decode().splitlines()]
+    program = call("listing", "31", "--language", "python").stdout.splitlines()
+    assert {" ".join(line.split()) for line in program if line} <= {*lines}
