@@ -16,13 +16,13 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.takeaway.missing import require
+from coursework.takeaway.workbook.cells import SHEET
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
-from coursework.takeaway.workbook.columns import euler_columns
+from coursework.takeaway.workbook.columns import step_columns
 from coursework.takeaway.workbook.data import TABLES, write_data
-from coursework.takeaway.workbook.euler import SHEET as EULER
-from coursework.takeaway.workbook.euler import write_euler, write_first_row
 from coursework.takeaway.workbook.graphs import write_graphs
 from coursework.takeaway.workbook.sheet import Book, plain
+from coursework.takeaway.workbook.steps import write_first_row, write_steps
 from coursework.takeaway.workbook.tables import SHEET as DATA
 from coursework.takeaway.workbook.tables import Tables
 from coursework.words.errors import NotToBeHad
@@ -32,7 +32,7 @@ from coursework.words.sentences import say
 _MADE = datetime(2000, 1, 1)
 _A4 = 9
 _WIDTH, _LINE, _WIDE = 105, 16, 0x2E00  # of a paragraph in letters; of a line in points; letters beyond are twice as wide
-README = ("data", "euler", "laws", "determinants", "exact", "checks", "graphs", "rows", "values")
+README = ("data", "steps", "laws", "determinants", "exact", "checks", "graphs", "rows", "values")
 
 
 def write(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -45,15 +45,15 @@ def workbook_of(run: SceneRun, language: str) -> bytes:
     _refuse(run)
     book, content = _begun(run, language)
     tables = Tables(run.scene.equations.tables, TABLES)
-    euler = euler_columns(run, tables)
-    residuals = list(residuals_of(book, euler))
-    sheets = _sheets(book, (DATA, EULER, EXACT, "Checks", "Graphs", "Read me"))
+    table = step_columns(run, tables)
+    residuals = list(residuals_of(book, table))
+    sheets = _sheets(book, (DATA, SHEET, EXACT, "Checks", "Graphs", "Read me"))
     sheets["Graphs"].set_portrait()
-    write_data(book, sheets[DATA], euler.names, tables)
-    write_euler(book, sheets[EULER], euler)
-    write_exact(book, sheets[EXACT], euler)
-    write_checks(book, sheets["Checks"], euler, residuals)
-    write_graphs(book, sheets["Graphs"], euler)
+    write_data(book, sheets[DATA], table.names, tables)
+    write_steps(book, sheets[SHEET], table)
+    write_exact(book, sheets[EXACT], table)
+    write_checks(book, sheets["Checks"], table, residuals)
+    write_graphs(book, sheets["Graphs"], table)
     _readme(book, sheets["Read me"])
     book.file.close()
     return content.getvalue()
@@ -67,10 +67,10 @@ def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
     _refuse(run)
     book, content = _begun(run, language)
     tables = Tables(run.scene.equations.tables, TABLES)
-    euler = euler_columns(run, tables)
-    sheets = _sheets(book, (DATA, EULER))
-    write_data(book, sheets[DATA], euler.names, tables, solved=help_level > 0)
-    write_first_row(book, sheets[EULER], euler, help_level)
+    table = step_columns(run, tables)
+    sheets = _sheets(book, (DATA, SHEET))
+    write_data(book, sheets[DATA], table.names, tables, solved=help_level > 0)
+    write_first_row(book, sheets[SHEET], table, help_level)
     book.file.close()
     return content.getvalue()
 

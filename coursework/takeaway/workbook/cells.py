@@ -1,6 +1,6 @@
 """What the table of a workbook is made of: columns with their formulas and numbers, coefficients of blocks behind them.
 
-Enters: formulas and numbers.  Leaves: `Euler`.  Used inside `workbook/`.
+Enters: formulas and numbers.  Leaves: `StepTable`.  Used inside `workbook/`.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula
 
 # Stand for the number of a row, of the one before it and the one behind it, and for how many steps lie before it.
+SHEET = "Euler"  # as the sheet is called in every language
 ROW, BEFORE, NEXT, STEPS = "\x01", "\x02", "\x03", "\x04"
 FIRST = 2  # the number of the row of t = 0; row 1 has the names
 TIME = "t"
@@ -61,7 +62,7 @@ Solved = tuple[Matrix, int]
 
 
 @changing
-class Euler:
+class StepTable:
     """The table: `columns` in their order, the `matrices` behind them, `solved` the columns that a matrix gives."""
 
     run: SceneRun

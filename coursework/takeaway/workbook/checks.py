@@ -1,6 +1,6 @@
 """Sheets Exact and Checks: the true motion beside the table, and what must be zero, as formulas.
 
-Enters: a `Book` and `Euler`.  Leaves: the sheets.  Used by `book.py`.
+Enters: a `Book` and `StepTable`.  Leaves: the sheets.  Used by `book.py`.
 """
 
 from __future__ import annotations
@@ -14,8 +14,7 @@ from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
-from coursework.takeaway.workbook.cells import FIRST, ROW, Euler
-from coursework.takeaway.workbook.euler import SHEET as EULER
+from coursework.takeaway.workbook.cells import FIRST, ROW, SHEET, StepTable
 from coursework.takeaway.workbook.names import letters
 from coursework.takeaway.workbook.sheet import Book, number, plain
 
@@ -26,25 +25,25 @@ EXACT = "Exact"
 Residual = tuple[str, str, "Expression", bool]  # head, formula, expression, whether it keeps its first value and need not be zero
 
 
-def write_exact(book: Book, sheet: Any, euler: Euler) -> None:
+def write_exact(book: Book, sheet: Any, table: StepTable) -> None:
     """Write the true motion (values), the difference of each cell and the largest one."""
-    run, motion = book.run, euler.motion
+    run, motion = book.run, table.motion
     exact = run.scene.exact
     names, rows = run.columns() if run.scene.scheme_rows is not None else (_names(motion, exact), _rows(motion, exact))
     for place, (head, values) in enumerate(zip(("t", *names), (exact.t, *rows.T), strict=True)):
         sheet.write_string(0, place, plain(head), book.head)
         sheet.write_column(1, place, values.tolist())
-    both = min(len(exact.t), euler.rows)
+    both = min(len(exact.t), table.rows)
     beside = len(names) + 2
     for place, name in enumerate(names):
         if name not in motion.names or not both:
             continue
-        column, own = letters(1 + place), euler.place(name)
+        column, own = letters(1 + place), table.place(name)
         sheet.write_string(0, beside, plain(f"Δ{name}"), book.head)
         differences = motion.column(name)[:both] - rows[:both, place]
         for step, value in enumerate(differences.tolist()):
             row = FIRST + step
-            sheet.write_formula(row - 1, beside, f"={EULER}!{own}{row}-{column}{row}", None, number(value))
+            sheet.write_formula(row - 1, beside, f"={SHEET}!{own}{row}-{column}{row}", None, number(value))
         span = f"{letters(beside)}{FIRST}:{letters(beside)}{FIRST + both - 1}"
         sheet.write_formula(both + 2, beside, f"=MAX(MAX({span}),-MIN({span}))", book.bold, float(np.abs(differences).max()))
         beside += 1
@@ -61,44 +60,44 @@ def _rows(motion: Motion, exact: Motion) -> Any:
     return np.array([exact.column(name) for name in _names(motion, exact)]).T.reshape(len(exact.t), -1)
 
 
-def write_checks(book: Book, sheet: Any, euler: Euler, residuals: list[Residual]) -> None:
+def write_checks(book: Book, sheet: Any, table: StepTable, residuals: list[Residual]) -> None:
     """Write first and last row with the PERIOD split, then closure and residuals of every row."""
-    motion, exact = euler.motion, book.run.scene.exact
+    motion, exact = table.motion, book.run.scene.exact
     sheet.write_string(0, 0, book.say("first_last"), book.bold)
     book.heads(sheet, 1, ["", *(book.say(f"split.{key}") for key in ("first", "last", "change", "true", "scheme"))])
     row = 2
-    for name in motion.names if euler.rows else ():
-        place, own = euler.place(name), motion.column(name)
-        cells = [f"{EULER}!{place}{FIRST}", f"{EULER}!{place}{euler.last}", f"C{row + 1}-B{row + 1}"]
+    for name in motion.names if table.rows else ():
+        place, own = table.place(name), motion.column(name)
+        cells = [f"{SHEET}!{place}{FIRST}", f"{SHEET}!{place}{table.last}", f"C{row + 1}-B{row + 1}"]
         values = [float(own[0]), float(own[-1]), float(own[-1] - own[0])]
-        if name in exact.names and len(exact.t) == euler.rows:
+        if name in exact.names and len(exact.t) == table.rows:
             column = letters(1 + _names(motion, exact).index(name))
-            cells += [f"{EXACT}!{column}{euler.last}-{EXACT}!{column}{FIRST}", f"D{row + 1}-E{row + 1}"]
+            cells += [f"{EXACT}!{column}{table.last}-{EXACT}!{column}{FIRST}", f"D{row + 1}-E{row + 1}"]
             true = float(exact.column(name)[-1] - exact.column(name)[0])
             values += [true, values[2] - true]
         sheet.write_string(row, 0, plain(name))
         for across, (cell, value) in enumerate(zip(cells, values, strict=True), start=1):
             sheet.write_formula(row, across, f"={cell}", None, number(value))
         row += 1
-    _residuals(book, sheet, euler, residuals, row + 1)
+    _residuals(book, sheet, table, residuals, row + 1)
     sheet.set_column(0, 0, 14)
     sheet.set_column(1, 30, 20)
 
 
-def _residuals(book: Book, sheet: Any, euler: Euler, columns: list[Residual], top: int) -> None:
+def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual], top: int) -> None:
     """Write what must be zero, a column each: closure of positions, both sides of each velocity equation."""
-    if not columns or not euler.rows:
+    if not columns or not table.rows:
         return
-    equations, motion = book.run.scene.equations, euler.motion
+    equations, motion = book.run.scene.equations, table.motion
     values = compile_rows(equations, [expression for _, _, expression, _ in columns], 1)(
         motion.t, motion.coordinates, motion.velocities
     )
     sheet.write_string(top, 0, book.say("zero"), book.bold)
     sheet.write_string(top + 1, 0, "t", book.head)
     sheet.write_string(top + 2, 0, book.say("largest"), book.bold)
-    first, last = top + 4, top + 3 + euler.rows
+    first, last = top + 4, top + 3 + table.rows
     for step, at in enumerate(motion.t.tolist()):
-        sheet.write_formula(top + 3 + step, 0, f"={EULER}!A{FIRST + step}", None, at)
+        sheet.write_formula(top + 3 + step, 0, f"={SHEET}!A{FIRST + step}", None, at)
     for place, (head, text, _, is_kept) in enumerate(columns, start=1):
         sheet.write_string(top + 1, place, plain(head), book.head)
         column = values[:, place - 1] - (values[0, place - 1] if is_kept else 0.0)
@@ -110,10 +109,10 @@ def _residuals(book: Book, sheet: Any, euler: Euler, columns: list[Residual], to
             sheet.write_formula(top + 3 + step, place, f"={formula}", None, number(value))
 
 
-def residuals_of(book: Book, euler: Euler) -> Iterator[Residual]:
-    """Yield head, formula and expression of what must be zero in every row; laws that only these name get columns of Euler."""
+def residuals_of(book: Book, table: StepTable) -> Iterator[Residual]:
+    """Yield head, formula and expression of what must be zero in every row; laws that only these name get columns."""
     scene, order = book.run.scene, book.run.scene.equations.order
-    if euler.motion.coordinate_names != tuple(c.name for c in scene.variant.coordinates):
+    if table.motion.coordinate_names != tuple(c.name for c in scene.variant.coordinates):
         return  # of a table of some columns alone no equation can be looked at
     known = {"zero": False, "start": True}  # what a drive moves is no residual
     zero = [(one.told, one.expression, known[one.target]) for one in scene.equations.positions if one.target in known]
@@ -121,4 +120,4 @@ def residuals_of(book: Book, euler: Euler) -> Iterator[Residual]:
         terms = [slope * symbol(name) for name, slope in one.coefficients.items()]
         zero.append((f"({book.context.equation(one.name)})", sum(terms[1:], terms[0]) - one.right_side, False))
     for head, expression, is_kept in zero:
-        yield head, euler.text(as_formula(expression, order)), expression, is_kept
+        yield head, table.text(as_formula(expression, order)), expression, is_kept

@@ -1,6 +1,6 @@
 """The columns of Euler's table as formulas: which column holds what, and what stands in each of its cells.
 
-Enters: a run.  Leaves: `Euler`, columns with their formulas and the numbers that these give.  Used inside `workbook/`.
+Enters: a run.  Leaves: `StepTable`, columns with their formulas and the numbers that these give.  Used inside `workbook/`.
 """
 
 from __future__ import annotations
@@ -12,23 +12,23 @@ import numpy as np
 from coursework.motion.schemes import Sum
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
-from coursework.takeaway.workbook.cells import BEFORE, NEXT, ROW, STEPS, TIME, Column, Euler
+from coursework.takeaway.workbook.cells import BEFORE, NEXT, ROW, STEPS, TIME, Column, StepTable
 from coursework.takeaway.workbook.names import STEP, defined_names, letters, start_of
 from coursework.takeaway.workbook.stage import TIMES, Maker, Stage
 from coursework.takeaway.workbook.tables import Tables
 
 
-def euler_columns(run: SceneRun, tables: Tables) -> Euler:
+def step_columns(run: SceneRun, tables: Tables) -> StepTable:
     """Return the table of the run's scheme, Euler's where its own table is the exact motion, as formulas."""
     beside = run.scene.scheme_rows
     motion = run.motion if beside is None else beside
-    euler = Euler(run, motion, defined_names(run.variant), tables)
+    table = StepTable(run, motion, defined_names(run.variant), tables)
     names, rows = run.columns() if beside is None else (motion.names, motion.rows)
-    euler.add(Column(TIME, None, motion.t))
+    table.add(Column(TIME, None, motion.t))
     for name, values in zip(names, rows.T, strict=True):
-        euler.add(Column(name, None, values))
-    _Writer(euler).write()
-    return euler
+        table.add(Column(name, None, values))
+    _Writer(table).write()
+    return table
 
 
 class _Writer(Maker):
@@ -36,14 +36,14 @@ class _Writer(Maker):
 
     def write(self) -> None:
         """Write time, coordinates, velocities, determinants and the further slopes."""
-        euler, motion, count = self.euler, self.euler.motion, len(self.rates.coordinates)
+        table, motion, count = self.table, self.table.motion, len(self.rates.coordinates)
         steps = len(motion.t)
-        euler.columns[0].formula = f"{STEPS}*{STEP}"
+        table.columns[0].formula = f"{STEPS}*{STEP}"
         slopes = motion.velocities[:, :count]
         places = {name: letters(1 + index) for index, name in enumerate(motion.names)}
         stages = [Stage(self, 0, places, motion.t, motion.coordinates)]
         stages[0].write(range(len(self.rates.blocks)))
-        euler.text = stages[0].elsewhere
+        table.text = stages[0].elsewhere
         for index, block in enumerate(self.rates.blocks):
             self._determinant(stages[0], block, index)
         positions = [[places[name] for name in self.rates.coordinates]]
@@ -51,9 +51,9 @@ class _Writer(Maker):
         for stage in range(1, self.scheme.slopes if steps > 1 else 1):
             stages.append(self._later(stage, places, stages, found))
         for index, (name, rate) in enumerate(zip(self.rates.coordinates, motion.velocity_names, strict=False)):
-            column = euler.columns[1 + index]
+            column = table.columns[1 + index]
             rates = [stage.places[rate] for stage in stages]
-            column.first = euler.names[start_of(name)]
+            column.first = table.names[start_of(name)]
             column.formula = self._moved(positions[0][index], self.scheme.outer, rates, BEFORE)
 
     def _moved(self, own: str, row: Sum, rates: Sequence[str], at: str) -> str:
@@ -65,35 +65,35 @@ class _Writer(Maker):
 
     def _later(self, stage: int, places: dict[str, str], before: list[Stage], found: list[Array]) -> Stage:
         """Return a further slope with its time and position in columns of their own."""
-        euler, motion, step = self.euler, self.euler.motion, self.euler.motion.step
+        table, motion, step = self.table, self.table.motion, self.table.motion.step
         node, inner, mark = self.scheme.nodes[stage], self.scheme.inner[stage], "′" * stage
         times, q = motion.t[:-1], motion.coordinates[:-1]
         own: dict[str, str] = {}
         text = f"{TIMES}{ROW}" + (f"+{node.numerator}*{STEP}/{node.denominator}" if node else "")
-        ends = [euler.names[name] for name in euler.names if name.startswith("_end")]
+        ends = [table.names[name] for name in table.names if name.startswith("_end")]
         latest = np.array([self.rates.may_look_until(end) for end in motion.t[1:].tolist()])
         if ends:  # the last slope before a break of the drive still sees the old formula
             after = f"A{NEXT}"
             looks = [f"IF(ABS({after}-{end})<=1.2E-13*{end},{after}*(1-1E-13),1E+99)" for end in ends]
             text = f"MIN({','.join([text, *looks])})"
         shifted = np.minimum(times + float(node) * step, latest)
-        own[TIME] = euler.add(Column(TIME + mark, text, shifted, until=1))
+        own[TIME] = table.add(Column(TIME + mark, text, shifted, until=1))
         moved = inner.added(q, step, found)
         for index, name in enumerate(self.rates.coordinates):
             rates = [one.places[motion.velocity_names[index]] for one in before]
             formula = self._moved(places[name], inner, rates, ROW) if inner.terms else f"{places[name]}{ROW}"
-            own[name] = euler.add(Column(name + mark, formula, moved[:, index], until=1))
+            own[name] = table.add(Column(name + mark, formula, moved[:, index], until=1))
         made = Stage(self, stage, own, shifted, moved)
         made.write(map(self.rates.blocks.index, self.reduction.needed(motion.velocity_names[: len(self.rates.coordinates)])))
         found.append(made.velocities[:, : len(self.rates.coordinates)])
         return made
 
     def _determinant(self, stage: Stage, block: int, index: int) -> None:
-        own, euler = self.reduction.blocks[block], self.euler
-        head, values = f"D{block + 1}", euler.motion.determinants[:, index]
+        own, table = self.reduction.blocks[block], self.table
+        head, values = f"D{block + 1}", table.motion.determinants[:, index]
         if block in stage.matrices:
-            euler.solved[len(euler.columns)] = (stage.matrices[block], own.size)
-            euler.add(Column(head, "", values))
+            table.solved[len(table.columns)] = (stage.matrices[block], own.size)
+            table.add(Column(head, "", values))
         else:
             assert own.determinant is not None
-            euler.add(Column(head, stage.text(own.determinant), values))
+            table.add(Column(head, stage.text(own.determinant), values))

@@ -1,15 +1,14 @@
 """Sheet Graphs: native charts of the table, Euler's rows as dots and the exact motion as a line, one chart a unit.
 
-Enters: a `Book` and `Euler`.  Leaves: the sheet.  Used by `book.py`.
+Enters: a `Book` and `StepTable`.  Leaves: the sheet.  Used by `book.py`.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from coursework.takeaway.workbook.cells import FIRST, Euler
+from coursework.takeaway.workbook.cells import FIRST, SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT
-from coursework.takeaway.workbook.euler import SHEET as EULER
 from coursework.takeaway.workbook.names import number_of
 from coursework.takeaway.workbook.sheet import Book, plain
 
@@ -18,21 +17,21 @@ HEIGHT, WIDTH = 360, 860  # px
 _ROWS = 19  # cells that a chart is high
 
 
-def write_graphs(book: Book, sheet: Any, euler: Euler) -> None:
+def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
     """Write the charts: velocities first, then coordinates."""
-    motion, run = euler.motion, book.run
+    motion, run = table.motion, book.run
     by_unit: dict[str, list[str]] = {}
     for name in (*motion.velocity_names, *motion.coordinate_names):
         by_unit.setdefault(run.variant.unit_of(name), []).append(name)
-    exact = [column.head for column in euler.columns[1:] if column.head in run.scene.exact.names]
-    for place, (unit, names) in enumerate(by_unit.items() if euler.rows > 1 else ()):
+    exact = [column.head for column in table.columns[1:] if column.head in run.scene.exact.names]
+    for place, (unit, names) in enumerate(by_unit.items() if table.rows > 1 else ()):
         chart = book.file.add_chart({"type": "scatter", "subtype": "straight"})
         for number, name in enumerate(names):
             colour = COLOURS[number % len(COLOURS)]
             symbol = plain(book.context.symbol(name).text)
             marker = {"type": "circle", "size": 4, "border": {"color": colour}, "fill": {"color": colour}}
-            own = number_of(euler.place(name))
-            chart.add_series(_series(EULER, own, euler.last, symbol) | {"marker": marker, "line": {"none": True}})
+            own = number_of(table.place(name))
+            chart.add_series(_series(SHEET, own, table.last, symbol) | {"marker": marker, "line": {"none": True}})
             if name in exact:
                 column, last = 1 + exact.index(name), FIRST + len(run.scene.exact.t) - 1
                 told = f"{symbol}, {book.say('exact')}"

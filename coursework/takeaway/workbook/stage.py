@@ -1,6 +1,6 @@
 """One slope of a step as formulas: time, coordinates and velocities in cells, each velocity the formula of the page.
 
-Enters: `Euler`, and where time and coordinates stand.  Leaves: formulas in its columns.  Used by `columns.py`.
+Enters: `StepTable`, and where time and coordinates stand.  Leaves: formulas in its columns.  Used by `columns.py`.
 A law that only one formula names stands in it, any other has a column of its own.  A block that has no formula is solved by
 MMULT and MINVERSE over its coefficients, which stand in hidden columns.
 """
@@ -22,7 +22,7 @@ from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import AT_EVENT
 from coursework.motion.schemes import scheme_of
 from coursework.system.arrays import Array
-from coursework.takeaway.workbook.cells import ROW, TIME, Column, Euler, Matrix
+from coursework.takeaway.workbook.cells import ROW, SHEET, TIME, Column, Matrix, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import letters, number_of
 from coursework.variant.formula.tree import Formula, mapped
@@ -36,11 +36,11 @@ TIMES = letters(0)  # the column of the times of the rows
 class Maker:
     """What every slope is written from: the table, the reduction behind it, the laws and how often the formulas name them."""
 
-    def __init__(self, euler: Euler) -> None:
-        scene = euler.run.scene
-        self.euler, self.scene, self.rates = euler, scene, scene.rates
+    def __init__(self, table: StepTable) -> None:
+        scene = table.run.scene
+        self.table, self.scene, self.rates = table, scene, scene.rates
         self.equations, self.reduction = scene.equations, scene.reduction
-        self.scheme = scheme_of(euler.motion.scheme)
+        self.scheme = scheme_of(table.motion.scheme)
         self.laws = {law.name: law for law in (*scene.variant.drive, *scene.variant.functions)}
         self.solutions = dict(formula for index in self.rates.blocks for formula in scene.solutions[index])
         named_in = [name for tree in self.solutions.values() for name in tree.names()]
@@ -53,7 +53,7 @@ class Stage:
     def __init__(self, writer: Maker, number: int, places: dict[str, str], t: Array, q: Array) -> None:
         self.writer, self.number, self.places, self.t, self.q = writer, number, {TIME: TIMES, **places}, t, q
         self.matrices: dict[int, Matrix] = {}
-        self.velocities = writer.euler.motion.velocities if number == 0 else writer.rates.table(t, q)[0]
+        self.velocities = writer.table.motion.velocities if number == 0 else writer.rates.table(t, q)[0]
 
     @property
     def _until(self) -> int:
@@ -61,7 +61,7 @@ class Stage:
 
     def write(self, blocks: Iterable[int]) -> None:
         """Write the velocities of some blocks, and the laws among the velocities."""
-        writer, motion = self.writer, self.writer.euler.motion
+        writer, motion = self.writer, self.writer.table.motion
         for name in motion.velocity_names:
             if name in writer.laws:
                 self._set(name, self.law_text(name))
@@ -86,29 +86,29 @@ class Stage:
 
     def _set(self, name: str, formula: str) -> None:
         """Write a velocity into its column of the table, or into one of its own."""
-        euler, names = self.writer.euler, self.writer.euler.motion.velocity_names
+        table, names = self.writer.table, self.writer.table.motion.velocity_names
         if name in self.places:
-            euler.columns[number_of(self.places[name])].formula = formula
+            table.columns[number_of(self.places[name])].formula = formula
             return
         values = self.velocities[:, names.index(name)] if name in names else self.values([symbol(name)])[:, 0]
-        self.places[name] = euler.add(Column(self._head(name), formula, values, until=self._until))
+        self.places[name] = table.add(Column(self._head(name), formula, values, until=self._until))
 
     def _head(self, name: str) -> str:
         return name + "′" * self.number
 
     def _solved(self, index: int, block: Block) -> None:
         """Put the coefficients of a block without a formula behind the table, to be solved there."""
-        writer, euler, size = self.writer, self.writer.euler, block.size
+        writer, table, size = self.writer, self.writer.table, block.size
         order = writer.equations.order
         rows = [[*row, side] for row, side in zip(block.coefficients, block.sides, strict=True)]
         entries = [entry for row in rows for entry in row]
         texts = tuple(self.text(as_formula(entry, order)) for entry in entries)
         made = Matrix(0, size, texts, self.values(entries), self._until)
         self.matrices[index] = made
-        euler.matrices.append(made)
+        table.matrices.append(made)
         for place, name in enumerate(block.unknowns):
             self._set(name, "")
-            euler.solved[number_of(self.places[name])] = (made, place)
+            table.solved[number_of(self.places[name])] = (made, place)
 
     def values(self, wanted: Sequence[Expression]) -> Array:
         """Return the numbers (n, k) of expressions in the rows."""
@@ -120,33 +120,33 @@ class Stage:
         velocities = [*variant.rates, *(name for name, _ in variant.unknowns)]
         u = np.zeros((len(self.t), len(velocities)))
         for index, name in enumerate(velocities):
-            if name in writer.euler.motion.velocity_names:
-                u[:, index] = self.velocities[:, writer.euler.motion.velocity_names.index(name)]
+            if name in writer.table.motion.velocity_names:
+                u[:, index] = self.velocities[:, writer.table.motion.velocity_names.index(name)]
         return compile_rows(writer.equations, wanted, 1)(self.t, q, u)
 
     def text(self, tree: Formula) -> str:
         """Return a formula over the cells of its own row."""
         opened = self._opened(tree)
         for name in opened.names():
-            if name not in self.places and name not in self.writer.euler.names and name != "pi":
+            if name not in self.places and name not in self.writer.table.names and name != "pi":
                 expression = self._expression(name)
                 values = self.values([expression])[:, 0]
                 column = Column(self._head(name), self.law_text(name), values, until=self._until)
-                self.places[name] = self.writer.euler.add(column)
+                self.places[name] = self.writer.table.add(column)
         return spreadsheet(opened, self._cells(opened), self._table)
 
     def elsewhere(self, tree: Formula) -> str:
         """Return a formula over the cells of a row, for another sheet."""
         self.text(tree)  # what it names gets its columns first
         own = self.places
-        self.places = {name: f"Euler!{place}" for name, place in own.items()}
+        self.places = {name: f"{SHEET}!{place}" for name, place in own.items()}
         try:
             return self.text(tree)
         finally:
             self.places = own
 
     def _table(self, called: str, argument: Formula) -> str:
-        value: Callable[[str], str] = partial(self.writer.euler.tables.value, called)
+        value: Callable[[str], str] = partial(self.writer.table.tables.value, called)
         return value(self.text(argument))
 
     def law_text(self, name: str) -> str:
@@ -173,5 +173,5 @@ class Stage:
         return mapped(tree, self._opened)
 
     def _cells(self, tree: Formula) -> dict[str, str]:
-        names = self.writer.euler.names
+        names = self.writer.table.names
         return {name: names[name] if name in names else f"{self.places[name]}{ROW}" for name in tree.names() if name != "pi"}

@@ -1,52 +1,50 @@
-"""Sheet Euler: row 1 the names of table.csv, row k + 1 the k-th row of the table, every cell a formula with our number cached.
+"""Sheet Euler: row 1 the names of table.csv, row k + 1 the k-th row of the table, each a formula with our number cached.
 
-Enters: a `Book` and `Euler`.  Leaves: the sheet.  Used by `book.py`.
+Enters: a `Book` and `StepTable`.  Leaves: the sheet.  Used by `book.py`.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from coursework.takeaway.workbook.cells import BEFORE, FIRST, NEXT, ROW, STEPS, Column, Euler
+from coursework.takeaway.workbook.cells import BEFORE, FIRST, NEXT, ROW, STEPS, Column, StepTable
 from coursework.takeaway.workbook.sheet import Book, number, plain
 
-SHEET = "Euler"
 
-
-def write_euler(book: Book, sheet: Any, euler: Euler) -> None:
+def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
     """Write the sheet."""
-    for place, column in enumerate(euler.columns):
+    for place, column in enumerate(table.columns):
         sheet.write_string(0, place, plain(column.head), book.head)
-        if place in euler.solved:
+        if place in table.solved:
             continue
         if column.formula is None:
             sheet.write_column(1, place, column.values.tolist(), book.grey)
         else:
-            _formulas(sheet, place, column, euler.rows)
-    after = len(euler.columns) + 1
-    for matrix in euler.matrices:
+            _formulas(sheet, place, column, table.rows)
+    after = len(table.columns) + 1
+    for matrix in table.matrices:
         matrix.column = after
         after += matrix.size + 1
-    for matrix in euler.matrices:
+    for matrix in table.matrices:
         cells = [(text, *divmod(place, matrix.size + 1)) for place, text in enumerate(matrix.entries)]
-        for step in range(euler.rows - matrix.until):
+        for step in range(table.rows - matrix.until):
             for place, (text, down, across) in enumerate(cells):
                 value = number(float(matrix.values[step, place]))
                 row = FIRST - 1 + step * matrix.size + down
                 sheet.write_formula(row, matrix.column + across, f"={_at(text, step)}", None, value)
         sheet.set_column(matrix.column, matrix.column + matrix.size, None, None, {"hidden": True})
-    for place in euler.solved:
-        _solved(sheet, place, euler)
-    sheet.set_column(0, len(euler.columns) - 1, 14)
+    for place in table.solved:
+        _solved(sheet, place, table)
+    sheet.set_column(0, len(table.columns) - 1, 14)
     sheet.freeze_panes(1, 1)
 
 
-def write_first_row(book: Book, sheet: Any, euler: Euler, help_level: int) -> None:
+def write_first_row(book: Book, sheet: Any, table: StepTable, help_level: int) -> None:
     """Write the heads, and with help the formulas of the row of t = 0 in all columns; the other rows are the student's."""
-    shown = len(euler.columns) if help_level else 1 + len(euler.motion.names)
-    for place, column in enumerate(euler.columns[:shown]):
+    shown = len(table.columns) if help_level else 1 + len(table.motion.names)
+    for place, column in enumerate(table.columns[:shown]):
         sheet.write_string(0, place, plain(column.head), book.head)
-        if help_level and column.formula and euler.rows:
+        if help_level and column.formula and table.rows:
             text = column.first or _at(column.formula, 0)
             sheet.write_formula(FIRST - 1, place, f"={text}", None, number(float(column.values[0])))
     sheet.set_column(0, shown - 1, 14)
@@ -60,10 +58,10 @@ def _formulas(sheet: Any, place: int, column: Column, rows: int) -> None:
         write(FIRST - 1 + step, place, formula, None, number(value))
 
 
-def _solved(sheet: Any, place: int, euler: Euler) -> None:
-    matrix, unknown = euler.solved[place]
-    values = euler.columns[place].values.tolist()
-    for step in range(euler.rows - matrix.until):
+def _solved(sheet: Any, place: int, table: StepTable) -> None:
+    matrix, unknown = table.solved[place]
+    values = table.columns[place].values.tolist()
+    for step in range(table.rows - matrix.until):
         formula = f"{{={matrix.solved(unknown, FIRST + step)}}}"
         row = FIRST - 1 + step
         sheet.write_array_formula(row, place, row, place, formula, None, number(values[step]))
