@@ -1,10 +1,13 @@
 """What the package says of itself, and what its wheel carries."""
 
+import re
 import tomllib
 import zipfile
 from pathlib import Path
 
 from hatchling.builders.wheel import WheelBuilder
+
+from coursework.system import extras
 
 ROOT = Path(__file__).parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -16,6 +19,24 @@ def test_licence_keywords_and_classifiers():
     assert "Typing :: Typed" in PROJECT["classifiers"]
     assert {"mechanisms", "kinematics", "Euler method"} <= set(PROJECT["keywords"])
     assert "Programming Language :: Python :: " + PROJECT["requires-python"].removeprefix(">=") in PROJECT["classifiers"]
+
+
+def test_all_is_every_extra_but_test():
+    offered = PROJECT["optional-dependencies"]
+    named = re.fullmatch(r"coursework\[(.+)\]", *offered["all"])[1].split(",")
+    assert sorted(named) == sorted({*offered} - {"all", "test"})
+
+
+def test_the_extras_of_what_is_installed_are_those_of_the_checkout(tmp_path, monkeypatch):
+    (built,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
+    with zipfile.ZipFile(built) as wheel:
+        (metadata,) = (name for name in wheel.namelist() if name.endswith("METADATA"))
+        lines = re.findall(r"^Requires-Dist: (.*)$", wheel.read(metadata).decode(), re.M)
+    here = extras.packages()
+    monkeypatch.setattr(extras, "PROJECT", tmp_path / "pyproject.toml")
+    monkeypatch.setattr("importlib.metadata.requires", lambda _name: lines)
+    plain = {extra: {name.lower().replace("_", "-") for name in names} for extra, names in here.items()}
+    assert {extra: {name.lower() for name in names} for extra, names in extras.packages().items()} == plain
 
 
 def test_the_wheel_carries_types_variants_and_looks(tmp_path):

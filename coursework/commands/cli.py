@@ -25,12 +25,17 @@ from coursework.commands.options import (
     rubric_shown,
     spoken,
     templates,
+    versions_shown,
 )
 from coursework.commands.program import PASSED, Program
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="coursework", prog_name="coursework")
+@click.option(
+    "--versions", is_flag=True, is_eager=True, expose_value=False, callback=versions_shown,
+    help="Show what is installed of each extra and exit.",
+)  # fmt: skip
 def main() -> None:
     """Coursework on plane mechanisms: velocity equations, a table by a scheme, checks, plots, report.
 

@@ -92,6 +92,15 @@ def rubric_shown(context: click.Context, _option: click.Parameter, asked: bool) 
         context.exit()
 
 
+def versions_shown(context: click.Context, _option: click.Parameter, asked: bool) -> None:
+    """Print what is installed of each extra and end, where that is asked for."""
+    if asked and not context.resilient_parsing:
+        from coursework.commands.versions import tell_versions
+
+        tell_versions()
+        context.exit()
+
+
 class CommandWithTemplates(click.Command):
     """A command with `--templates`: the pieces stand before anything is said, wherever in the line the option is."""
 

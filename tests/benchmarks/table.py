@@ -13,6 +13,9 @@ Each limit is asserted by `pytest tests/benchmarks`; README.md names some of the
 | one variant of a class, from its file to table and checks | 20 000 Euler steps by hand | 1.0 | at most 1.25 |
 | a page of the desk for another datum, 31 | 20 000 Euler steps by hand | 5.4 | at most 7 |
 | the same of jansen | 20 000 Euler steps by hand | 19 | at most 24 |
+| a workbook beyond its page, 31 | XlsxWriter, a thousand formulas | 0.66 | at most 1 |
+| the same of andrews | XlsxWriter, a thousand formulas | 1.9 | at most 2.7 |
+| a note beyond its page, 31 | pandoc twice, one formula | 7.3 | at most 10 |
 | `coursework run 31 --format csv` | importing numpy, click | 2.5 | at most 2.8 |
 | `coursework run 31 --set r1=0.95m --format csv` | importing numpy, click | 2.6 | at most 2.8 |
 | `coursework run jansen --format csv` | importing numpy, click | 2.6 | at most 2.8 |
@@ -37,6 +40,7 @@ from coursework.motion.schemes import SCHEMES
 from tests.benchmarks import test_desk as desk
 from tests.benchmarks import test_many as many
 from tests.benchmarks import test_march as march
+from tests.benchmarks import test_takeaway as takeaway
 from tests.benchmarks import test_whole_process as whole
 from tests.benchmarks.timer import ratio
 
@@ -71,6 +75,11 @@ def rows():
     yield "1000 sets of variant 31, one by one", "`solve_many`", many.gain(), f"at least {many.LEAST_GAIN}"
     for name, most in desk.MOST.items():
         yield f"a page of the desk for another datum, {name}", "20 000 Euler steps by hand", desk.cost(name), f"at most {most}"
+    for suffix, against, limits in (
+        ("xlsx", "XlsxWriter, a thousand formulas", takeaway.WORKBOOK), ("docx", "pandoc twice, one formula", takeaway.NOTE),
+    ):  # fmt: skip
+        for name, most in limits.items():
+            yield f"{suffix} beyond its page, {name}", against, takeaway.cost(name, suffix), f"at most {most}"
     for arguments, yardstick, limit in whole.CASES:
         with tempfile.TemporaryDirectory() as folder:
             process = whole.against(arguments, yardstick, limit, folder)

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -10,8 +11,10 @@ from pathlib import Path
 import pytest
 
 import coursework
+from coursework.commands import versions
 from coursework.commands.cli import main
 from coursework.results.checks.check import CHECKS
+from coursework.system.extras import installed_from
 from coursework.variant.catalogue import entries
 from tests.command import call
 
@@ -228,6 +231,19 @@ def test_help(name):
 
 def test_version():
     assert call("--version").stdout == f"coursework, version {coursework.__version__}\n"
+
+
+def test_what_is_installed_of_each_extra_and_how_to_install_what_is_not(monkeypatch):
+    real = versions.version
+    monkeypatch.setattr(versions, "version", lambda name: real("there-is-no-such-package" if name == "ezdxf" else name))
+    first, *lines = call("--versions").stdout.splitlines()
+    assert first.startswith(f"coursework {coursework.__version__}, Python 3.")
+    told = dict(line.split(maxsplit=1) for line in lines)
+    assert told["dxf"] == f"not installed: ezdxf. Type: {sys.executable} -m pip install {installed_from('dxf')}"
+    assert told["workbook"] == f"XlsxWriter {real('XlsxWriter')}"
+    assert re.fullmatch(r"starlette [\d.]+, uvicorn [\d.]+, watchfiles [\d.]+", told["desk"])
+    monkeypatch.setenv("COURSEWORK_LANGUAGE", "ru")
+    assert "dxf       не установлено: ezdxf." in call("--versions").stdout
 
 
 def test_every_command_is_in_the_readme():

@@ -26,21 +26,24 @@ def python(one: Writer) -> Lines:
     def out(stage: int, rate: str) -> str:
         return rate if not stage else f"{rate}_{stage + 1}"
 
-    limits = limit_lines(one, lambda values: [f"return {', '.join(values)}"], "if {holds}:")
+    def several(names: Sequence[str]) -> str:
+        return ", ".join(names) + ("," if len(names) == 1 else "")
+
+    limits = limit_lines(one, lambda values: [f"return {several(values)}"], "if {holds}:")
     calls = sorted(one.program.calls & {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sqrt"})
     looks: Lines = []
     if one.program.breaks:
         looks = ["", one.say("breaks"), f"def {one.look}(t, after):"]
         looks += [f"    for b in ({break_times(one)},):", "        if abs(after - b) <= 1e-13*b:"]
         looks += ["            t = min(t, after*(1 - 1e-13))", "    return t"]
-    loop = [one.box("time"), f"{one.t} = {one.row}*{one.h}", one.box("rates"), f"{', '.join(outs)}, = {one.rates}({arguments})"]
+    loop = [one.box("time"), f"{one.t} = {one.row}*{one.h}", one.box("rates"), f"{several(outs)} = {one.rates}({arguments})"]
     values = ", ".join([one.t, *one.coordinates, *outs])
     loop += [one.box("row"), *one.wrapped(f'print(",".join(f"{{x:.15g}}" for x in [{values}]))'), one.box("more")]
     further = [
         line
         for stage in range(1, slopes)
         for line in one.wrapped(
-            f"{', '.join(out(stage, rate) for rate in outs)}, = {one.rates}({', '.join(one.slope(stage, out))})"
+            f"{several([out(stage, rate) for rate in outs])} = {one.rates}({', '.join(one.slope(stage, out))})"
         )
     ]
     sign = ["", "def sign(x):", "    return (x > 0) - (x < 0)"] if one.needs_sign else []
@@ -49,7 +52,7 @@ def python(one: Writer) -> Lines:
         one.box("data"), *data_lines(one, lambda name, value: f"{name} = {value}"), *one.known(),
         *functions(one), *sign, *looks, "",
         one.of_velocities, f"def {one.rates}({arguments}):",
-        *indented([*limits, *one.blocks(stop), f"return {', '.join(outs)},"]), "",
+        *indented([*limits, *one.blocks(stop), f"return {several(outs)}"]), "",
         one.box("start"), f'print("{",".join(one.program.heads)}")',
         one.box("loop"), f"for {one.row} in range({one.steps} + 1):",
         *indented([*loop, f"if {one.row} < {one.steps}:", *indented([*further, one.box("step"), *one.steps_on(out)])]),
