@@ -42,8 +42,10 @@ quantities = ["table", "plots", "checks", "graph_check", "accelerations"]
 [coordinates]
 theta1 = {{ start = "0 deg", rate = "w1" }}
 """
-OUTSIDE = """[...document.querySelectorAll("main *")].filter((one) => !one.closest(".wide, #live") &&
-  one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.outerHTML.slice(0, 80))"""
+# What stands on a sheet that lies has 257 mm between its margins.
+OUTSIDE = """[...document.querySelectorAll("main *")].filter((one) => !one.closest("#live") &&
+  one.getBoundingClientRect().right > 1 + (one.closest(".wide, #graph_check:has(> .wide)") ? 971 : innerWidth))
+  .map((one) => one.outerHTML.slice(0, 80))"""
 
 
 def star(dyads: int) -> str:
