@@ -25,7 +25,7 @@ def test_a_joint_is_dragged_and_the_text_follows(desk: Callable[..., Any]) -> No
     one, _ = desk()
     page, before = one.page, one.text
     ring = page.frame_locator("#desk-page").locator("[data-joint=M]")
-    ring.scroll_into_view_if_needed()
+    ring.evaluate("one => one.scrollIntoView({ block: 'center' })")
     box = ring.bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(x, y)

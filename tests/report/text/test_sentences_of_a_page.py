@@ -99,7 +99,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solved("andrews", quantities=["table"]), solved("31", quantities=["checks"]), solved("oscillating-cylinder"),
         solved("jansen", quantities=["table"]), solved("cardan", quantities=["table", "checks"]), unbound(),
         solved("epicyclic", quantities=["table"]), solved("engine-start", quantities=["checks"]),
-        solved("v110", quantities=["table"]), solved("31-forces"), solved("falling-arm"),
+        solved("v110", quantities=["table"]), solved("31-forces"), solved("falling-arm"), solved("falling-arm", quantities=["accuracy"]),
         solved("31", quantities=["trajectories", "hodographs", "plans", "points"]),
         real.timed(), *real.oddities(), claimed(real), solve(parse_variant(FIVE_BAR)),
         *(solve(name, scheme, end=end, quantities=["table", "checks"]) for name, scheme, end in behind()),
