@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from coursework.takeaway.workbook.cells import BEFORE, FIRST, NEXT, ROW, STEPS, Column, Euler
-from coursework.takeaway.workbook.sheet import Book, number, plain
+from coursework.takeaway.workbook.sheet import GREY, WIDTH, Book, number, plain
 
 SHEET = "Euler"
 
@@ -16,11 +16,13 @@ SHEET = "Euler"
 def write_euler(book: Book, sheet: Any, euler: Euler) -> None:
     """Write the sheet."""
     for place, column in enumerate(euler.columns):
-        sheet.write_string(0, place, plain(column.head), book.head)
+        sheet.write_string(0, place, plain(column.head), book.right)
+        look = GREY if column.formula is None else {}
+        sheet.set_column(place, place, WIDTH, book.shown(column.values, **look) if place else book.times(euler.motion.step))
         if place in euler.solved:
             continue
         if column.formula is None:
-            sheet.write_column(1, place, column.values.tolist(), book.grey)
+            sheet.write_column(1, place, column.values.tolist())
         else:
             _formulas(sheet, place, column, euler.rows)
     after = len(euler.columns) + 1
@@ -37,7 +39,6 @@ def write_euler(book: Book, sheet: Any, euler: Euler) -> None:
         sheet.set_column(matrix.column, matrix.column + matrix.size, None, None, {"hidden": True})
     for place in euler.solved:
         _solved(sheet, place, euler)
-    sheet.set_column(0, len(euler.columns) - 1, 14)
     sheet.freeze_panes(1, 1)
 
 
@@ -45,11 +46,11 @@ def write_first_row(book: Book, sheet: Any, euler: Euler, help_level: int) -> No
     """Write the heads, and with help the formulas of the row of t = 0 in all columns; the other rows are the student's."""
     shown = len(euler.columns) if help_level else 1 + len(euler.motion.names)
     for place, column in enumerate(euler.columns[:shown]):
-        sheet.write_string(0, place, plain(column.head), book.head)
+        sheet.write_string(0, place, plain(column.head), book.right)
         if help_level and column.formula and euler.rows:
             text = column.first or _at(column.formula, 0)
             sheet.write_formula(FIRST - 1, place, f"={text}", None, number(float(column.values[0])))
-    sheet.set_column(0, shown - 1, 14)
+    sheet.set_column(0, shown - 1, WIDTH)
     sheet.freeze_panes(1, 1)
 
 
