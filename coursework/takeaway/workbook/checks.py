@@ -16,7 +16,7 @@ from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.takeaway.workbook.cells import FIRST, ROW, SHEET, StepTable
 from coursework.takeaway.workbook.names import letters
-from coursework.takeaway.workbook.sheet import Book, number, plain
+from coursework.takeaway.workbook.sheet import RESIDUAL, WIDTH, Book, number, plain
 
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
@@ -31,7 +31,8 @@ def write_exact(book: Book, sheet: Any, table: StepTable) -> None:
     exact = run.scene.exact
     names, rows = run.columns() if run.scene.scheme_rows is not None else (_names(motion, exact), _rows(motion, exact))
     for place, (head, values) in enumerate(zip(("t", *names), (exact.t, *rows.T), strict=True)):
-        sheet.write_string(0, place, plain(head), book.head)
+        sheet.write_string(0, place, plain(head), book.right)
+        sheet.set_column(place, place, WIDTH, book.shown(values) if place else book.times(motion.step))
         sheet.write_column(1, place, values.tolist())
     both = min(len(exact.t), table.rows)
     beside = len(names) + 2
@@ -39,16 +40,18 @@ def write_exact(book: Book, sheet: Any, table: StepTable) -> None:
         if name not in motion.names or not both:
             continue
         column, own = letters(1 + place), table.place(name)
-        sheet.write_string(0, beside, plain(f"Δ{name}"), book.head)
+        sheet.write_string(0, beside, plain(f"Δ{name}"), book.right)
         differences = motion.column(name)[:both] - rows[:both, place]
+        sheet.set_column(beside, beside, WIDTH, book.shown(differences))
         for step, value in enumerate(differences.tolist()):
             row = FIRST + step
             sheet.write_formula(row - 1, beside, f"={SHEET}!{own}{row}-{column}{row}", None, number(value))
         span = f"{letters(beside)}{FIRST}:{letters(beside)}{FIRST + both - 1}"
-        sheet.write_formula(both + 2, beside, f"=MAX(MAX({span}),-MIN({span}))", book.bold, float(np.abs(differences).max()))
+        most, bold = float(np.abs(differences).max()), book.shown(differences, bold=True)
+        sheet.write_formula(both + 2, beside, f"=MAX(MAX({span}),-MIN({span}))", bold, most)
         beside += 1
     sheet.write_string(both + 2, len(names) + 1, book.say("largest"), book.bold)
-    sheet.set_column(0, beside, 14)
+    sheet.set_column(len(names) + 1, len(names) + 1, WIDTH)
     sheet.freeze_panes(1, 1)
 
 
@@ -64,24 +67,29 @@ def write_checks(book: Book, sheet: Any, table: StepTable, residuals: list[Resid
     """Write first and last row with the PERIOD split, then closure and residuals of every row."""
     motion, exact = table.motion, book.run.scene.exact
     sheet.write_string(0, 0, book.say("first_last"), book.bold)
-    book.heads(sheet, 1, ["", *(book.say(f"split.{key}") for key in ("first", "last", "change", "true", "scheme"))])
+    heads = [book.say(f"split.{key}") for key in ("first", "last", "change", "true", "scheme")]
+    sheet.write_string(1, 0, "", book.head)
+    for column, head in enumerate(heads, start=1):
+        sheet.write_string(1, column, head, book.right)
+        sheet.set_column(column, column, max(WIDTH, 1 + len(head)))
     row = 2
     for name in motion.names if table.rows else ():
         place, own = table.place(name), motion.column(name)
         cells = [f"{SHEET}!{place}{FIRST}", f"{SHEET}!{place}{table.last}", f"C{row + 1}-B{row + 1}"]
         values = [float(own[0]), float(own[-1]), float(own[-1] - own[0])]
         if name in exact.names and len(exact.t) == table.rows:
-            column = letters(1 + _names(motion, exact).index(name))
-            cells += [f"{EXACT}!{column}{table.last}-{EXACT}!{column}{FIRST}", f"D{row + 1}-E{row + 1}"]
+            there = letters(1 + _names(motion, exact).index(name))
+            cells += [f"{EXACT}!{there}{table.last}-{EXACT}!{there}{FIRST}", f"D{row + 1}-E{row + 1}"]
             true = float(exact.column(name)[-1] - exact.column(name)[0])
             values += [true, values[2] - true]
         sheet.write_string(row, 0, plain(name))
+        look = book.shown(own)
         for across, (cell, value) in enumerate(zip(cells, values, strict=True), start=1):
-            sheet.write_formula(row, across, f"={cell}", None, number(value))
+            sheet.write_formula(row, across, f"={cell}", look, number(value))
         row += 1
     _residuals(book, sheet, table, residuals, row + 1)
-    sheet.set_column(0, 0, 14)
-    sheet.set_column(1, 30, 20)
+    sheet.set_column(0, 0, WIDTH)
+    sheet.set_column(len(heads) + 1, max(len(heads) + 1, len(residuals)), WIDTH)
 
 
 def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual], top: int) -> None:
@@ -93,20 +101,22 @@ def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual]
         motion.t, motion.coordinates, motion.velocities
     )
     sheet.write_string(top, 0, book.say("zero"), book.bold)
-    sheet.write_string(top + 1, 0, "t", book.head)
+    sheet.write_string(top + 1, 0, "t", book.right)
     sheet.write_string(top + 2, 0, book.say("largest"), book.bold)
     first, last = top + 4, top + 3 + table.rows
+    times, shown = book.times(motion.step), book.file.add_format({"num_format": RESIDUAL})
+    shown_largest = book.file.add_format({"num_format": RESIDUAL, "bold": True})
     for step, at in enumerate(motion.t.tolist()):
-        sheet.write_formula(top + 3 + step, 0, f"={SHEET}!A{FIRST + step}", None, at)
+        sheet.write_formula(top + 3 + step, 0, f"={SHEET}!A{FIRST + step}", times, at)
     for place, (head, text, _, is_kept) in enumerate(columns, start=1):
-        sheet.write_string(top + 1, place, plain(head), book.head)
+        sheet.write_string(top + 1, place, plain(head), book.right)
         column = values[:, place - 1] - (values[0, place - 1] if is_kept else 0.0)
         text = f"{text}-({text.replace(ROW, str(FIRST))})" if is_kept else text
         span = f"{letters(place)}{first}:{letters(place)}{last}"
-        sheet.write_formula(top + 2, place, f"=MAX(MAX({span}),-MIN({span}))", book.bold, number(float(np.abs(column).max())))
+        sheet.write_formula(top + 2, place, f"=MAX(MAX({span}),-MIN({span}))", shown_largest, number(float(np.abs(column).max())))
         for step, value in enumerate(column.tolist()):
             formula = text.replace(ROW, str(FIRST + step))
-            sheet.write_formula(top + 3 + step, place, f"={formula}", None, number(value))
+            sheet.write_formula(top + 3 + step, place, f"={formula}", shown, number(value))
 
 
 def residuals_of(book: Book, table: StepTable) -> Iterator[Residual]:

@@ -48,7 +48,7 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
     lines = [*_data(book, names), *_starts(book, names, start_formulas(book.run, names, tables, work)), *_times(book, names)]
     for row, line in enumerate(lines, start=HEAD + 1):
         for column, text in ((0, line.symbol), (1, line.meaning), (3, line.unit), (4, line.written), (5, line.name)):
-            sheet.write_string(row, column, plain(text))
+            sheet.write_string(row, column, plain(text), book.unit if COLUMNS[column] == "unit" else None)
         if line.is_start and line.formula and not solved:
             sheet.write_blank(row, VALUE, None, book.head)
         elif line.formula:

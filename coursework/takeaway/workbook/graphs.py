@@ -47,7 +47,9 @@ def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
     sheet.write_string(0, 0, book.say("graphs"), book.bold)
 
 
-_AXIS: dict[str, Any] = {"major_gridlines": {"visible": True, "line": {"color": "#D9D9D9"}}, "name_font": {"bold": False}}
+_AXIS: dict[str, Any] = {
+    "major_gridlines": {"visible": True, "line": {"color": "#D9D9D9"}}, "name_font": {"bold": False}, "num_format": "General",
+}  # fmt: skip
 
 
 def _series(sheet: str, column: int, last: int, name: str) -> dict[str, Any]:

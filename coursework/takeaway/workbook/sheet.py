@@ -9,11 +9,19 @@ import math
 import unicodedata
 from typing import Any
 
+import numpy as np
+
 from coursework.report.text.page_context import PageContext
 from coursework.scene.scene_run import SceneRun
+from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 HEADS = "#DCE6F1"
+GREY = {"italic": True, "font_color": "#606060"}
+DIGITS = 7  # shown of the largest number of a column; the cells hold all
+LEAST, MOST = 1e-4, 1e9  # beyond which a number is shown with a power of ten
+WIDTH = 14  # of a column of numbers in letters
+RESIDUAL = "0.00E+00;-0.00E+00;0"
 
 
 @frozen
@@ -25,16 +33,16 @@ class Book:
     bold: Any
     head: Any
     right: Any
-    grey: Any
+    unit: Any
     wrapped: Any
 
     @classmethod
     def of(cls, file: Any, context: PageContext) -> Book:
         """Return a workbook with its formats."""
-        bold, grey = file.add_format({"bold": True}), file.add_format({"italic": True, "font_color": "#606060"})
+        bold, unit = file.add_format({"bold": True}), file.add_format({"indent": 1})
         head = file.add_format({"bold": True, "bg_color": HEADS, "bottom": 1})
         right = file.add_format({"bold": True, "bg_color": HEADS, "bottom": 1, "align": "right"})
-        return cls(file, context, bold, head, right, grey, file.add_format({"text_wrap": True, "valign": "top"}))
+        return cls(file, context, bold, head, right, unit, file.add_format({"text_wrap": True, "valign": "top"}))
 
     @property
     def run(self) -> SceneRun:
@@ -45,10 +53,23 @@ class Book:
         """Return a sentence of the workbook in the language of the report."""
         return plain(self.context.words(f"workbook.{key}", **values))
 
-    def heads(self, sheet: Any, row: int, texts: list[str], column: int = 0) -> None:
+    def heads(self, sheet: Any, row: int, texts: list[str]) -> None:
         """Write a row of heads."""
-        for place, text in enumerate(texts, start=column):
+        for place, text in enumerate(texts):
             sheet.write_string(row, place, plain(text), self.head)
+
+    def shown(self, values: Array, **look: object) -> Any:
+        """Return the format that shows the numbers of a column with as many decimals as its largest one calls for."""
+        largest = float(np.max(np.abs(values[np.isfinite(values)]), initial=0.0))
+        if largest and not LEAST <= largest < MOST:
+            return self.file.add_format({"num_format": RESIDUAL, **look})
+        before = math.floor(math.log10(largest)) + 1 if largest else DIGITS
+        return self.file.add_format({"num_format": f"0.{'0' * (DIGITS - before)}".removesuffix("."), **look})
+
+    def times(self, step: float) -> Any:
+        """Return the format that shows times, each as short as it is."""
+        decimals = max(DIGITS - math.floor(math.log10(step)), 1) if step else 1
+        return self.file.add_format({"num_format": f"0.0{'#' * (min(decimals, WIDTH) - 1)}"})
 
 
 def plain(text: str) -> str:

@@ -1,4 +1,4 @@
-"""Sheet Euler: row 1 the names of table.csv, row k + 1 the k-th row of the table, each a formula with our number cached.
+"""Sheet Euler: row 1 the names of table.csv, row k + 1 the k-th row of the table, every cell a formula with our number cached.
 
 Enters: a `Book` and `StepTable`.  Leaves: the sheet.  Used by `book.py`.
 """
@@ -8,17 +8,19 @@ from __future__ import annotations
 from typing import Any
 
 from coursework.takeaway.workbook.cells import BEFORE, FIRST, NEXT, ROW, STEPS, Column, StepTable
-from coursework.takeaway.workbook.sheet import Book, number, plain
+from coursework.takeaway.workbook.sheet import GREY, WIDTH, Book, number, plain
 
 
 def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
     """Write the sheet."""
     for place, column in enumerate(table.columns):
-        sheet.write_string(0, place, plain(column.head), book.head)
+        sheet.write_string(0, place, plain(column.head), book.right)
+        look = GREY if column.formula is None else {}
+        sheet.set_column(place, place, WIDTH, book.shown(column.values, **look) if place else book.times(table.motion.step))
         if place in table.solved:
             continue
         if column.formula is None:
-            sheet.write_column(1, place, column.values.tolist(), book.grey)
+            sheet.write_column(1, place, column.values.tolist())
         else:
             _formulas(sheet, place, column, table.rows)
     after = len(table.columns) + 1
@@ -35,7 +37,6 @@ def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
         sheet.set_column(matrix.column, matrix.column + matrix.size, None, None, {"hidden": True})
     for place in table.solved:
         _solved(sheet, place, table)
-    sheet.set_column(0, len(table.columns) - 1, 14)
     sheet.freeze_panes(1, 1)
 
 
@@ -43,11 +44,11 @@ def write_first_row(book: Book, sheet: Any, table: StepTable, help_level: int) -
     """Write the heads, and with help the formulas of the row of t = 0 in all columns; the other rows are the student's."""
     shown = len(table.columns) if help_level else 1 + len(table.motion.names)
     for place, column in enumerate(table.columns[:shown]):
-        sheet.write_string(0, place, plain(column.head), book.head)
+        sheet.write_string(0, place, plain(column.head), book.right)
         if help_level and column.formula and table.rows:
             text = column.first or _at(column.formula, 0)
             sheet.write_formula(FIRST - 1, place, f"={text}", None, number(float(column.values[0])))
-    sheet.set_column(0, shown - 1, 14)
+    sheet.set_column(0, shown - 1, WIDTH)
     sheet.freeze_panes(1, 1)
 
 

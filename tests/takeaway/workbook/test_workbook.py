@@ -50,6 +50,20 @@ def test_cached_cells_and_formulas_are_eulers_table(name):
     assert all(cell.data_type == "f" for row in computed.book["Euler"].iter_rows(2, len(rows) + 1, 1, len(heads)) for cell in row)
 
 
+def test_cells_show_seven_digits_and_hold_all():
+    sheets = openpyxl.load_workbook(io.BytesIO(book("31")), data_only=True)
+    euler, checks = sheets["Euler"], sheets["Checks"]
+    assert (euler["B3"].number_format, euler["H3"].number_format, euler["A3"].number_format) == (
+        "0.000000",
+        "0.00000",
+        "0.0########",
+    )
+    assert repr(euler["B3"].value) == repr(float(solved("31").motion.rows[1, 0]))
+    zero = next(row for row in range(3, 20) if checks.cell(row, 1).value == "largest")
+    assert {checks.cell(zero + 3, column).number_format for column in (2, 3)} == {"0.00E+00;-0.00E+00;0"}
+    assert min(euler.column_dimensions[letter].width for letter in "ABH") >= 12
+
+
 @pytest.mark.parametrize("name", ["31", "jansen"])
 def test_every_formula_of_every_sheet_gives_its_cached_number(name):
     content = book(name)
