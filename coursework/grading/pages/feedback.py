@@ -205,10 +205,12 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
             entries = []
             for place in places.tolist():
                 text, column = shown[place][at], columns[place]
-                whole = clean(column.texts[row], LONGEST_CELL) if column else ""
+                is_first = [row, place] == first
+                # Six digits show what is wrong with a wrong cell; the one from which all else follows is said in full.
+                whole = clean(column.texts[row], LONGEST_CELL) if column and is_first else ""
                 sign, mark = _SHUT if uncounted[row, place] else _SIGNS[cells.marks[row, place]]
-                title = whole if mark == "wrong" and whole.replace("-", "−") != text.rstrip() else ""
-                entries.append((text, title, sign, mark, [row, place] == first))
+                title = whole if whole.replace("-", "−") != text.rstrip() else ""
+                entries.append((text, title, sign, mark, is_first))
             rows.append({"number": row + 1, "t": times[row], "cells": entries})
         blocks.append({"heads": [(heads[place], units[place]) for place in places.tolist()], "rows": rows})
     m = len(key.coordinates)

@@ -34,22 +34,15 @@ _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
 # A marker is drawn in units of its line, which is 1 wide.
 MARKERS = ".math{width:var(--wide)}.formula .math,.math{fill:none}marker{overflow:visible}"
-NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
 
 @frozen
 class Picture:
-    """A formula as SVG, in `pieces` that may stand one below the other, and the width of the widest in pt."""
+    """A formula as SVG, in `pieces` that may stand one below the other."""
 
     svg: str
-    width: float
     pieces: int = 1
-
-    @property
-    def is_wide(self) -> bool:
-        """Return whether it may have to be moved sideways, so that the keyboard must reach it."""
-        return self.width > NARROW
 
 
 @frozen
@@ -102,7 +95,7 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
 def _joined(parts: list[Picture]) -> Picture:
     if len(parts) == 1:
         return parts[0]
-    return Picture("".join(part.svg for part in parts), max(part.width for part in parts), len(parts))
+    return Picture("".join(part.svg for part in parts), len(parts))
 
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
@@ -130,7 +123,7 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     # Two digits more than eyes need: lines of words beside a formula stand on whole pixels by its height.
     head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.8g} {UNITS * high:.8g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())
-    return Picture(f"{head}{letters}{bars.strip()}</svg>", wide), glyphs
+    return Picture(f"{head}{letters}{bars.strip()}</svg>"), glyphs
 
 
 def _bar(bar: re.Match[str], line: int) -> str:

@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from coursework.drawing.paper.sheet import width
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.graphs.graph_paper import INK, LETTERS, words
 from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward, way_of
@@ -27,17 +28,20 @@ STYLES = (
 )  # fmt: skip
 HEIGHT = 70.0  # mm of the whole
 LEFT, RIGHT, TOP, BOTTOM = 14.0, 42.0, 6.0, 10.5  # mm around the axes; words stand at the right of the lines
-ROOM_X, ROOM_Y = (0.05, 0.05), (0.04, 0.04)  # of the ranges, before and behind what is shown
-LETTER, SIGN = 1.73, 3.02  # mm: of a letter, a little more than the mean, and of a Chinese sign
-LINE = 4.0  # mm of one line of words
+ROOM_X, ROOM_Y = (0.05, 0.05), (0.04, 0.1)  # of the ranges, before and behind what is shown; a name stands above the first line
+LINE = 4.3  # mm of one line of words
+KEY_WIDE, KEY = 7.0, 8.5  # mm of a piece of a line before a name that does not stand right behind it, and to the name
+BESIDE = (1.8, 0.0)  # mm from the end of a line to its name, right behind it
 OWN = f'fill="none" stroke="{INK}" stroke-width="0.46"'
 OWN_RADIUS = 1.9  # mm
 BAND = 'class="order" fill="#e6e6e6" stroke="#555" stroke-width="0.2"'
+HALO = ' stroke="#fff" stroke-width="0.8" stroke-linejoin="round" paint-order="stroke"'  # of a name that has to stand on a line
 ROUND_OFF = 'fill="#f2f2f2"'
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
 BAND_ORDER = 2  # of which there are several methods, hardly apart
 
 Box = tuple[float, float, float, float]
+Named = tuple[str, tuple[float, float], str]  # words, the end of what they name, a piece of it as SVG in KEY_WIDE mm
 
 
 @frozen
@@ -96,61 +100,90 @@ def chart(page: Chart) -> tuple[str, float]:
         low, high = ([(x.at(cost), y.at(error)) for cost, error in line[1]] for line in (band[0], band[-1]))
         inside += f'<path {BAND} d="{way_of([*low, *reversed(high)])}z"/>'
         drawn += [low, high]
-        named.append((page.band([line[0].name for line in alike]), high[-1]))
+        piece = f'<path {BAND} d="M0-1h{KEY_WIDE:g}v2h{-KEY_WIDE:g}z"/>'
+        named.append((page.band([line[0].name for line in alike]), high[-1], piece))
     for method, points, ink, dashes, mark in lines:
         if any(method is line[0] for line in band):
             continue
         places = [(x.at(cost), y.at(error)) for cost, error in points]
-        pen = f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else "")
-        inside += polyline(places, pen) + marks(places, mark, ink)
+        inside += _pen(places, ink, dashes) + marks(places, mark, ink)
         drawn.append(places)
-        named.append((method.name, places[-1]))
+        named.append((method.name, places[-1], _piece(mark, ink, dashes)))
+    # Marks count more than what is between them.
+    dots = np.array([dot for line in drawn for dot in (*_dotted(line), *4 * line)]).reshape(-1, 2)
     taken: list[Box] = []
     if own[0] is not None:
         at = (x.at(own[0]), y.at(own[1]))
         inside += f'<circle {OWN} cx="{at[0]:.2f}" cy="{at[1]:.2f}" r="{OWN_RADIUS}"/>'
-        named.insert(0, (page.labels["own_legend"], at))
+        piece = f'<circle {OWN} cx="{KEY_WIDE / 2:g}" r="{OWN_RADIUS}"/>'
         taken.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
-    dots = np.array([dot for line in drawn for dot in _dotted(line)]).reshape(-1, 2)
-    for text, place in named:
-        inside += _name(text, place, dots, taken)
+        inside += _name(page.labels["own_legend"], (at[0] + OWN_RADIUS, at[1]), piece, dots, taken)
+    # Those that stand right behind their lines take their places before any that may stand elsewhere, the longest first.
+    for text, place, piece in sorted(named, key=lambda one: (not _is_free(one[0], one[1], dots), -width(one[0]))):
+        inside += _name(text, place, piece, dots, taken)
     return sheet(WIDTH, HEIGHT, inside), HEIGHT
 
 
-def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[tuple[str, tuple[float, float]]]]:
+def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
     """Return axes and the band of round-off, and the name of that."""
     inside, named = "", []
     if page.floor > 0:
         low = y.at(page.floor)
         inside = f'<path {ROUND_OFF} d="M{x.begin:g} {low:.2f}H{x.end:g}V{y.begin:g}H{x.begin:g}z"/>'
-        named.append((page.labels["floor_legend"], (x.end - 1.5, (low + y.begin) / 2)))
+        piece = f'<path {ROUND_OFF} d="M0-1.5h{KEY_WIDE:g}v3h{-KEY_WIDE:g}z"/>'
+        named.append((page.labels["floor_legend"], (x.end - 1.5, (low + y.begin) / 2), piece))
     inside += across(x, y.begin, y.end, escape(page.labels["seconds" if page.timed else "evaluations"]))
     return inside + upward(y, x.begin, x.end, escape(page.error_label)), named
 
 
-def _name(text: str, place: tuple[float, float], dots: Array, taken: list[Box]) -> str:
-    """Return the name of a line beside its end, where it covers fewest words and `dots` (n, 2) of lines."""
-    wide = sum(SIGN if sign >= "\u2e80" else LETTER for sign in text)
-    best: tuple[float, Box] | None = None
-    for dx, dy, cost in _places(wide):
+def _name(text: str, place: tuple[float, float], piece: str, dots: Array, taken: list[Box]) -> str:
+    """Return the name of a line at its end or behind a piece of it, where it covers fewest words and `dots` (n, 2) of lines."""
+    wide, key = LETTERS * width(text), KEY if piece else 0.0
+    best: tuple[float, Box, float] | None = None
+    for dx, dy, cost in _places(wide + key):
+        before = 0.0 if (dx, dy) == BESIDE else key
         left, top = place[0] + dx, place[1] + dy - LINE / 2
-        box = (left, top, left + wide, top + LINE)
-        covered = np.all((box[:2] < dots) & (dots < box[2:]), axis=1)
-        cost += 40 * sum(_meet(box, other) for other in taken) + 4 * int(np.sum(covered))
-        cost += 100 * (box[2] > WIDTH or box[0] < LEFT + 1 or box[1] < TOP or box[3] > HEIGHT - BOTTOM)
+        box = (left, top, left + before + wide, top + LINE)
+        cost += 400 * sum(_meet(box, other) for other in taken) + 8 * _covered(box, dots) + 4000 * _is_outside(box)
         if best is None or cost < best[0]:
-            best = (cost, box)
+            best = (cost, box, before)
     assert best is not None
-    taken.append(best[1])
-    return words(best[1][0], best[1][1] + LINE / 2 + RISE * LETTERS, escape(text))
+    _, box, before = best
+    taken.append(box)
+    left, middle = box[0], box[1] + LINE / 2
+    shown = f'<g transform="translate({left:.2f} {middle:.2f})">{piece}</g>' if before else ""
+    return shown + words(left + before, middle + RISE * LETTERS, escape(text), more=HALO if _covered(box, dots) else "")
+
+
+def _is_free(text: str, place: tuple[float, float], dots: Array) -> bool:
+    left, top = place[0] + BESIDE[0], place[1] + BESIDE[1] - LINE / 2
+    box = (left, top, left + LETTERS * width(text), top + LINE)
+    return not _covered(box, dots) and not _is_outside(box)
+
+
+def _covered(box: Box, dots: Array) -> int:
+    return int(np.sum(np.all((box[:2] < dots) & (dots < box[2:]), axis=1)))
+
+
+def _is_outside(box: Box) -> bool:
+    return box[2] > WIDTH or box[0] < LEFT + 1 or box[1] < TOP - 1 or box[3] > HEIGHT - BOTTOM
+
+
+def _piece(mark: str, ink: str, dashes: str) -> str:
+    return _pen([(0.0, 0.0), (KEY_WIDE, 0.0)], ink, dashes) + marks([(KEY_WIDE / 2, 0.0)], mark, ink)
+
+
+def _pen(places: Points, ink: str, dashes: str) -> str:
+    return polyline(places, f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
 
 
 def _places(wide: float) -> list[tuple[float, float, float]]:
     """Return where the left middle of words may stand from the end of a line, and how far off that is."""
     found = []
-    for step in range(5):
+    for step in range(12):
         for dy in {0.0} if step == 0 else {step * LINE * 0.75, -step * LINE * 0.75}:
-            found += [(1.8, dy, step), (-wide / 2, dy, step + 0.5 + 9 * (step < 1)), (-wide - 1.8, dy, step + 2.0)]
+            found += [(BESIDE[0], dy, step), (-wide - BESIDE[0], dy, step + 2.0)]
+            found += [(-wide * part, dy, step + 0.5 + 9 * (step < 1)) for part in (0.25, 0.5, 0.75)]
     return sorted(found, key=lambda one: (one[2], one))
 
 

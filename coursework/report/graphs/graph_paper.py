@@ -22,7 +22,7 @@ from coursework.system.arrays import Array, distinct
 from coursework.system.frozen import frozen
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
-LETTERS = 2.92  # mm: 8.3 points on paper, 11 pixels where a screen shows a graph at its size
+LETTERS = 3.18  # mm: 9 points on paper, 12 pixels where a screen shows a graph at its size
 LEFT, RIGHT, TOP, BOTTOM = 13.5, 3.0, 6.0, 7.0  # mm around the field; longer words at the ticks take more at the left
 DIGIT = 0.68  # of the height of letters: the widest digit or sign
 TICK, APART = 0.9, 0.6  # mm: a tick, and between it and its words
@@ -198,7 +198,7 @@ def letters(symbol: Symbol) -> str:
     if not symbol.subscript:
         return head
     upright = symbol.subscript.isdigit()
-    low = f'<tspan dy="0.75" font-size="2.1"{"" if upright else slant}>{escape(symbol.subscript)}</tspan>'
+    low = f'<tspan dy="0.75" font-size="2.3"{"" if upright else slant}>{escape(symbol.subscript)}</tspan>'
     return f'{head}{low}<tspan dy="-0.75">\u200a</tspan>'
 
 

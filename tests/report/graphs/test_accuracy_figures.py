@@ -1,9 +1,10 @@
 """The figures of accuracy: places of values on their logarithmic axes, words that leave each other alone."""
 
+import numpy as np
 import pytest
 
 import coursework
-from coursework.report.graphs.accuracy_figures import STYLES, Chart, Method, chart
+from coursework.report.graphs.accuracy_figures import STYLES, Chart, Method, _name, chart
 from coursework.report.graphs.log_paper import MARKS, Scale, scale_for
 from coursework.report.pages import build_model
 from coursework.report.text.parts import Figure
@@ -46,7 +47,7 @@ def test_the_cost_is_time_where_it_was_measured_and_alike_methods_are_one_band(t
     assert f'height="{height:g}mm"' in svg
     check_words(svg)
     assert svg.count("running time, s") == timed
-    assert svg.count("<circle") == 1  # the ring
+    assert svg.count("<circle") == 2  # the ring, and the one before its name
     assert svg.count('class="order"') == 1
     assert "method 2, method 2" in svg
     assert chart(made_up(timed=timed)) == (svg, height)
@@ -66,3 +67,12 @@ def test_a_value_lies_where_its_logarithm_says():
     assert len(Scale(0, 1, -17, 3).ticks()) <= 8
     fitted = scale_for([1.0, 1000.0], 0, 100, (0.1, 0.2))
     assert (fitted.low, fitted.high) == pytest.approx((-0.3, 3.6))
+
+
+def test_a_name_stands_at_the_end_of_its_line_or_behind_a_piece_of_it():
+    piece, free, crossed = "<path/>", np.empty((0, 2)), np.array([(60.0, 30.0)])
+    assert piece not in _name("midpoint", (50.0, 30.0), piece, free, [])
+    taken = []
+    assert piece in _name("midpoint", (50.0, 30.0), piece, crossed, taken)
+    ((left, top, right, bottom),) = taken
+    assert not (left < 60 < right and top < 30 < bottom)
