@@ -40,7 +40,7 @@ class Direction:
     """Where an unknown points: along +x or +y ("x", "y"), along a line or to the left of it ("along", "across"), "couple".
 
     The line is at an `angle`, or leads `through` two points; "tangent" is to the right of it, the way to a wheel's centre.
-    "slope" is a couple on an arm that is no link: a force at the end of the arm, which turns with a `coordinate`.
+    "slope" is what drives a `coordinate` that no link has: the couple on an arm, a force at its end, or the force along a length.
     """
 
     kind: str
