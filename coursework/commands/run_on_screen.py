@@ -16,6 +16,7 @@ from coursework.words.sentences import joined, say
 
 LEFT_OF_ZERO = 1e-12  # of the largest entry of a column: what round-off leaves of a zero, told as 0 on the screen
 INDENT = "    "
+_OF_EQUATIONS = {"START", "INITIAL", "RESIDUAL", "DRIFT", "DRIFT-PER-PERIOD"}  # checks whose column is the name of an equation
 
 
 def tell_remarks(run: Run) -> None:
@@ -150,10 +151,11 @@ def tell_checks(run: Run) -> None:
             if check.limit is not None:
                 parts.append(say("screen.least" if check.is_least else "screen.limit", limit=check.limit))
             if check.column:
-                is_equation = check.column not in run.motion.names and "." not in check.column
+                is_equation = check.code in _OF_EQUATIONS and "." not in check.column
                 parts.append(say("screen.equation" if is_equation else "screen.column", column=check.column))
             parts += [say("screen.row", row=check.row)] if check.row else []
             mark, found = in_language(say(f"checks.mark.{check.verdict}")), in_language(joined(parts, "join.nothing"))
+            found = f" {found.lstrip(' ,，')}" if found else ""  # a row or column that no value stands before
             if speaks_english():
                 tell(f"  {mark} {check.verdict:<6} {check.code:<16}{found}")
             else:

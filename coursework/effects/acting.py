@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from coursework.effects.force_scheme import Body, ForceScheme, Unknown
+from coursework.effects.force_scheme import Body, ForceScheme, Unknown, torques_beside_drives
 from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, add
 from coursework.equations.algebra.functions import call, cosine, sine
@@ -152,6 +152,10 @@ class _Writer:
             if self.scheme.body_named(load.on) == body.name:
                 still = self.vector(body.centre), (ZERO, ZERO), self.scalar(load.torque)
                 yield still if load.at is None or load.force is None else (self.vector(load.at), self.vector(load.force), ZERO)
+        for on, below, load in torques_beside_drives(self.scheme):
+            if body.name in {on, below}:
+                torque = self.scalar(load.torque)
+                yield self.vector(body.centre), (ZERO, ZERO), torque if body.name == on else -torque
 
     def pulls(self, body: Body) -> Iterator[tuple[Vector, Vector, Expression]]:
         for spring in self.scheme.forces.springs:

@@ -110,7 +110,9 @@ class ForceAnalysis:
     @property
     def units(self) -> tuple[str, ...]:
         """Return the unit of each column."""
-        found = ["N·m" if one.direction.kind in {"couple", "slope"} else "N" for one in self.rows.scheme.unknowns]
+        # What drives a coordinate that no link has is a couple or a force, as the coordinate is an angle or a length.
+        unknowns = self.rows.scheme.unknowns
+        found = ["N·m" if one.direction.kind == "couple" or one.name[0] == "M" else "N" for one in unknowns]
         return (*found, *map(_unit_beside, self.beside))
 
     def as_table(self) -> ExtraTable:

@@ -143,7 +143,8 @@ def _contact(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     found = contacts(own)
     if not found or not own.reactions.rows.size:
         return skipped(say("check.CONTACT.skip"))
-    name, normal, share = found[0]
+    # The worst of several: it lifts, or asks for the most friction.
+    name, normal, share = max(found, key=lambda one: (bool((one[1] <= 0).any()), float(one[2].max())))
     lifted = int((normal <= 0).sum())
     told = say(
         "check.CONTACT.lifts" if lifted else "check.CONTACT.pass",

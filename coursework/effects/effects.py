@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from coursework.effects.force_scheme import Body
+from coursework.effects.force_scheme import Body, torques_beside_drives
 from coursework.effects.rows import PLACE, RATE, SECOND, Rows
 from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array, Complex
@@ -88,14 +88,22 @@ def _springs(rows: Rows) -> Iterator[Action]:
                 yield Action("springs", body, force, rows.vector(Formula("name", name=end)), name=spring.name)
 
 
+def _motor(rows: Rows) -> Iterator[Action]:
+    for body, below, load in torques_beside_drives(rows.scheme):
+        yield Action("motor", body, couple=rows.scalar(load.torque), name=load.name)
+        if below != FRAME:
+            yield Action("motor", below, couple=-rows.scalar(load.torque), name=load.name)
+
+
 INERTIA = Effect("inertia", "masses", lambda forces: bool(forces.masses), _inertia)
 WEIGHT = Effect("weight", "forces", lambda forces: bool(forces.masses) and forces.gravity is not None, _weight)
 LOADS = Effect("loads", "forces", lambda forces: bool(forces.loads), _loads)
 SPRINGS = Effect("springs", "forces", lambda forces: bool(forces.springs), _springs)
 
-# Friction depends on the reactions, so it is found around them (`friction.py`); a motor moves the mechanism (`dynamics.py`).
+# Friction depends on the reactions, so it is found around them (`friction.py`).  A motor moves the mechanism (`dynamics.py`); on
+# a free link it is what the rows say drives it, anywhere else a couple.
 FRICTION = Effect("friction", "friction", lambda forces: bool(forces.friction), lambda rows: iter(()))
-MOTOR = Effect("motor", "motor", lambda forces: forces.motor is not None, lambda rows: iter(()))
+MOTOR = Effect("motor", "motor", lambda forces: forces.motor is not None, _motor)
 
 EFFECTS: tuple[Effect, ...] = (INERTIA, WEIGHT, LOADS, SPRINGS, FRICTION, MOTOR)
 

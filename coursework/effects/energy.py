@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from coursework.effects.effects import LOADS, Action
+from coursework.effects.effects import LOADS, MOTOR, Action
 from coursework.effects.force_scheme import Unknown
 from coursework.effects.rows import PLACE, RATE, SECOND, Rows
 from coursework.mechanism.joints import FRAME
@@ -77,6 +77,7 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, 
         potential += rows.scalar(spring.stiffness) * (np.abs(way) - rows.scalar(spring.free)) ** 2 / 2
         dampers -= rows.scalar(spring.damping) * rate**2
     driven = sum((value * velocity_of_drive(rows, one) for one, value in drives.items()), still)
+    driven += _power(rows, MOTOR.acts(rows))
     return Energy(kinetic, potential, driven, loads, rubbed, dampers)
 
 

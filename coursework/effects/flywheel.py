@@ -47,14 +47,14 @@ def crank_of(own: ForceAnalysis) -> tuple[Array, Array, Array] | None:
 
 
 def find_flywheel(own: ForceAnalysis, period: float | None) -> Flywheel | None:
-    """Return the flywheel of rows that hold one whole period at equal steps; None where they do not, or the crank is uneven."""
+    """Return the flywheel of rows that hold one whole period at equal steps; None where they do not, it is uneven or locks."""
     crank = crank_of(own)
     t = own.rows.motion.t
     if crank is None or period is None or len(t) < 3:
         return None
     angle, torque, speed = crank
     count = round(period / float(t[1] - t[0]))
-    even = np.ptp(speed) <= _STEADY * np.abs(speed).max()
+    even = np.ptp(speed) <= _STEADY * np.abs(speed).max() and bool(np.isfinite(torque).all())
     if not even or count < 3 or len(t) <= count or abs(count * (t[1] - t[0]) - period) > 1e-9 * period or not speed[0]:
         return None
     torque, angle, omega = torque[: count + 1], angle[: count + 1], float(speed[0])

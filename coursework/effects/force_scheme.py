@@ -10,13 +10,13 @@ rolls.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.structure import in_order
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
-from coursework.variant.record.forces import Forces
+from coursework.variant.record.forces import Forces, Load
 
 
 @frozen
@@ -40,7 +40,7 @@ class Direction:
     """Where an unknown points: along +x or +y ("x", "y"), along a line or to the left of it ("along", "across"), "couple".
 
     The line is at an `angle`, or leads `through` two points; "tangent" is to the right of it, the way to a wheel's centre.
-    "slope" is a couple on an arm that is no link: a force at the end of the arm, which turns with a `coordinate`.
+    "slope" is what drives a `coordinate` that no link has: the couple on an arm, a force at its end, or the force along a length.
     """
 
     kind: str
@@ -89,6 +89,17 @@ class ForceScheme:
         """Return the body that holds a point, a block before the link that it is hinged on, the frame where none does."""
         holders = [name for name in in_order(self.holds) if name != FRAME and point in self.holds[name]]
         return next((name for name in holders if len(self.holds[name]) == 1), holders[0] if holders else FRAME)
+
+
+def torques_beside_drives(scheme: ForceScheme) -> Iterator[tuple[str, str, Load]]:
+    """Yield body, body it stands on, and law of each motor that turns no free link from what that is driven from: it acts where
+    it is, and what the free link needs is only what is left.
+    """
+    couples = {(one.on, one.off) for one in drives_of(scheme) if one.direction.kind == "couple"}
+    for load in scheme.forces.motor.torques if scheme.forces.motor else ():
+        below = FRAME if load.source == FRAME else scheme.body_named(load.source)
+        if (body := scheme.body_named(load.on), below) not in couples:
+            yield body, below, load
 
 
 def drives_of(scheme: ForceScheme) -> tuple[Unknown, ...]:

@@ -180,16 +180,17 @@ class _Reader:
     def drives(self) -> Iterator[Unknown]:
         """Yield what moves the mechanism: a couple for each driven rate, a force for a slide or the parts of a driven point."""
         variant, rates, called = self.variant, self.bodies.rates(), self.bodies.called
+        units = {c.rate: c.unit for c in variant.coordinates}
         several = len(variant.known_rates) > 1
         sliding = {link.name for link in variant.links if link.slides}
         for rate in variant.known_rates:
             body = next((body for body, own in rates.items() if own == rate and body not in sliding), None)
             if body is None:
-                yield self.arm(rate, f"M{rate if several else ''}")
+                yield self.arm(rate, f"{'F' if units[rate] == 'm' else 'M'}{rate if several else ''}")
                 continue
             name = called[body]
             slide = next((j for j in self.bodies.linkage.joints if j.kind.slides and j.bodies[0] == body), None)
-            if next(c.unit for c in variant.coordinates if c.rate == rate) == "m" and slide is not None:
+            if units[rate] == "m" and slide is not None:
                 through = None if slide.along is not None else self.line_of(slide.bodies[1])
                 along = Direction("along", slide.along, through)
                 yield Unknown(f"F{name if several else ''}", name, called[slide.bodies[1]], slide.where, along, rate)
@@ -205,7 +206,9 @@ class _Reader:
                     yield Unknown(name, called[holders[0]], FRAME, named(variant.driven), Direction(axis), velocity)
 
     def arm(self, rate: str, name: str) -> Unknown:
-        """Return the couple of a driven rate that no link has: it turns an arm, whose end a link holds."""
+        """Return what a driven rate that no link has needs at the point of a link that it moves: of an angle the couple that
+        turns an arm, of a length the force along it.
+        """
         variant = self.variant
         coordinate, points = next(c.name for c in variant.coordinates if c.rate == rate), dict(self.mechanism.points)
         wheels = [(link.name, link.wheel) for link in variant.links if link.wheel]

@@ -79,3 +79,10 @@ def test_forces_that_hold_a_mechanism_where_it_stands_are_told():
     run = coursework.solve(coursework.parse_variant(weightless), scheme="euler")
     told = {one.code: str(one.sentence) for one in run.results.checks}
     assert "it does not start" in told["ENERGY"]
+
+
+def test_a_rate_that_neither_a_motor_frees_nor_anything_ties_is_named():
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.parse_variant(text_of("falling-arm", ('rates = ["w1", "w2"]', 'rates = ["w1"]')), "bad.toml")
+    told = str(caught.value)
+    assert told.startswith("V746 bad.toml:") and "motor.rates: nothing ties w2 to w1" in told

@@ -1,11 +1,16 @@
 """Friction: its laws in one joint, the fixed point, power that is lost, self-locking told."""
 
+import json
+
 import numpy as np
 import pytest
 
 import coursework
 from coursework.effects.checks import check_forces
+from coursework.effects.told import force_record
+from coursework.report.pages import build_model, render_html
 from tests.effects.massed import of, of_text, text_of
+from tests.report.real import text_of as shown
 
 
 def rubbing(name, entries):
@@ -50,6 +55,16 @@ def test_self_locking_is_told_with_its_rows():
     assert str(told.sentence).startswith("Self-locking in ")
     locked = np.isnan(found.reactions.rows).all(axis=1)
     assert locked.any()
+
+
+def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_them():
+    text = text_of("example-2-forces", ("[ask]", '[friction]\nC = { coefficient = "4" }\n\n[ask]'))
+    run = coursework.solve(coursework.parse_variant(text), scheme="exact", quantities=["table", "checks", "forces", "energy"])
+    page = shown(render_html(build_model(run, "en")))
+    assert "where friction locks the mechanism" in page and "where a reaction is not unique" not in page
+    assert "gives power in every row" not in page
+    record = json.dumps(force_record(run.results.forces, run.scene.variant.time.period), allow_nan=False)
+    assert json.loads(record)["mean_moment"] is None
 
 
 def test_friction_of_motion_under_forces_is_refused():

@@ -84,8 +84,10 @@ def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[
     lines = [say("drawing.scale", scale=ratio(scale)), say("plans.scale", scale=decimal(unit), unit="N")]
     draw_foot(sheet, lines, say("drawing.title", row=row + 1, time=figure.time), (unit, "N"), written)
     told = {"names": names, "row": row + 1, "scale": decimal(unit)}
-    caption = say("forces.plan.caption" if plan.inner is not None else "forces.plan.single", **told)
-    alt = say("forces.plan.alt", names=names, row=row + 1)
+    alone = len(plan.bodies) == 1
+    several = "forces.plan.caption" if plan.inner is not None else "forces.plan.several"
+    caption = say("forces.plan.single" if alone else several, **told)
+    alt = say("forces.plan.alt_single" if alone else "forces.plan.alt", names=names, row=row + 1)
     return Drawing(f"forces-{number}", sheet.svg(), sheet.width, sheet.height, caption, alt, exact=True)
 
 

@@ -57,7 +57,11 @@ def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
         yield context.words("forces.guides")
     if pins := found.rows.scheme.pins:
         yield context.words("forces.pins", points=tuple(pins))
-    if np.isnan(found.reactions.rows).any():
+    empty = np.isnan(found.reactions.rows)
+    locked = empty.all(axis=1) & bool(found.rows.scheme.forces.friction)
+    if locked.any():
+        yield context.words("forces.locked")
+    if empty[~locked].any():
         yield context.words("forces.blank")
 
 
@@ -171,8 +175,11 @@ def _rows(context: PageContext, found: ForceAnalysis) -> list[Part]:
 def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
     """Return in which rows the drive brakes, its mean, and the flywheel."""
     power = found.energy.drive
-    brakes = [place + 1 for place in np.flatnonzero(power < -1e-9 * np.abs(power).max(initial=0.0)).tolist()]
-    told = [context.words("forces.brakes", rows=_spans(brakes))] if brakes else [context.words("forces.drives")]
+    known = power[np.isfinite(power)]
+    brakes = [place + 1 for place in np.flatnonzero(power < -1e-9 * np.abs(known).max(initial=0.0)).tolist()]
+    told = [context.words("forces.brakes", rows=_spans(brakes))] if brakes else []
+    if not brakes and len(known) == len(power):
+        told = [context.words("forces.drives")]
     wheel = find_flywheel(found, context.run.variant.time.period)
     if wheel is not None:
         largest = float(np.abs(found.column(found.drive_names[0])).max())
@@ -181,7 +188,7 @@ def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
         told.append(context.words("forces.mean", mean=mean, excess=excess))
         if wheel.needed is not None:
             told.append(context.words("forces.flywheel", inertia=context.quantity(wheel.needed, "kg·m²", 4)))
-    return [Paragraph(context.lettered(context.words.sentences(told)))]
+    return [Paragraph(context.lettered(context.words.sentences(told)))] if told else []
 
 
 def _spans(rows: list[int]) -> str:

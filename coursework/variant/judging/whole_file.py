@@ -26,7 +26,11 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
     faults = []
     written = broken.has("constraint") or broken.has("group") or broken.has("closure")
     if variant.sought and not (written or variant.constraints or variant.groups or variant.driven or variant.holds):
-        faults.append(source.fault((), say("fault.V072")))
+        if variant.motor is None:
+            faults.append(source.fault((), say("fault.V072")))
+        else:
+            told = say("fault.V746", names=variant.sought, free=variant.motor.rates)
+            faults.append(source.fault(("motor", "rates"), told))
     # A period that follows from the drive is judged where the drive is: how fast that turns says more.
     derived = {"period"} & {str(path[-1]) for path in times}
     if not broken.has("time") and math.isfinite(variant.time.step + variant.time.end):

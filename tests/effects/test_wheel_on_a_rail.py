@@ -1,0 +1,56 @@
+"""A wheel pulled along a rail, its centre of mass beside its middle: what drives a length is a force."""
+
+import numpy as np
+
+import coursework
+from coursework.effects.analysis import ForceAnalysis
+
+WHEEL = """
+format = 1
+[given]
+R = "0.25 m"
+v0 = "1.2 m/s"
+p = "9 1/s"
+[drive]
+u = "v0*sin(p*t)"
+[coordinates]
+x = { start = "0 m", rate = "u", unit = "m" }
+psi = { start = "0 rad", rate = "w" }
+[time]
+step = "0.02 s"
+end = "0.7 s"
+[[constraint]]
+equation = "u + R*w = 0"
+because = "the wheel rolls"
+[points]
+C = "(x, R)"
+P = "(x, 0)"
+[links]
+1 = { wheel = "C", contact = "P", rate = "w" }
+[frame]
+rails = [ { through = "P", angle = "0" } ]
+[closure]
+holds = ["x + R*psi"]
+[masses]
+1 = { mass = "10 kg", inertia = "0.4 kg*m^2", centre = "C + 0.05 @ (psi + 0.3)" }
+[forces]
+gravity = "9.81 m/s^2"
+[ask]
+quantities = ["table", "forces"]
+"""
+
+
+def test_a_driven_length_that_no_link_has_is_driven_by_a_force_in_newtons():
+    run = coursework.solve(coursework.parse_variant(WHEEL), scheme="exact")
+    found: ForceAnalysis = run.results.forces
+    t, psi = found.rows.motion.t, found.rows.motion.column("psi")
+    change, w = 1.2 * 9 * np.cos(9 * t), -1.2 * np.sin(9 * t) / 0.25
+    epsilon, beside = -change / 0.25, 0.05 * np.exp(1j * (psi + 0.3))  # the centre of mass, from the middle
+    total = 10 * (change + (1j * epsilon - w**2) * beside + 9.81j)  # drive, T along the rail, N across it
+    # About the centre of mass: what the drive at the middle and T, N at the contact do.
+    across, below = total.imag, -beside - 0.25j
+    along = (0.4 * epsilon - below.real * across - beside.imag * total.real) / (-below.imag - beside.imag)
+    largest = np.abs(total).max()
+    assert found.drive_names == ("F",) and found.units[found.names.index("F")] == "N"
+    for name, value in (("T01", along), ("N01", across), ("F", total.real - along)):
+        assert np.abs(found.column(name) - value).max() < 1e-11 * largest, name
