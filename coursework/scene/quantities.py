@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from coursework.drawing.paper.record import Drawing
     from coursework.drawing.plans.plans import Plans
     from coursework.effects.analysis import ForceAnalysis
-    from coursework.effects.energy import Energy
     from coursework.motion.geometry.closure import Closure
     from coursework.motion.integration.rates import Rates
     from coursework.results.accuracy.problem import Problem
@@ -224,26 +223,10 @@ def _refuse_no_points(variant: Variant) -> Sentence | None:
     return say("fault.V501")
 
 
-def _drawings(_: MotionResults, drawn: tuple[Drawing, ...], written: Callable[[str], str]) -> tuple[Drawing, ...]:
-    return drawn  # symbols only, which every language writes alike
-
-
-def _itself(_: MotionResults, rows: ExtraTable) -> ExtraTable:
-    return rows
-
-
-def _force_columns(_: MotionResults, found: ForceAnalysis) -> ExtraTable:
-    return found.as_table()
-
-
 def _force_listing(found: ForceAnalysis) -> Listing:
     from coursework.drawing.force_plans.force_plans import HEAD, make_force_plans
 
     return Listing("polygons.csv", HEAD, make_force_plans(found, 0).rows())
-
-
-def _energy_columns(results: MotionResults, found: Energy) -> ExtraTable:
-    return found.as_table(results.motion.t)
 
 
 def _refuse_no_forces(variant: Variant) -> Sentence | None:
@@ -267,20 +250,25 @@ POINT_ACCELERATIONS = Quantity(MotionResults.point_accelerations, _POINT_COLUMNS
 POINTS = Quantity(
     MotionResults.points, _POINT_COLUMNS, refuses=_refuse_no_points, beside={ACCELERATIONS.name: POINT_ACCELERATIONS}
 )
-ANALOGS = Quantity(analogs, OwnTable(_itself), order=2)
-INVARIANTS = Quantity(invariants, OwnTable(_itself), order=2)
+ANALOGS = Quantity(analogs, OwnTable(lambda _, rows: rows), order=2)
+INVARIANTS = Quantity(invariants, OwnTable(lambda _, rows: rows), order=2)
 ACCURACY = Quantity(accuracy, OwnSection(), only_pages=True)
 GRAPH_CHECK = Quantity(graph_check, OwnSection())
-TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_points, only_pages=True)
+_SYMBOLS_ONLY = OwnFigure(lambda _, drawn, written: drawn)  # which every language writes alike
+TRAJECTORIES = Quantity(trajectories, _SYMBOLS_ONLY, refuses=_refuse_no_points, only_pages=True)
 PLANS = Quantity(
     plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), order=2, refuses=_refuse_no_points
 )
-FORCES = Quantity(MotionResults.forces, OwnSection(_force_columns, _force_listing), order=2, refuses=_refuse_no_forces)
+FORCES = Quantity(
+    MotionResults.forces, OwnSection(lambda _, found: found.as_table(), _force_listing), order=2, refuses=_refuse_no_forces
+)
 DYNAMICS = Quantity(MotionResults.dynamics, OwnSection(lambda _, found: found), order=2, refuses=_refuse_no_motor)
-ENERGY = Quantity(MotionResults.energy, OwnSection(_energy_columns), order=2, refuses=_refuse_no_forces)
+ENERGY = Quantity(
+    MotionResults.energy, OwnSection(lambda results, found: found.as_table(results.motion.t)), order=2, refuses=_refuse_no_forces
+)
 LISTING = Quantity(listing, OwnSection(), refuses=_refuse_forces, only_pages=True)
 FLOWCHART = Quantity(flowchart, OwnSection(), refuses=_refuse_forces, only_pages=True)
-HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points, only_pages=True)
+HODOGRAPHS = Quantity(hodographs, _SYMBOLS_ONLY, refuses=_refuse_no_points, only_pages=True)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (
     TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, PLANS, TRAJECTORIES, HODOGRAPHS,
