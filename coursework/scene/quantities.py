@@ -295,8 +295,4 @@ def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:
 
 def all_needs(scene: type[Scene] = Scene) -> dict[str, tuple[str, ...]]:
     """Return what every quantity of a kind of scene needs: steps on the way first, then what can be asked for."""
-    return {
-        **needs_of(scene),
-        **needs_of(MotionResults),
-        **{name: quantity.needs for name, quantity in known_quantities().items()},
-    }
+    return {**needs_of(scene), **needs_of(MotionResults), **{name: one.needs for name, one in known_quantities().items()}}
