@@ -33,6 +33,7 @@ from coursework.report.text.parts import (
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note import tree
 from coursework.takeaway.note.dialects import Dialect
+from coursework.takeaway.note.formulas import WIDE, letters_wide
 from coursework.takeaway.note.styles import REACH
 from coursework.takeaway.note.tree import Node
 
@@ -143,7 +144,7 @@ class Blocks:
     def _judged(self, title: str, heads: Sequence[str], rows: list[list[list[Node]]]) -> list[Node]:
         made = tree.table([tree.text(head) for head in heads], rows, [True, True, False, False])
         made["c"][2] = [[align, {"t": "ColWidth", "c": width}] for (align, _), width in zip(made["c"][2], WIDTHS, strict=True)]
-        return [tree.paragraph([tree.strong(tree.text(title))]), made]
+        return [tree.styled("Table Title", [tree.paragraph([tree.strong(tree.text(title))])]), made]
 
     @of.register
     def _(self, part: Equations) -> list[Node]:
@@ -158,7 +159,8 @@ class Blocks:
             mark = self.marks.setdefault(item.name, self.mark_of(item.name)) if first else ""
             yield self.dialect.numbered(latex, item.name, mark)
         else:
-            yield tree.styled("Equation", [tree.paragraph([tree.math(latex, displayed=True)])])
+            style = "Equation Small" if letters_wide(latex) > WIDE else "Equation"
+            yield tree.styled(style, [tree.paragraph([tree.math(latex, displayed=True)])])
         if item.after:
             yield tree.paragraph(self.inlines(item.after))
 

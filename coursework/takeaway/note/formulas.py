@@ -17,7 +17,12 @@ _NUMBERS = re.compile(r"[\d.,+−·/()=²³⁰¹⁴⁵⁶⁷⁸⁹⁻ \u2009\u20
 _RAISED = re.compile(r"[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 NEXT_LINE = " \\ "
+WIDE = 86  # letters that fit a line
+_UNSEEN = re.compile(r"\\(?:frac|left|right|quad|text|mathrm|overset|(?:begin|end)\{\w+\})")
+_NAMES = re.compile(r"\\(?!(?:arc)?(?:sin|cos|tan))[A-Za-z]+")
+_NO_LETTERS = re.compile(r"[\\{}_^&\s]")
 _WORD = re.compile(r"_\{\\text\{([^{}]*?) \}\}")  # pandoc leaves a space behind a word that stands lower
+_BEGINS = re.compile(r"^= ")  # a sign between two sides looks for the left one
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 
 
@@ -32,10 +37,24 @@ def latex_of(sources: Iterable[str], mark: str, *, aligned: bool) -> dict[str, s
     text = "\n\n".join(f"$ {_bare(one, mark)} $" for one in listed)
     tree = json.loads(called(["-f", "typst", "-t", "json"], text.encode()))
     made = [math for block in tree["blocks"] for math in _maths(block)]
-    made = [_WORD.sub(r"_{\\text{\1}}", one) for one in made]
+    made = [_result_below(_WORD.sub(r"_{\\text{\1}}", one)) for one in made]
     if mark != POINT:
         made = [_DECIMAL.sub(f"{{{mark}}}", one) for one in made]
     return dict(zip(listed, made if aligned else map(_in_a_column, made), strict=True))
+
+
+def letters_wide(latex: str) -> int:
+    """Return about how many letters the widest line of a formula has; a fraction counts above and below its line."""
+    return max(len(_NO_LETTERS.sub("", _NAMES.sub("x", _UNSEEN.sub("", line)))) for line in latex.split("\\\\"))
+
+
+def _result_below(latex: str) -> str:
+    """Return a formula in lines whose last one, where it is too long, has its result below it."""
+    above, equals, result = latex.rpartition(" = ")
+    end = "\n\\end{aligned}"
+    if not (equals and latex.endswith(end) and letters_wide(latex.rpartition("\\\\")[2]) > WIDE):
+        return latex
+    return f"{above} \\\\\n & = {result}"
 
 
 def _in_a_column(latex: str) -> str:
@@ -43,7 +62,7 @@ def _in_a_column(latex: str) -> str:
     if not (latex.startswith(opening) and latex.endswith(closing)):
         return latex
     lines = latex[len(opening) : -len(closing)].split("\\\\")
-    inside = "\\\\\n".join(line.strip().removeprefix("&").strip() for line in lines)
+    inside = "\\\\\n".join(_BEGINS.sub(r"\\quad\\text{=} ", line.strip().removeprefix("&").strip()) for line in lines)
     return f"\\begin{{array}}{{l}}\n{inside}\n\\end{{array}}"
 
 

@@ -83,7 +83,7 @@ def styles_of(house: House) -> tuple[Style, ...]:
     return (
         Style("Normal", after=4 if plain else 0),
         Style("Body Text", after=4 if plain else 0),
-        Style("First Paragraph", after=4 if plain else 0),
+        Style("First Paragraph", before=4, after=4 if plain else 0),
         Style("Compact", after=0),
         Style("Title", size + 4 if plain else size, bold=True, align="center", before=6, after=12, first=0),
         Style("Subtitle", size, align="center", before=120 if house.by_standard else 12, after=6, first=0),
@@ -99,13 +99,15 @@ def styles_of(house: House) -> tuple[Style, ...]:
         Style("TOC 1", align="left", first=0, line=1.15),
         Style("Image Caption", caption, align="center", after=10, first=0, line=1.0),
         Style("Table Caption", caption, align="left", before=8, after=4, first=0, line=1.0, keep=True),
+        Style("Table Title", bold=True, align="left", before=10, after=4, first=0, line=1.0, keep=True),
         Style("Figure", align="center", before=8, after=4, first=0, line=1.0, keep=True),
         Style("Wide Figure", align="center", before=8, after=4, first=0, line=1.0, keep=True, right=-REACH),
         Style("Equation", 11.0, align="left", before=4, after=4, first=0, line=1.0, tabs=True),
+        Style("Equation Small", 8.0, align="left", before=4, after=4, first=0, line=1.0),
         Style("Source Code", 8.0, align="left", first=0, line=1.0, typed=True),
         Style("Table Text", 9.0, align="left", first=0, line=1.0),
         Style("Table Text Small", 7.0, align="left", first=0, line=1.0),
-        Style("Remark", small, align="both", after=4, line=1.0),
+        Style("Remark", small, align="both", before=4, after=4, line=1.0),
         Style("To Write", italic=True, grey=True),
     )  # fmt: skip
 
@@ -151,7 +153,7 @@ def open_document_styles(house: House) -> dict[str, str]:
     """Return the XML of every style by its name in OpenDocument's `styles.xml`."""
     names = {"Normal": "Standard", "Body Text": "Text_20_body", "Image Caption": "FigureCaption", "Table Caption": "TableCaption",
              "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents",
-             "Source Code": "Preformatted_20_Text"}  # fmt: skip
+             "Source Code": "Preformatted_20_Text", "First Paragraph": "First_20_paragraph"}  # fmt: skip
     return {
         (name := names.get(one.name, one.name.replace(" ", "_20_"))): _open_style(one, name, house) for one in styles_of(house)
     }

@@ -14,6 +14,7 @@ import pytest
 
 from coursework.report.output.formats import formats_for
 from coursework.report.text.parts import Checks, Claims, Equations, Figure, Panels, Table
+from coursework.takeaway.note.formulas import WIDE, latex_of, letters_wide
 from coursework.takeaway.note.writer import LANGUAGES
 from coursework.variant.catalogue import names
 from tests.command import call
@@ -227,3 +228,17 @@ def test_a_program_in_the_appendix_is_typed_line_by_line(suffix, tmp_path):
     lines = [" ".join(line.replace("\xa0", " ").split()) for line in read.decode().splitlines()]
     program = call("listing", "31", "--language", "python").stdout.splitlines()
     assert {" ".join(line.split()) for line in program if line} <= {*lines}
+
+
+def test_a_worked_formula_that_is_too_long_has_its_result_below_and_small_letters():
+    long = "x = 1.5 \\ & quad + " + " + ".join(["0.0415 dot cos(0.0401)"] * 6) + ' = "0.5"'
+    for aligned, below in ((True, r"& = 0.5"), (False, r"\quad\text{=} 0.5")):
+        (made,) = latex_of([f"& {long}"], ".", aligned=aligned).values()
+        assert below in made and made.count("\\\\") == 2 and letters_wide(made) > WIDE
+    (short,) = latex_of(['& x = 1.5 \\ & quad + 0.0415 dot cos(0.0401) = "0.5"'], ".", aligned=True).values()
+    assert short.count("\\\\") == 1 and letters_wide(short) < 30
+
+
+def test_the_two_tables_of_checks_have_a_title_that_keeps_to_them():
+    styles = [one.style.name for one in docx.Document(io.BytesIO(note("31", "docx", "en"))).paragraphs]
+    assert styles.count("Table Title") == 4  # the claims, and in the appendix the checks
