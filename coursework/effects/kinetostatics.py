@@ -99,7 +99,13 @@ def react(rows: Rows) -> Reactions:
         if not open_rows.any():
             return found
     found.rows[open_rows] = np.nan  # self-locking: the drive cannot overcome what it presses together
-    return found
+    return replace(found, friction=tuple(_unknown(action, open_rows) for action in found.friction))
+
+
+def _unknown(action: Action, rows: Flags) -> Action:
+    """Return an action that is no number in some rows."""
+    force, couple = (None if of is None else np.where(rows, np.nan, of) for of in (action.force, action.couple))
+    return replace(action, force=force, couple=couple)
 
 
 def _ideal(rows: Rows, friction: tuple[Action, ...]) -> Reactions:

@@ -54,7 +54,7 @@ def test_self_locking_is_told_with_its_rows():
     assert told.verdict == "FAIL"
     assert str(told.sentence).startswith("Self-locking in ")
     locked = np.isnan(found.reactions.rows).all(axis=1)
-    assert locked.any()
+    assert locked.any() and (np.isnan(found.energy.friction) == locked).all()
 
 
 def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_them():
