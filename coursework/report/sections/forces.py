@@ -59,7 +59,7 @@ def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
     if pins := found.rows.scheme.pins:
         yield context.words("forces.pins", points=tuple(pins))
     empty = np.isnan(found.reactions.rows)
-    locked = empty.all(axis=1) & bool(found.rows.scheme.forces.friction)
+    locked = empty.all(axis=1) & bool(found.rows.scheme.forces.friction) & np.isfinite(found.reactions.condition)
     if locked.any():
         yield context.words("forces.locked")
     if empty[~locked].any():
