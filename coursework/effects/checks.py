@@ -196,7 +196,10 @@ def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
 def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     if not own.rows.scheme.forces.friction:
         return skipped(say("check.FRICTION.skip"))
-    locked = np.flatnonzero(np.isnan(own.reactions.rows).all(axis=1))
+    empty = np.isnan(own.reactions.rows).all(axis=1)
+    locked = np.flatnonzero(empty & np.isfinite(own.reactions.condition))
+    if empty.any() and not len(locked):
+        return skipped(say("check.FRICTION.not_unique"))
     if len(locked):
         told = {"count": len(locked), "number": own.rows.count, "row": int(locked[0]) + 1}
         return Finding("FAIL", say("check.FRICTION.locked", **told), row=int(locked[0]) + 1)

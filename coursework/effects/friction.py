@@ -20,8 +20,9 @@ from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array
 from coursework.variant.record.forces import Friction
 
-MOST_ROUNDS = 50
-SETTLED = 1e-13  # of the largest reaction
+# Looked at after so many rounds: what shrinks goes on, slowly where friction nearly locks; the rest has no solution.
+ROUNDS, MOST_ROUNDS = 50, 2000
+SETTLED, LEFT = 1e-13, 1e-9  # change of a round, of the largest reaction: at rest, and where round-off lets it go no further
 _STILL = 1e-12  # of the largest speed: slower is still
 
 

@@ -91,15 +91,28 @@ def react(rows: Rows) -> Reactions:
     found, friction = _ideal(rows, ()), rows.scheme.forces.friction
     if not friction:
         return found
-    from coursework.effects.friction import MOST_ROUNDS, SETTLED, friction_of
+    from coursework.effects.friction import LEFT, MOST_ROUNDS, ROUNDS, SETTLED, friction_of
 
-    for _ in range(MOST_ROUNDS):
-        last, found = found, _ideal(rows, friction_of(rows, found.rows))
-        open_rows = np.abs(found.rows - last.rows).max(axis=1) > SETTLED * max(found.largest, 1e-300)
-        if not open_rows.any():
-            return found
+    ideal, before = found.largest, np.full(rows.count, np.inf)
+    with np.errstate(over="ignore", invalid="ignore"):  # what never settles grows without bound
+        for count in range(MOST_ROUNDS):
+            last, found = found, _ideal(rows, friction_of(rows, found.rows))
+            change = np.abs(found.rows - last.rows).max(axis=1)
+            share = change / np.maximum(np.abs(found.rows).max(axis=1), ideal or 1e-300)
+            if (share <= SETTLED).all():
+                return found
+            if count % ROUNDS == 0 and count and not (2 * change < before)[~(share <= SETTLED)].any():
+                break  # what is still open shrinks no more
+            before = change if count % ROUNDS == 0 else before
+    open_rows = ~(share <= LEFT)
     found.rows[open_rows] = np.nan  # self-locking: the drive cannot overcome what it presses together
-    return found
+    return replace(found, friction=tuple(_unknown(action, open_rows) for action in found.friction))
+
+
+def _unknown(action: Action, rows: Flags) -> Action:
+    """Return an action that is no number in some rows."""
+    force, couple = (None if of is None else np.where(rows, np.nan, of) for of in (action.force, action.couple))
+    return replace(action, force=force, couple=couple)
 
 
 def _ideal(rows: Rows, friction: tuple[Action, ...]) -> Reactions:

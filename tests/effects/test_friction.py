@@ -10,6 +10,7 @@ from coursework.effects.checks import check_forces
 from coursework.effects.told import force_record
 from coursework.report.pages import build_model, render_html
 from tests.effects.massed import of, of_text, text_of
+from tests.effects.test_ways import PARALLEL
 from tests.report.real import text_of as shown
 
 
@@ -54,7 +55,27 @@ def test_self_locking_is_told_with_its_rows():
     assert told.verdict == "FAIL"
     assert str(told.sentence).startswith("Self-locking in ")
     locked = np.isnan(found.reactions.rows).all(axis=1)
-    assert locked.any()
+    assert locked.any() and (np.isnan(found.energy.friction) == locked).all()
+
+
+def test_where_friction_nearly_locks_the_drive_is_found_all_the_same():
+    found = rubbing("example-2-forces", 'C = { coefficient = "2.5" }')
+    checks = {one.code: one.verdict for one in check_forces(found, None)}
+    assert [checks[code] for code in ("FRICTION", "VIRTUAL-POWER", "REACTIONS-SUM", "GROUPS")] == ["PASS"] * 4
+
+
+def test_a_row_that_runs_away_does_not_make_another_look_settled():
+    found = rubbing("example-2-forces", 'C = { coefficient = "40" }')
+    free = ~np.isnan(found.reactions.rows).all(axis=1)
+    force = next(one.force for one in found.reactions.friction if one.body == "3")
+    assert free.any() and not free.all()
+    assert np.abs(np.abs(force[free]) - 40 * np.abs(found.column("N03"))[free] * (force[free] != 0)).max() < 1e-6
+
+
+def test_a_redundant_support_with_friction_locks_nothing():
+    found = of_text(f'{PARALLEL}[friction]\nA = {{ radius = "10 mm", coefficient = "0.1" }}\n')
+    finding = next(one for one in check_forces(found, None) if one.code == "FRICTION")
+    assert finding.verdict == "SKIP" and "not unique" in str(finding.sentence)
 
 
 def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_them():

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+import coursework
 from tests.effects.massed import of_text, text_of
+from tests.report.real import parts
 
 CHANGES = (
     ('[drive]\nw1 = "w0"\n', ""), ('period = "2*pi/w0"\n', ""), ('Q1 = { on = "3", torque = "-60 N*m" }', ""),
@@ -38,3 +40,10 @@ def test_a_motor_on_the_rocker_acts_there():
     assert np.abs(found.column("M")).max() < 1e-11 * largest  # nothing turns the crank from the frame
     given = (9 - 2 * motion.column("w3")) * motion.column("w3") + between * (motion.column("w2") - motion.column("w1"))
     assert np.abs(found.energy.drive - given).max() < 1e-9 * np.abs(given).max()
+
+
+def test_the_page_prints_no_round_off_for_what_is_nothing():
+    run = coursework.solve(coursework.parse_variant(text_of("example-1-forces", *CHANGES)), quantities=["table", "forces"])
+    compared = next(one for one in parts(run, "forces") if one.get("id") == "forces-compare")
+    name, _, computed, _, _, apart = compared["rows"][-1]
+    assert (name, computed, apart) == ("M", "0", "–")

@@ -36,6 +36,7 @@ from coursework.system.arrays import Array
 
 SIZE, SQUARE = (82.0, 34.0), (82.0, 66.0)  # mm
 MOST = 6  # polar curves of one figure
+_ROUND_OFF = 1e-12  # of the largest force: a drive that never has more is none, and one that locks in every row is unknown
 MEAN_PEN = f'stroke="{INK}" stroke-width="0.2" stroke-dasharray="2 1"'
 
 
@@ -45,9 +46,11 @@ def force_graphs(context: PageContext, found: ForceAnalysis) -> list[Part]:
         return []
     exact = context.run.results.exact_forces
     parts: list[Part] = []
-    panels = [_over_time(context, found, exact, name) for name in found.drive_names]
+    least = _ROUND_OFF * found.reactions.largest
+    acting = [name for name in found.drive_names if np.nanmax(np.abs(found.column(name)), initial=0.0) > least]
+    panels = [_over_time(context, found, exact, name) for name in acting]
     if panels:
-        caption = context.words("forces.graph", symbols=context.symbol_list(found.drive_names))
+        caption = context.words("forces.graph", symbols=context.symbol_list(acting))
         parts.append(Panels("forces-drive", *SIZE, [], panels, context.lettered(caption)))
     pairs = [name[:-1] for name in found.reactions.names if name[0] == "R" and name.endswith("x")]
     curves = [curve for pair in pairs if (curve := _polar(context, found, pair)) is not None]

@@ -22,6 +22,7 @@ from coursework.report.text.parts import Cell, Column, Display, Equations, Parag
 from coursework.report.text.tables import extra_parts
 from coursework.report.text.text_runs import numeral
 from coursework.scene.quantities import ENERGY, FORCES
+from coursework.system.arrays import Array
 
 MILLIMETRES = 1  # decimals of a length that is read to half a mm
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -58,7 +59,7 @@ def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
     if pins := found.rows.scheme.pins:
         yield context.words("forces.pins", points=tuple(pins))
     empty = np.isnan(found.reactions.rows)
-    locked = empty.all(axis=1) & bool(found.rows.scheme.forces.friction)
+    locked = empty.all(axis=1) & bool(found.rows.scheme.forces.friction) & np.isfinite(found.reactions.condition)
     if locked.any():
         yield context.words("forces.locked")
     if empty[~locked].any():
@@ -155,8 +156,9 @@ def _compared(context: PageContext, plans: ForcePlans) -> list[Part]:
         lines.append([_text_of(one.name), context.unit("N"), *map(numeral, values)])
     for lever in plans.levers:
         unit = context.unit(plans.analysis.units[plans.analysis.names.index(lever.drive)])
-        apart = numbers.fixed(100 * (lever.read - lever.computed) / lever.computed, 2) if lever.computed else NOTHING
-        values = [numbers.scalar(lever.computed), NOTHING, numbers.scalar(lever.read), apart]
+        computed = float(_without_noise(plans.analysis)[plans.row, plans.analysis.names.index(lever.drive)])
+        apart = numbers.fixed(100 * (lever.read - computed) / computed, 2) if computed else NOTHING
+        values = [numbers.scalar(computed), NOTHING, numbers.scalar(lever.read), apart]
         lines.append([_text_of(lever.drive), unit, *map(numeral, values)])
     if not lines:
         return []
@@ -167,9 +169,16 @@ def _compared(context: PageContext, plans: ForcePlans) -> list[Part]:
 
 def _rows(context: PageContext, found: ForceAnalysis) -> list[Part]:
     names = found.reactions.names
-    rows = np.column_stack([found.rows.motion.t, found.reactions.rows])
+    rows = np.column_stack([found.rows.motion.t, _without_noise(found)])
     table = replace(found.as_table(), names=("t", *names), units=("s", *found.units[: len(names)]), rows=rows)
     return extra_parts(context, table, "forces.csv")
+
+
+def _without_noise(found: ForceAnalysis) -> Array:
+    """Return reactions and drives (n, k), 0 where a row has only the round-off of its largest."""
+    rows = found.reactions.rows
+    largest = np.abs(np.nan_to_num(rows)).max(axis=1, initial=0.0)[:, None]
+    return np.where(np.abs(rows) < _ROUND_OFF * largest, 0.0, rows)
 
 
 def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
