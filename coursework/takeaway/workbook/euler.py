@@ -39,6 +39,7 @@ def write_euler(book: Book, sheet: Any, euler: Euler) -> None:
         sheet.set_column(matrix.column, matrix.column + matrix.size, None, None, {"hidden": True})
     for place in euler.solved:
         _solved(sheet, place, euler)
+    sheet.repeat_rows(0)
     sheet.freeze_panes(1, 1)
 
 
