@@ -52,6 +52,7 @@ def write_exact(book: Book, sheet: Any, table: StepTable) -> None:
         beside += 1
     sheet.write_string(both + 2, len(names) + 1, book.say("largest"), book.bold)
     sheet.set_column(len(names) + 1, len(names) + 1, WIDTH)
+    sheet.repeat_rows(0)
     sheet.freeze_panes(1, 1)
 
 

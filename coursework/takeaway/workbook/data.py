@@ -8,12 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+import numpy as np
+
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.system.frozen import frozen
 from coursework.takeaway.workbook.dyads import Work, start_formulas
 from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import STEP, break_of, break_times, letters, start_of
-from coursework.takeaway.workbook.sheet import Book, number, plain
+from coursework.takeaway.workbook.sheet import WIDTH, Book, number, plain
 from coursework.takeaway.workbook.tables import SHEET, Tables
 from coursework.variant.formula.tree import Formula, evaluate
 from coursework.variant.toml.positions import KeyPath
@@ -45,6 +47,7 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
     book.heads(sheet, HEAD, [book.say(f"head.{key}") for key in COLUMNS])
     work = Work(tables.end + 1)
     sheet.write_string(HEAD, VALUE, book.say("head.value"), book.right)
+    sheet.write_string(HEAD, VALUE + 1, book.say("head.unit"), book.unit_head)
     lines = [*_data(book, names), *_starts(book, names, start_formulas(book.run, names, tables, work)), *_times(book, names)]
     for row, line in enumerate(lines, start=HEAD + 1):
         for column, text in ((0, line.symbol), (1, line.meaning), (3, line.unit), (4, line.written), (5, line.name)):
@@ -67,9 +70,11 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
         sheet.write_formula(row, work.column, f"={term.text}", None, number(term.value))
     sheet.set_column(work.column, work.column, None, None, {"hidden": True})
     for column, head, values in tables.columns():
-        sheet.write_string(0, column, plain(head), book.head)
+        sheet.write_string(0, column, plain(head), book.right)
+        sheet.set_column(column, column, WIDTH, book.shown(np.array(values)))
         sheet.write_column(1, column, values)
     sheet.freeze_panes(HEAD + 1, 0)
+    sheet.print_area(0, 0, HEAD + len(lines), len(COLUMNS) - 1)
 
 
 def _data(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:

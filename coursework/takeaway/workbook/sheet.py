@@ -34,6 +34,7 @@ class Book:
     head: Any
     right: Any
     unit: Any
+    unit_head: Any
     wrapped: Any
 
     @classmethod
@@ -41,8 +42,9 @@ class Book:
         """Return a workbook with its formats."""
         bold, unit = file.add_format({"bold": True}), file.add_format({"indent": 1})
         head = file.add_format({"bold": True, "bg_color": HEADS, "bottom": 1})
+        unit_head = file.add_format({"bold": True, "bg_color": HEADS, "bottom": 1, "indent": 1})
         right = file.add_format({"bold": True, "bg_color": HEADS, "bottom": 1, "align": "right"})
-        return cls(file, context, bold, head, right, unit, file.add_format({"text_wrap": True, "valign": "top"}))
+        return cls(file, context, bold, head, right, unit, unit_head, file.add_format({"text_wrap": True, "valign": "top"}))
 
     @property
     def run(self) -> SceneRun:

@@ -37,6 +37,7 @@ def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
         sheet.set_column(matrix.column, matrix.column + matrix.size, None, None, {"hidden": True})
     for place in table.solved:
         _solved(sheet, place, table)
+    sheet.repeat_rows(0)
     sheet.freeze_panes(1, 1)
 
 
