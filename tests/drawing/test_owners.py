@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -78,7 +79,7 @@ def test_the_name_of_a_link_stands_beside_it(name: str, kind: str) -> None:
     [
         ("example-1", {"r₄"}), ("chebyshev", {"r₄", "2r₂"}), ("homework", {"r₄"}), ("example-3", {"r₄", "xF", "yF"}),
         ("example-4", {"r₃", "r₄"}), ("cardan", {"f", "R₀"}), ("example-6", {"h", "r₄"}), ("jansen", {"d", "i", "a"}),
-        ("pantograph", {"L₁", "L₂"}), ("v104", {"xO", "yO"}), ("prp", {"xj", "yj"}),
+        ("epicyclic", {"R₀"}), ("pantograph", {"L₁", "L₂"}), ("v104", {"xO", "yO"}), ("prp", {"xj", "yj"}),
     ],
 )  # fmt: skip
 def test_lengths_between_points_that_no_link_joins_have_dimension_lines(name: str, texts: set[str]) -> None:
@@ -87,7 +88,8 @@ def test_lengths_between_points_that_no_link_joins_have_dimension_lines(name: st
     for line in measured.lines(svg, "data-dimension"):
         dimensions.setdefault(line.says["data-dimension"], []).append(line)
     for text in texts - {"r₃"}:
-        assert len(dimensions[text]) == 2, "a half to each end"
+        # A half to each end; the radius of a ring has one end, at its rim.
+        assert len(dimensions[text]) == (1 if text == "R₀" else 2)
         words = [word for word in measured.words(svg) if word.text == text]
         others = [line for other, lines in dimensions.items() if other != text for line in lines]
         assert any(measured.astray(svg, word, dimensions[text], others) == [] for word in words)
@@ -134,3 +136,12 @@ def test_a_crank_without_length_is_drawn_all_the_same() -> None:
     drawing = solve(none, quantities=["table"]).mechanism()
     assert drawing is not None
     assert {"A", "B", "C"} <= {word.text for word in measured.words(drawing.svg)}
+
+
+def test_a_ring_is_seen_whole_and_no_dimension_runs_through_the_ground_of_a_hinge() -> None:
+    paths = [re.findall(r"([\d.]+) ([\d.]+)", path) for path in re.findall(r'd="(M[^"l]*)"', drawing_of("epicyclic").svg)]
+    rims = [[max(map(float, places)) - min(map(float, places)) for places in zip(*path, strict=True)] for path in paths]
+    assert max(rims) == pytest.approx([60.0, 60.0], rel=0.01)  # 240 mm at 1:4
+    lines = {line.says["data-dimension"]: line for line in measured.lines(drawing_of("jansen").svg, "data-dimension")}
+    links = measured.lines(drawing_of("jansen").svg, "data-link")
+    assert lines["a"].a.imag < min(min(link.a.imag, link.b.imag) for link in links)

@@ -6,6 +6,7 @@ Used by `drawing/figures.py`.
 
 from __future__ import annotations
 
+import cmath
 import itertools
 import math
 from collections import Counter
@@ -32,13 +33,15 @@ OUTSIDE = 5.0  # mm: so long are they then
 LEVELS = (0.0, 5.0, 7.0, 9.5, 12.0, 15.0, 19.0)  # mm beside its points
 CLEAR = 5.0  # mm beyond all points: there a dimension crosses no link
 AWAY = 0.5  # mm of lines that a dimension rather covers than standing 1 mm farther off
-HIDDEN = 60.0  # mm of lines that it rather covers than having an arrow end in the ground of a hinge
+LEADS = 0.9  # of what its extension lines cover: they cross links as in any drawing
+HIDDEN = 60.0  # mm of lines that it rather covers than a place in the ground of a hinge, or than an arrow that ends there
 SAMPLE = 1.5  # mm between the places at which a line is looked at
 PAST, OFF = 1.0, 1.8  # mm: an extension line ends that much past the arrow, and begins that far from its point
 BELOW = 7.0  # mm: the ground of a hinge ends there
 HEAD = 1.8  # mm
 AT_POINT = 2.5  # mm: a dimension line straight between its points is not looked at there
 ORIGIN = "0"  # what the origin is called where the file gives it no name; no point has it
+WAYS = 32  # in which the radius of a ring is looked at
 SEVERAL = 13.5  # mm around a hinge from which more than one dimension is counted
 
 
@@ -55,8 +58,9 @@ class Dimension:
 def draw_dimensions(painter: Painter, mechanism: Mechanism, marks: Sequence[str]) -> list[tuple[Word, Segment]]:
     """Draw the dimension lines between named points and `marks`; return their words and lines, for `dimension_names`."""
     found = []
+    rims = {frozenset((track.centre, wheel.contact)) for track in painter.rings for wheel in painter.outline.wheels}
     for one in _dimensions(painter, mechanism, (*painter.names, *marks)):
-        line = _place(painter, one)
+        line = _radius(painter, one, rims) or _place(painter, one)
         if line is not None:
             found.append((one.word, line))
     return found
@@ -133,7 +137,9 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
         whole = [(outer[0] + trimmed, outer[1] - trimmed), *lines]
         looked = [at for begin, end in whole for at in _samples(begin, end)]
         squares = np.array([(at.real, at.imag) for at in looked])
-        cost = float(painter.sheet.taken.covered(squares, 0.6, 0.6, painter.sheet.field).sum())
+        covers = painter.sheet.taken.covered(squares, 0.6, 0.6, painter.sheet.field)
+        own = [*_samples(*whole[0])]
+        cost = float(covers[: len(own)].sum() + LEADS * covers[len(own) :].sum()) + HIDDEN * sum(map(painter.in_ground, own))
         unit = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
         heads = (HEAD * unit, -HEAD * unit) if abs(ends[1] - ends[0]) > TIGHT else (-HEAD * unit, HEAD * unit)
         hidden = sum(painter.in_ground(end + head) for end, head in zip(ends, heads, strict=True))
@@ -155,6 +161,26 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
             tail if is_tight else (begin + end) / 2, tip + gap * (-inwards if is_tight else inwards), PEN, data, head=HEAD
         )
     return tails
+
+
+def _radius(painter: Painter, one: Dimension, rims: set[frozenset[str]]) -> Segment | None:
+    """Draw the radius of a ring where it covers least, rather below; return it, None for what is no such radius."""
+    if {one.begin, one.end} not in rims:
+        return None
+    centre, contact = (one.begin, one.end) if one.begin in {track.centre for track in painter.rings} else (one.end, one.begin)
+    at, long = painter.at[centre], abs(painter.at[contact] - painter.at[centre])
+    units = [cmath.exp(1j * math.tau * k / WAYS) for k in range(WAYS)]
+
+    def cost(unit: complex) -> float:
+        looked = [*_samples(at + AT_POINT * unit, at + (long - HEAD) * unit)]
+        squares = np.array([(place.real, place.imag) for place in looked])
+        hidden = sum(painter.in_ground(place) for place in looked)
+        return float(painter.sheet.taken.covered(squares, 2.0, 2.0, painter.sheet.field).sum()) + HIDDEN * hidden - unit.imag
+
+    unit = min(units, key=lambda unit: round(cost(unit), 6))
+    line = (at + OFF * unit, at + long * unit)
+    painter.sheet.arrow(*line, PEN, f' data-dimension="{"".join(one.word)}"', head=HEAD)
+    return line
 
 
 def _ends(begin: complex, end: complex) -> Segment:

@@ -56,6 +56,8 @@ class Painter:
             yield self.at[name], 11.0 if name in self.outline.hinges else 7.0
         for wheel in self.outline.wheels:
             yield self.at[wheel.centre], abs(self.at[wheel.contact] - self.at[wheel.centre]) + 3.0
+        for track in self.rings:
+            yield self.at[track.centre], abs(self.at[track.rim] - self.at[track.centre]) + 3.0
         for slot in self.outline.slots:
             yield from ((end, 3.0) for end in self.slot_line(slot))
         for rail in self.outline.rails:
@@ -142,7 +144,10 @@ class Painter:
         return side, [piece for piece, low, high in zip(pieces, cuts[::2], cuts[1::2], strict=True) if high - low > PITCH]
 
     def track(self, track: Track) -> None:
-        """Draw the part of a fixed circle near its wheel, hatched inside the solid, with the radius that leads there."""
+        """Draw a ring that has room whole, else the part of a fixed circle near its wheel, hatched inside the solid.
+
+        The radius that leads to the wheel is drawn too.
+        """
         middle = self.at[track.centre]
         radius = abs(self.at[track.rim] - middle)
         wheel = wheel_on(self.outline, self.poses.pose(0), track)
@@ -150,7 +155,10 @@ class Painter:
             return
         out = self.at[wheel.contact] - middle
         self.sheet.line(middle, middle + radius * out / abs(out), THIN)
-        half = min(math.pi, max(35.0 / radius, 0.5))
+        left, top, right, bottom = self.sheet.field
+        has_room = left <= middle.real - radius and middle.real + radius <= right
+        has_room = has_room and top <= middle.imag - radius and middle.imag + radius <= bottom
+        half = math.pi if track in self.rings and has_room else min(math.pi, max(35.0 / radius, 0.5))
         steps = math.ceil(2 * half * radius / PITCH)
         arc = [middle + radius * out / abs(out) * cmath.exp(1j * half * (2 * k / steps - 1)) for k in range(steps + 1)]
         kept = [p for p in arc if inside(p - 0.01, p + 0.01, self.sheet.field)]
@@ -245,6 +253,11 @@ class Painter:
         self.sheet.path(corners, f'fill="white" stroke="none"{name}', closed=True)
         for side in (high, -high):
             self.sheet.line(at - long + side, at + long + side, 'stroke="black" stroke-width="0.5"')
+
+    @cached_property
+    def rings(self) -> list[Track]:
+        """Return the fixed circles in which wheels roll: they are seen whole."""
+        return [track for track in self.outline.tracks if inward(self.outline, self.poses.pose(0), track) < 0]
 
     @cached_property
     def racks(self) -> dict[str, str]:

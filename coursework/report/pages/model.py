@@ -30,8 +30,8 @@ class ReportModel:
     """One report: its language, titles, and sections in order.
 
     `running` stands above the later pages, `footer` below all, `contents` is what the list of sections is called, `skip` the
-    link past it, `copy` and `copied` what its buttons say; `live` is the part that moves, for a screen only, and `scripts`
-    whether there may be any.
+    link past it, `copy` and `copied` what its buttons say, `enlarge` what a phone says at a small drawing; `live` is the part
+    that moves, for a screen only, and `scripts` whether there may be any.
     """
 
     language: str
@@ -44,6 +44,7 @@ class ReportModel:
     skip: str
     copy: str
     copied: str
+    enlarge: str
     sections: tuple[Section, ...]
     live: LivePart | None = None
     scripts: bool = False
@@ -62,6 +63,7 @@ class ReportModel:
             "skip": self.skip,
             "copy": self.copy,
             "copied": self.copied,
+            "enlarge": self.enlarge,
             "sections": [section.plain() for section in self.sections],
             **({} if self.title_language == self.language else {"title_language": self.title_language}),
         }
@@ -99,6 +101,7 @@ def build_model(
         skip=words("title.skip"),
         copy=words("title.copy"),
         copied=words("title.copied"),
+        enlarge=words("title.enlarge"),
         sections=tuple(_numbered(all_sections(context), words)),
         live=live_part(run, words.phrases, lambda name: context.symbol(name).text, context.unit) if live else None,
         scripts=live,

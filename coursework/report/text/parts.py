@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import field, fields, is_dataclass, replace
 from typing import Any
 
-from coursework.report.text.readable import least_width
+from coursework.report.text.readable import GRAPH, least_width
 from coursework.report.text.text_runs import Run
 from coursework.system.frozen import frozen
 
@@ -190,7 +190,7 @@ class Panels:
     kind: str = field(default="panels", init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "least", max(least_width(item.svg, self.width) for item in self.items))
+        object.__setattr__(self, "least", max(least_width(item.svg, self.width, GRAPH) for item in self.items))
 
 
 @frozen

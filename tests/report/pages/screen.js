@@ -31,10 +31,11 @@ function layout() {
     const words = [...svg.querySelectorAll("text")].map((text) => [text, text.getBoundingClientRect()]).filter(([, box]) => box.width);
     for (const [text, box] of words) {
       const scale = Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b);
-      // Words have 11 px, what is set lower 70 % of that.
+      // Words have 12 px in a graph, 11 in a drawing, what is set lower 70 % of that.
+      const usual = svg.closest(".panel, .panels, #tangent, .strip") ? 12 : 11;
       for (const part of [text, ...text.querySelectorAll("tspan")]) {
         const pixels = parseFloat(getComputedStyle(part).fontSize) * scale;
-        const least = part.hasAttribute("dy") && part !== text ? 7.7 : 11;
+        const least = part.hasAttribute("dy") && part !== text ? 0.7 * usual : usual;
         if (part.textContent.trim() && pixels < least - 0.05) found.push(`${pixels.toFixed(1)} px: ${name(svg)} "${part.textContent}"`);
       }
       const out = Math.max(sheet.left - box.left, box.right - sheet.right, sheet.top - box.top, box.bottom - sheet.bottom);

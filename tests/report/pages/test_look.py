@@ -118,7 +118,10 @@ def test_a_drawing_too_small_to_be_read_on_a_phone_is_seen_whole_and_enlarged_wh
     sized(page, 390)
     wide = "document.querySelector('#graph_check .drawing svg').getBoundingClientRect().width"
     assert page.evaluate(wide) <= 390
+    told = "getComputedStyle(document.querySelector('#graph_check .drawing > div'), '::after').content"
+    assert page.evaluate(told) == '"⤢ Touch to enlarge"'
     page.locator("#graph_check .drawing > div").click()
+    assert page.evaluate(told) == "none"
     assert page.evaluate(wide) > 600
     page.evaluate("document.activeElement.blur()")
     assert page.evaluate(wide) <= 390
