@@ -89,5 +89,5 @@ def test_a_rate_that_neither_a_motor_frees_nor_anything_ties_is_named():
 
 
 def test_a_crank_that_a_motor_does_not_free_is_to_be_freed():
-    with pytest.raises(coursework.InputError, match='V747 .*group 1: nothing turns its crank.*Add "w1" to rates in'):
+    with pytest.raises(coursework.InputError, match=r'V747 .*group 1: nothing turns its crank.*Add "w1" to rates in'):
         coursework.parse_variant(text_of("example-2-motor", ('rates = ["w1"]', 'rates = ["w2"]')))
