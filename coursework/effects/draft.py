@@ -14,7 +14,7 @@ from coursework.mechanism.mechanism import build
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
-_ASKED = re.compile(r"^(quantities\s*=\s*\[[^\]]*)(\])", re.M)
+_ASKED = re.compile(r"^(quantities\s*=\s*\[)([^\]]*?),?\s*\]", re.M)
 
 
 def with_forces(variant: Variant, text: str, said: Callable[[str], str]) -> str:
@@ -26,7 +26,13 @@ def with_forces(variant: Variant, text: str, said: Callable[[str], str]) -> str:
     own = "\n".join(_sections(scheme, said))
     at = text.find("[ask]")
     text = f"{text.rstrip()}\n\n{own}\n" if at < 0 else f"{text[:at]}{own}\n\n{text[at:]}"
-    return _ASKED.sub(r'\1, "forces", "energy"\2', text, count=1)
+    return _ASKED.sub(_asked, text, count=1)
+
+
+def _asked(found: re.Match[str]) -> str:
+    """Return the list of quantities with forces and energy, each once."""
+    more = [one for one in ('"forces"', '"energy"') if one not in found[2]]
+    return f"{found[1]}{', '.join([found[2], *more] if found[2].strip() else more)}]"
 
 
 def _sections(scheme: ForceScheme, said: Callable[[str], str]) -> Iterator[str]:

@@ -1,7 +1,7 @@
 """Friction of pins, guides and wheels: a fixed point around the reactions of the ideal mechanism.
 
 Enters: `Rows`, the reactions.  Leaves: `Action`s of friction.  Imported for a file with [friction] only.
-Used by `kinetostatics.py`.
+Used by `kinetostatics.py`, `scheme.py`.
 
 Pin: couple coefficient radius |R| against the relative turning; guide: coefficient |N| against the sliding, with a couple in it
 max(|N|, 2 |K|/length); wheel: couple arm |N| against its turning.  What stands still (sign 0) has none in that row.
@@ -9,7 +9,7 @@ max(|N|, 2 |K|/length); wheel: couple arm |N| against its turning.  What stands 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -31,19 +31,29 @@ def friction_of(rows: Rows, values: Array) -> tuple[Action, ...]:
     return tuple(action for rubs in rows.scheme.forces.friction for action in _at(rows, values, rubs))
 
 
-def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
-    unknowns = rows.scheme.unknowns
+def rubbing(unknowns: Sequence[Unknown], rubs: Friction) -> Iterator[tuple[int, str]]:
+    """Yield the place of each unknown force by which an entry of [friction] rubs, and whether at a pin, a wheel or a guide."""
     rolls = {one.name[1:] for one in unknowns if one.name[0] == "T"}
     for place, one in enumerate(unknowns):
         if one.is_drive or one.at is None or one.at.name != rubs.at:
             continue
-        if one.direction.kind == "x" and rubs.radius is not None:
-            size = np.hypot(values[:, place], values[:, place + 1])
-            couple = rows.scalar(rubs.coefficient) * rows.scalar(rubs.radius) * size
-            yield from _turning(rows, one, couple)
+        if one.direction.kind == "x" and rubs.radius is not None and rubs.coefficient is not None:
+            yield place, "pin"
         elif one.name[0] == "N" and one.name[1:] in rolls and rubs.arm is not None:
+            yield place, "wheel"
+        elif one.name[0] == "N" and one.name[1:] not in rolls and rubs.coefficient is not None:
+            yield place, "guide"
+
+
+def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
+    for place, kind in rubbing(rows.scheme.unknowns, rubs):
+        one = rows.scheme.unknowns[place]
+        if kind == "pin":
+            size = np.hypot(values[:, place], values[:, place + 1])
+            yield from _turning(rows, one, rows.scalar(rubs.coefficient) * rows.scalar(rubs.radius) * size)
+        elif kind == "wheel":
             yield from _turning(rows, one, rows.scalar(rubs.arm) * np.abs(values[:, place]))
-        elif one.name[0] == "N" and one.name[1:] not in rolls:
+        else:
             yield from _sliding(rows, one, values, place, rubs)
 
 

@@ -63,6 +63,7 @@ class _Reader:
             self.body_of(load.on, ("forces" if load in self.forces.loads else "motor", load.name))
         bodies = tuple(self.body(called[body], body, masses.get(called[body])) for body in self.in_order())
         pins, unknowns = self.joints()
+        self.check_friction(unknowns)
         groups = tuple(tuple(in_order(called[body] for body in some)) for some, _ in self.bodies.sets())
         holds = {called[body]: points for body, points in self.bodies.points().items()}
         if self.faults:
@@ -125,6 +126,17 @@ class _Reader:
             if joint.kind.slides and joint.kind.takes > 1 and joint.bodies[0] == body and joint.bodies[1] != FRAME:
                 return self.rate_of(joint.bodies[1])
         return ""
+
+    def check_friction(self, unknowns: list[Unknown]) -> None:
+        """Note what is said to rub and does not: at a point that is no joint, at a pin that has no radius."""
+        if not self.forces.friction:
+            return
+        from coursework.effects.friction import rubbing
+
+        known = ", ".join(dict.fromkeys(one.at.name for one in unknowns if one.at is not None and one.at.name))
+        for rubs in self.forces.friction:
+            if not any(True for _ in rubbing(unknowns, rubs)):
+                self.fault(("friction", rubs.at), say("fault.V748", point=rubs.at, known=known))
 
     def joints(self) -> tuple[tuple[str, ...], list[Unknown]]:
         """Return the pins of more than two links, and the unknowns of all joints in the order of the joints."""

@@ -86,3 +86,8 @@ def test_a_rate_that_neither_a_motor_frees_nor_anything_ties_is_named():
         coursework.parse_variant(text_of("falling-arm", ('rates = ["w1", "w2"]', 'rates = ["w1"]')), "bad.toml")
     told = str(caught.value)
     assert told.startswith("V746 bad.toml:") and "motor.rates: nothing ties w2 to w1" in told
+
+
+def test_a_crank_that_a_motor_does_not_free_is_to_be_freed():
+    with pytest.raises(coursework.InputError, match=r'V747 .*group 1: nothing turns its crank.*Add "w1" to rates in'):
+        coursework.parse_variant(text_of("example-2-motor", ('rates = ["w1"]', 'rates = ["w2"]')))

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 
 import coursework
 from coursework.commands.cli import main
+from coursework.effects.draft import with_forces
 from coursework.report.text.words import load_words
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
@@ -107,3 +109,17 @@ def test_units_of_forces_are_said_in_the_language_of_the_page():
     said = [load_words("ru").unit(unit) for unit in ("N*m", "kg·m²", "J", "N*s/m")]
     assert said == ["Н·м", "кг·м²", "Дж", "Н·с/м"]
     assert load_words("zh").unit("N*m") == "N·m"
+
+
+@pytest.mark.parametrize(
+    ("asked", "then"),
+    [
+        ('["table", "energy"]', '["table", "energy", "forces"]'), ("[]", '["forces", "energy"]'),
+        ('["table",]', '["table", "forces", "energy"]'),
+    ],
+)  # fmt: skip
+def test_a_copy_with_forces_asks_for_each_once(asked, then):
+    text = re.sub(r"quantities = .*", f"quantities = {asked}", text_of("example-1"))
+    made = with_forces(coursework.parse_variant(text), text, str)
+    assert f"quantities = {then}" in made
+    assert coursework.parse_variant(made).forces is not None

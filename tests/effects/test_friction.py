@@ -97,3 +97,15 @@ def test_friction_of_motion_under_forces_is_refused():
 def test_a_file_without_friction_has_none():
     assert of("example-2-forces").reactions.friction == ()
     assert not of("example-2-forces").energy.friction.any()
+
+
+@pytest.mark.parametrize(
+    "entry", ['B = { coefficient = "0.1" }', 'S = { coefficient = "0.1", radius = "5 mm" }', 'C = { arm = "1 mm" }']
+)
+def test_friction_where_nothing_rubs_is_told_with_its_line(entry):
+    text = text_of(
+        "example-2-forces", ("[points]\n", '[points]\nS = "B + 0.4 @ theta2"\n'), ("[ask]", f"[friction]\n{entry}\n\n[ask]")
+    )
+    line = text[: text.index(entry)].count("\n") + 1
+    with pytest.raises(coursework.InputError, match=rf"V748 bad.toml:{line}.*nothing rubs at {entry[0]}.*Write them"):
+        _ = coursework.solve(coursework.parse_variant(text, "bad.toml"), quantities=["forces"]).results.forces

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import numpy as np
@@ -12,6 +13,7 @@ from coursework.effects.misread import SLIPS
 from coursework.grading.marking.forces import with_forces as force_grid
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
+from coursework.grading.marking.reasons.reasons import reasons, summary
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.first_wrong import first_wrong
@@ -149,6 +151,11 @@ def test_a_class_in_which_each_has_one_slip_of_forces_is_told_it(code):
     found = grade.plain()["table"]["forces"]
     assert code in {one["slip"] for one in found}
     assert 70 < grade.total < 100
+    why = " ".join(str(one.text) for one in reasons(grade))
+    summed = re.search(r"\(100 · \(([\d.]+) \+ ([\d.]+)\) / (\d+)\)", why)
+    assert summed and "No number is wrong" not in " ".join(map(str, summary(grade))), why
+    motion, forces, cells = map(float, summed.groups())
+    assert 100 * (motion + forces) / cells == pytest.approx(grade.total, abs=0.006)
     told = [str(one.text) for one in grade.notes if one.code == "force_column"]
     assert any(str(say(f"forces.slip.{code}")) in text for text in told)
 

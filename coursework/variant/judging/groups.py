@@ -49,7 +49,8 @@ def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Brok
     if broken.has("group", number - 1, "coordinates") or not own:
         return
     if shape.driven and own[0].rate not in variant.known_rates and not broken.has("coordinates", own[0].name, "rate"):
-        yield Fault(say("fault.V344", number=number, kind=group.kind, rate=own[0].rate), variant.file, group.line)
+        key = "fault.V344" if variant.motor is None else "fault.V747"
+        yield Fault(say(key, number=number, kind=group.kind, rate=own[0].rate), variant.file, group.line)
     open_start = any(c.start_or_guess is None and not broken.has("coordinates", c.name, "start") for c in own)
     if shape.modes and not group.mode and open_start and not broken.has("group", number - 1, "mode"):
         plus, minus = (mode_meaning(shape, mode, letters_of(shape, group)) for mode in (1, -1))

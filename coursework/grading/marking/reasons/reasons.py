@@ -98,8 +98,10 @@ def summary(grade: Grade) -> list[Sentence | str]:
         found.append(say("marking.verdict.equations.right"))
     if grade.table:
         found.append(follows_euler(grade.key, grade.table))
-        if not grade.table.cells.wrong.any():
-            found.append(say(f"marking.verdict.arithmetic.{'present' if grade.table.cells.missing.any() else 'right'}"))
+        of_forces = grade.table.forces.columns if grade.table.forces else ()
+        if not grade.table.cells.wrong.any() and all(one.right + one.missing == one.count for one in of_forces):
+            absent = grade.table.cells.missing.any() or any(one.missing for one in of_forces)
+            found.append(say(f"marking.verdict.arithmetic.{'present' if absent else 'right'}"))
     return [sentence for sentence in found if sentence]
 
 

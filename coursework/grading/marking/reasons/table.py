@@ -12,7 +12,7 @@ from coursework.grading.marking.reasons.misconception import misconception_sente
 from coursework.grading.marking.reasons.reason import Reason, in_sum
 from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
-from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN, Earned
+from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import euler_steps
 from coursework.system.frozen import frozen
@@ -65,7 +65,7 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
     found = counts(key, marked)
     less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
     costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" else ""
-    total = _sum(marked.earned, found.cells, points, most)
+    total = _sum(marked, found.cells, points, most)
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
 
@@ -125,8 +125,15 @@ def _counted(found: Counts) -> Sentence:
     return joined([told, start])
 
 
-def _sum(earned: Earned, cells: int, points: float, most: float) -> Sentence:
-    """Return the sum that the points come from."""
+def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence:
+    """Return the sum that the points come from; beside columns of forces, what all others earn is one term."""
+    earned, forces = marked.earned, marked.forces
+    if forces is not None:
+        own, of_forces = in_sum(earned.share * cells), in_sum(forces.earned)
+        return say(
+            "forces.earned", points=points, most=most, own=own, cells=cells, of_forces=of_forces,
+            count=forces.count, all=cells + forces.count,
+        )  # fmt: skip
     known = {"points": points, "most": most, "worth": in_sum(earned.worth), "explained": in_sum(earned.explained)}
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
