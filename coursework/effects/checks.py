@@ -203,9 +203,16 @@ def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     if len(locked):
         told = {"count": len(locked), "number": own.rows.count, "row": int(locked[0]) + 1}
         return Finding("FAIL", say("check.FRICTION.locked", **told), row=int(locked[0]) + 1)
+    from coursework.effects.friction import standing
+
     power = own.energy.friction
     row = int(np.argmin(power))
-    return Finding("PASS", say("check.FRICTION.pass", power=float(-power[row]), row=row + 1), row=row + 1)
+    told = {"power": float(-power[row]), "row": row + 1}
+    still = np.flatnonzero(standing(own.reactions.friction))
+    if len(still):
+        told |= {"count": len(still), "still": int(still[0]) + 1}
+        return Finding("PASS", say("check.FRICTION.still", **told), row=row + 1)
+    return Finding("PASS", say("check.FRICTION.pass", **told), row=row + 1)
 
 
 FORCE_CHECKS: tuple[ForceCheck, ...] = (

@@ -17,7 +17,7 @@ from coursework.effects.effects import Action
 from coursework.effects.force_scheme import Unknown
 from coursework.effects.rows import RATE, Rows
 from coursework.mechanism.joints import FRAME
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.forces import Friction
 
 # Looked at after so many rounds: what shrinks goes on, slowly where friction nearly locks; the rest has no solution.
@@ -94,6 +94,12 @@ def _sliding(rows: Rows, one: Unknown, values: Array, place: int, rubs: Friction
     yield Action("friction", one.on, np.asarray(force), at)
     if one.off != FRAME:
         yield Action("friction", one.off, np.asarray(-force), at)
+
+
+def standing(found: Sequence[Action]) -> Flags:
+    """Return in which rows (n,) a pair that rubs in others stands still: there the sign is 0, and so is its friction."""
+    sizes = [np.abs(one.couple if one.force is None else one.force) for one in found]
+    return np.any([(size == 0.0) & (size.max(initial=0.0) > 0.0) for size in sizes], axis=0)
 
 
 def _sign(values: Array, largest: float) -> Array:

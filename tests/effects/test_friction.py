@@ -27,6 +27,13 @@ def test_friction_of_a_guide_is_its_force_times_the_coefficient():
     assert (force.real[~moves] == 0).all() and (~moves).any()
 
 
+def test_rows_in_which_a_pair_stands_still_are_told():
+    """The slider stands in both dead positions: rows 1, 19 and 37 of a turn in steps of ten degrees."""
+    for entries, told in (('C = { coefficient = "0.1" }', True), ('A = { radius = "20 mm", coefficient = "0.1" }', False)):
+        checks = {one.code: one for one in check_forces(rubbing("example-2-forces", entries), None)}
+        assert ("still in 3 of the rows (the first is row 1)" in str(checks["FRICTION"].sentence)) == told
+
+
 def test_power_lost_is_what_the_drive_gives_more():
     pin = '{ radius = "20 mm", coefficient = "0.1" }'
     entries = f'A = {pin}\nB = {pin}\nC = {{ coefficient = "0.1" }}'
