@@ -207,12 +207,11 @@ def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 
     power = own.energy.friction
     row = int(np.argmin(power))
-    told = {"power": float(-power[row]), "row": row + 1}
-    still = np.flatnonzero(standing(own.reactions.friction))
-    if len(still):
-        told |= {"count": len(still), "still": int(still[0]) + 1}
-        return Finding("PASS", say("check.FRICTION.still", **told), row=row + 1)
-    return Finding("PASS", say("check.FRICTION.pass", **told), row=row + 1)
+    lost, still = float(-power[row]), np.flatnonzero(standing(own.reactions.friction))
+    if not len(still):
+        return Finding("PASS", say("check.FRICTION.pass", power=lost, row=row + 1), row=row + 1)
+    sentence = say("check.FRICTION.still", power=lost, row=row + 1, count=len(still), still=int(still[0]) + 1)
+    return Finding("PASS", sentence, row=row + 1)
 
 
 FORCE_CHECKS: tuple[ForceCheck, ...] = (

@@ -98,8 +98,8 @@ def _sliding(rows: Rows, one: Unknown, values: Array, place: int, rubs: Friction
 
 def standing(found: Sequence[Action]) -> Flags:
     """Return in which rows (n,) a pair that rubs in others stands still: there the sign is 0, and so is its friction."""
-    sizes = [np.abs(one.couple if one.force is None else one.force) for one in found]
-    return np.any([(size == 0.0) & (size.max(initial=0.0) > 0.0) for size in sizes], axis=0)
+    sizes = [np.abs(acting) for one in found for acting in (one.force, one.couple) if acting is not None]
+    return np.asarray(np.any([(size == 0.0) & (size.max(initial=0.0) > 0.0) for size in sizes], axis=0))
 
 
 def _sign(values: Array, largest: float) -> Array:
