@@ -17,7 +17,7 @@ from coursework.variant.formula.tree import spelled
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.test_equal_faults import sign_faults, variants
 
-PAIRS, MANY = 120, 1000
+PAIRS, MANY = 60, 1000
 # Tables of motions that ran into a singular place, where no digits tell anything, are left out.
 BLOWN_UP = 300
 
