@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from coursework.drawing.paper.symbols import angle_word, rate_word
+from coursework.drawing.paper.symbols import LOWERED, angle_word, rate_word
 from coursework.motion.integration.motion import Motion
 from coursework.results.accuracy.record import AccuracyStudy
 from coursework.scene.scene_run import SceneRun
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 ROWS: dict[str, Any] = {"linestyle": "--", "marker": "o", "markersize": 3.5}
 MOTION: dict[str, Any] = {"linestyle": "-", "linewidth": 1.2}
 BETWEEN = 8  # points of the exact line from row to row
-_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def symbol(name: str) -> str:
@@ -34,7 +33,7 @@ def symbol(name: str) -> str:
     ('ω₃', 'φ₁', 'u')
     """
     letter, low, prime = rate_word(name) if rate_word(name)[0] == "ω" else angle_word(name)
-    return letter + (low.translate(_LOW) if low.isdigit() else f"_{low}" if low else "") + prime
+    return letter + (low.translate(LOWERED) if low.isdigit() else f"_{low}" if low else "") + prime
 
 
 def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) -> Any:

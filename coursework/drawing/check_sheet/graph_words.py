@@ -13,7 +13,7 @@ from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.pose import Body
 from coursework.drawing.check_sheet.sketch import Sketch
-from coursework.drawing.paper.symbols import lowered_name
+from coursework.drawing.paper.symbols import LOWERED, lowered_name
 from coursework.drawing.plans.steps import crossing
 from coursework.words.sentences import joined, say
 
@@ -42,7 +42,7 @@ def _centre(body: Body, letter: str) -> str:
 
 def lowered(digits: str) -> str:
     """Return digits as they stand below a letter; other letters as they are."""
-    return digits.translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
+    return digits.translate(LOWERED)
 
 
 def omega_name(body: Body) -> str:

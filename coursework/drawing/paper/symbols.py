@@ -16,7 +16,7 @@ from coursework.words.sentences import say
 LONGEST_NAME = 12  # letters of the name of a point or link
 LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none
 LONGEST_INDEX = 4  # letters of an index
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
 _INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ij])|(?<=[xy])([^\W\d_]))")
 _RATE = re.compile(r"(?:w|omega)_?(\w*)")
@@ -46,7 +46,7 @@ def _without_prime(name: str) -> tuple[str, str]:
 
 def lettered(text: str) -> str:
     """Return a text with its names set: Greek letters, digits behind a name lowered."""
-    return _NAME.sub(lambda match: greek(match[1]) + match[2].translate(_LOWERED), text)
+    return _NAME.sub(lambda match: greek(match[1]) + match[2].translate(LOWERED), text)
 
 
 def rate_word(name: str) -> tuple[str, str, str]:

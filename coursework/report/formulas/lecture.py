@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from coursework.drawing.paper.symbols import LOWERED
 from coursework.motion.schemes import Scheme, Sum
 
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _A_LINE = 2  # slopes
 
 
@@ -23,7 +23,7 @@ def lines(scheme: Scheme) -> tuple[tuple[str, str], ...]:
         whole = f"q_(i+1) = {_moved(scheme.outer, inside)}"
         return ((whole, whole.replace("q_(i+1)", "q_{i+1}")),)
     typst = [f"k_{stage + 1}" for stage in range(scheme.slopes)]
-    plain = [f"k{stage + 1}".translate(_LOWERED) for stage in range(scheme.slopes)]
+    plain = [f"k{stage + 1}".translate(LOWERED) for stage in range(scheme.slopes)]
     shown = []
     for first in range(0, scheme.slopes, _A_LINE):
         stages = range(first, min(first + _A_LINE, scheme.slopes))

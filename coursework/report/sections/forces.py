@@ -12,6 +12,7 @@ import numpy as np
 
 from coursework.drawing.force_plans.force_plans import ForcePlans, make_force_plans
 from coursework.drawing.force_plans.vectors import DIRECTION, KNOWN, ForceVector, GroupPlan
+from coursework.drawing.paper.symbols import LOWERED
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.flywheel import find_flywheel
 from coursework.report.graphs.figures import drawn
@@ -25,7 +26,6 @@ from coursework.scene.quantities import ENERGY, FORCES
 from coursework.system.arrays import Array
 
 MILLIMETRES = 1  # decimals of a length that is read to half a mm
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _ROUND_OFF = 1e-12  # of a force: a smaller component is none
 
 
@@ -111,7 +111,7 @@ def _group(context: PageContext, plans: ForcePlans, plan: GroupPlan, number: int
 def _text_of(name: str) -> str:
     """Return the name of a force as text: R₁₂ᵗ."""
     part = {"t": "ᵗ", "n": "ⁿ"}.get(name[-1], "") if name[0] == "R" else ""
-    return (name.removesuffix(name[-1]) + part if part else name).translate(_LOWERED)
+    return (name.removesuffix(name[-1]) + part if part else name).translate(LOWERED)
 
 
 def _math_of(vector: ForceVector) -> str:

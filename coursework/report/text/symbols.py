@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable
 from functools import lru_cache
 
+from coursework.drawing.paper.symbols import LOWERED
 from coursework.system.frozen import frozen
 
 GREEK = {
@@ -27,7 +28,6 @@ _NAMED_AFTER = re.compile(r"(alpha|beta|gamma|delta|theta|phi|psi|omega|w)([a-z]
 _LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xyij]|(?<=[xyuv])[a-z]))")
 _WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
 _GREEK_SUBSCRIPT = re.compile(rf"({'|'.join(sorted((n for n in GREEK if len(n) > 2), key=len, reverse=True))})(\d*)")
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _DOT_ABOVE = "\u0307"
 _DOTTED_OMEGA, _DOTTED_U = "ω" + _DOT_ABOVE, "u" + _DOT_ABOVE
 LINEAR = frozenset("uvV")  # letters of linear velocities
@@ -55,7 +55,7 @@ class Symbol:
     def text(self) -> str:
         """Return plain text: "ω₃", "V_Mx", "ω̇₁"."""
         if self.subscript.isdigit():
-            return self.head + self.subscript.translate(_LOWERED)
+            return self.head + self.subscript.translate(LOWERED)
         return f"{self.head}_{self.subscript}" if self.subscript else self.head
 
     @property

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from coursework.takeaway.listing.program import Box
-from coursework.takeaway.listing.round_about import Lines, break_times, data_lines, largest_block, limit_lines
+from coursework.takeaway.listing.round_about import Lines, break_times, data_lines, further_slopes, largest_block, limit_lines
 from coursework.takeaway.listing.tables import functions
 from coursework.takeaway.listing.writer import Writer, indented
 
@@ -35,11 +35,7 @@ def c(one: Writer) -> Lines:
         looks += ["        if (fabs(after - b[j]) <= 1e-13*b[j]) t = fmin(t, after*(1 - 1e-13));", "    return t;", "}"]
     values = ", ".join([one.t, *one.coordinates, *(out(0, rate) for rate in outs)])
     form = ",".join(["%.15g"] * len(one.program.heads))
-    further = [
-        line
-        for stage in range(1, slopes)
-        for line in one.wrapped(f"{kind} {slope[stage]} = {one.rates}({', '.join(one.slope(stage, out))});")
-    ]
+    further = further_slopes(one, lambda stage: f"{kind} {slope[stage]} = {one.rates}({', '.join(one.slope(stage, out))});")
     loop = [
         one.box("time"), f"double {one.t} = {one.row}*{one.h};",
         one.box("rates"), f"{kind} {slope[0]} = {one.rates}({', '.join([one.t, *one.coordinates])});",
@@ -95,11 +91,9 @@ def pascal(one: Writer) -> Lines:
         looks += [f"const b: array[1..{count}] of double = ({break_times(one)});", "var j: integer;", "begin"]
         looks += [f"  for j := 1 to {count} do", "    if abs(after - b[j]) <= 1e-13*b[j] then t := min(t, after*(1 - 1e-13));"]
         looks += [f"  {one.look} := t;", "end;"]
-    further = [
-        line
-        for stage in range(1, slopes)
-        for line in one.wrapped(f"{one.rates}({', '.join([*one.slope(stage, out), *(out(stage, rate) for rate in outs)])});")
-    ]
+    further = further_slopes(
+        one, lambda stage: f"{one.rates}({', '.join([*one.slope(stage, out), *(out(stage, rate) for rate in outs)])});"
+    )
     values = [one.t, *one.coordinates, *outs]
     text = one.names.own("_text", "shown")
     shown = ", ',', ".join(f"{text}({value})" for value in values)

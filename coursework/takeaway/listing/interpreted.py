@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from coursework.takeaway.listing.program import Box
-from coursework.takeaway.listing.round_about import Lines, break_times, data_lines, limit_lines
+from coursework.takeaway.listing.round_about import Lines, break_times, data_lines, further_slopes, limit_lines, numbered
 from coursework.takeaway.listing.tables import functions
 from coursework.takeaway.listing.writer import Writer, indented
 
@@ -16,15 +16,11 @@ from coursework.takeaway.listing.writer import Writer, indented
 def python(one: Writer) -> Lines:
     """Return the listing in Python."""
     outs = [*one.velocities]
-    slopes = one.program.scheme.slopes
     arguments = ", ".join([one.t, *one.coordinates])
 
     def stop(name: str, box: Box) -> Lines:
         told = f'raise SystemExit("{name} = 0")'
         return [one.of(box), f"if {name} == 0.0:", f"    {told}"]
-
-    def out(stage: int, rate: str) -> str:
-        return rate if not stage else f"{rate}_{stage + 1}"
 
     def several(names: Sequence[str]) -> str:
         return ", ".join(names) + ("," if len(names) == 1 else "")
@@ -39,13 +35,12 @@ def python(one: Writer) -> Lines:
     loop = [one.box("time"), f"{one.t} = {one.row}*{one.h}", one.box("rates"), f"{several(outs)} = {one.rates}({arguments})"]
     values = ", ".join([one.t, *one.coordinates, *outs])
     loop += [one.box("row"), *one.wrapped(f'print(",".join(f"{{x:.15g}}" for x in [{values}]))'), one.box("more")]
-    further = [
-        line
-        for stage in range(1, slopes)
-        for line in one.wrapped(
-            f"{several([out(stage, rate) for rate in outs])} = {one.rates}({', '.join(one.slope(stage, out))})"
-        )
-    ]
+    further = further_slopes(
+        one,
+        lambda stage: (
+            f"{several([numbered(stage, rate) for rate in outs])} = {one.rates}({', '.join(one.slope(stage, numbered))})"
+        ),
+    )
     sign = ["", "def sign(x):", "    return (x > 0) - (x < 0)"] if one.needs_sign else []
     return [
         *one.head(), *([f"from math import {', '.join(calls)}"] if calls else []), "",
@@ -55,21 +50,18 @@ def python(one: Writer) -> Lines:
         *indented([*limits, *one.blocks(stop), f"return {several(outs)}"]), "",
         one.box("start"), f'print("{",".join(one.program.heads)}")',
         one.box("loop"), f"for {one.row} in range({one.steps} + 1):",
-        *indented([*loop, f"if {one.row} < {one.steps}:", *indented([*further, one.box("step"), *one.steps_on(out)])]),
+        *indented([*loop, f"if {one.row} < {one.steps}:", *indented([*further, one.box("step"), *one.steps_on(numbered)])]),
         one.box("again"), one.box("end"),
     ]  # fmt: skip
 
 
 def javascript(one: Writer) -> Lines:
     """Return the listing in JavaScript."""
-    outs, slopes = one.velocities, one.program.scheme.slopes
+    outs = one.velocities
     arguments = ", ".join([one.t, *one.coordinates])
 
     def stop(name: str, box: Box) -> Lines:
         return [one.of(box), f'if ({name} === 0.0) throw new Error("{name} = 0");']
-
-    def out(stage: int, rate: str) -> str:
-        return rate if not stage else f"{rate}_{stage + 1}"
 
     limits = limit_lines(one, lambda values: [f"return [{', '.join(values)}];"], "if ({holds})")
     looks: Lines = []
@@ -77,19 +69,18 @@ def javascript(one: Writer) -> Lines:
         looks = ["", one.say("breaks"), f"function {one.look}(t, after) {{"]
         looks += [f"    for (const b of [{break_times(one)}])"]
         looks += ["        if (Math.abs(after - b) <= 1e-13*b) t = Math.min(t, after*(1 - 1e-13));", "    return t;", "}"]
-    further = [
-        line
-        for stage in range(1, slopes)
-        for line in one.wrapped(
-            f"const [{', '.join(out(stage, rate) for rate in outs)}] = {one.rates}({', '.join(one.slope(stage, out))});"
-        )
-    ]
+    further = further_slopes(
+        one,
+        lambda stage: (
+            f"const [{', '.join(numbered(stage, rate) for rate in outs)}] = {one.rates}({', '.join(one.slope(stage, numbered))});"
+        ),
+    )
     values = ", ".join([one.t, *one.coordinates, *outs])
     loop = [
         one.box("time"), f"const {one.t} = {one.row}*{one.h};",
         one.box("rates"), f"const [{', '.join(outs)}] = {one.rates}({arguments});",
         one.box("row"), *one.wrapped(f'console.log([{values}].map((x) => Number(x.toPrecision(15))).join(","));'),
-        one.box("more"), f"if ({one.row} < {one.steps}) {{", *indented([*further, one.box("step"), *one.steps_on(out)]), "}",
+        one.box("more"), f"if ({one.row} < {one.steps}) {{", *indented([*further, one.box("step"), *one.steps_on(numbered)]), "}",
     ]  # fmt: skip
     inside = [*([f"let {', '.join([*one.locals, *outs])};"]), *limits, *one.blocks(stop), f"return [{', '.join(outs)}];"]
     return [
@@ -104,28 +95,16 @@ def javascript(one: Writer) -> Lines:
 
 def octave(one: Writer) -> Lines:
     """Return the listing in Octave."""
-    outs, slopes = one.velocities, one.program.scheme.slopes
+    outs = one.velocities
     arguments = ", ".join([one.t, *one.coordinates])
 
     def stop(name: str, box: Box) -> Lines:
         return [one.of(box), f"if {name} == 0", f'    error("{name} = 0");', "end"]
 
-    def out(stage: int, rate: str) -> str:
-        return rate if not stage else f"{rate}_{stage + 1}"
-
     def leave(values: Sequence[str]) -> Lines:
         return [*(f"{name} = {value};" for name, value in zip(outs, values, strict=True)), "return;"]
 
-    limits = [
-        line
-        for limit in one.program.limits
-        for line in [
-            one.say("limit"),
-            f"if abs({one.t} - {limit.time!r}) <= {limit.within!r}",
-            *indented(leave([repr(value) for value in limit.values])),
-            "end",
-        ]
-    ]
+    limits = limit_lines(one, leave, "if {holds}", "end")
     looks: Lines = []
     if one.program.breaks:
         looks = ["", one.say("breaks"), f"function t = {one.look}(t, after)", f"    for b = [{break_times(one)}]"]
@@ -136,20 +115,19 @@ def octave(one: Writer) -> Lines:
             "    end",
             "end",
         ]
-    further = [
-        line
-        for stage in range(1, slopes)
-        for line in one.wrapped(
-            f"[{', '.join(out(stage, rate) for rate in outs)}] = {one.rates}({', '.join(one.slope(stage, out))});"
-        )
-    ]
+    further = further_slopes(
+        one,
+        lambda stage: (
+            f"[{', '.join(numbered(stage, rate) for rate in outs)}] = {one.rates}({', '.join(one.slope(stage, numbered))});"
+        ),
+    )
     values = ", ".join([one.t, *one.coordinates, *outs])
     form = ",".join(["%.15g"] * len(one.program.heads))
     loop = [
         one.box("time"), f"{one.t} = {one.row}*{one.h};",
         one.box("rates"), f"[{', '.join(outs)}] = {one.rates}({arguments});",
         one.box("row"), *one.wrapped(f'printf("{form}\\n", {values});'),
-        one.box("more"), f"if {one.row} < {one.steps}", *indented([*further, one.box("step"), *one.steps_on(out)]), "end",
+        one.box("more"), f"if {one.row} < {one.steps}", *indented([*further, one.box("step"), *one.steps_on(numbered)]), "end",
     ]  # fmt: skip
     shared = f"global {' '.join(one.data)};" if one.data else ""
     return [

@@ -21,14 +21,24 @@ def data_lines(one: Writer, written: Callable[[str, str], str]) -> Lines:
     return [*data, *step, *start]
 
 
-def limit_lines(one: Writer, leave: Callable[[Sequence[str]], Lines], test: str) -> Lines:
-    """Return what stands for the velocities where a determinant vanishes and the motion goes on."""
+def limit_lines(one: Writer, leave: Callable[[Sequence[str]], Lines], test: str, *after: str) -> Lines:
+    """Return what stands for the velocities where a determinant vanishes and the motion goes on; `after` ends the test."""
     lines = []
     for limit in one.program.limits:
         size = {"javascript": "Math.abs", "c": "fabs"}.get(one.syntax.name, "abs")
         holds = f"{size}({one.t} - {limit.time!r}) <= {limit.within!r}"
-        lines += [one.say("limit"), test.format(holds=holds), *indented(leave([repr(value) for value in limit.values]))]
+        lines += [one.say("limit"), test.format(holds=holds), *indented(leave([repr(value) for value in limit.values])), *after]
     return lines
+
+
+def numbered(stage: int, rate: str) -> str:
+    """Return the name of a velocity in a slope of the step; that of the first one is its own."""
+    return rate if not stage else f"{rate}_{stage + 1}"
+
+
+def further_slopes(one: Writer, call: Callable[[int], str]) -> Lines:
+    """Return what finds the slopes behind the first, each by its `call`."""
+    return [line for stage in range(1, one.program.scheme.slopes) for line in one.wrapped(call(stage))]
 
 
 def break_times(one: Writer) -> str:
