@@ -13,7 +13,7 @@ import numpy as np
 
 from coursework.grading.marking.key import NO_GAP, Key
 from coursework.grading.marking.sensitivity import sensitivity
-from coursework.grading.marking.table.cells import GIVEN, MISSING, WRONG, Cells, mark_cells
+from coursework.grading.marking.table.cells import Cells, mark_cells, marks_by
 from coursework.grading.marking.table.points import TablePoints, table_points
 from coursework.grading.marking.table.ways import (
     ANGLES,
@@ -42,17 +42,11 @@ def points_of(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
 def _mark_rows(key: Key, student: StudentTable) -> Cells:
     values, units = student.values, student.units
     ways = (Way(KEY, key.table, as_printed(key, units)), *_own(key, student))
-    with np.errstate(invalid="ignore"):
-        shown = np.isfinite(values) & (units <= key.coarsest)
-    marks = np.full(values.shape, WRONG, dtype="<U16")
-    for way in reversed(ways):
-        marks[way.holds(values)] = way.name
     m = len(key.coordinates)
     given = near(values[:1, :m], key.table[:1, :m], as_printed(key, units)[:1, :m])
-    marks[:1, :m] = np.where(given, GIVEN, WRONG)
-    marks[~shown] = MISSING
+    marks, too_coarse = marks_by(key, student, ways, given)
     follows = np.asarray(np.any([way.holds(values) for way in ways[1:]], axis=0))
-    return Cells(student, marks, follows, ways, ~shown & np.isfinite(values), None, m)
+    return Cells(student, marks, follows, ways, too_coarse, None, m)
 
 
 def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:

@@ -5,6 +5,7 @@ Enters: a `Key` and the student's table on its grid.  Leaves: `Cells`.  Used by 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -83,6 +84,19 @@ def alike(key: Key, student: StudentTable, table: Array) -> Flags:
     return near(student.values, table, as_printed(key, student.units))
 
 
+def marks_by(key: Key, student: StudentTable, ways: Sequence[Way], given: Flags) -> tuple[Marks, Flags]:
+    """Return the marks (n, m + r) by the first way that holds, and what is too coarse; `given` (1, m) starts are the task's."""
+    values = student.values
+    with np.errstate(invalid="ignore"):
+        shown = np.isfinite(values) & (student.units <= key.coarsest)
+    marks = np.full(values.shape, WRONG, dtype="<U16")
+    for way in reversed(ways):
+        marks[way.holds(values)] = way.name
+    marks[:1, : given.shape[1]] = np.where(given, GIVEN, WRONG)
+    marks[~shown] = MISSING
+    return marks, ~shown & np.isfinite(values)
+
+
 def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:
     """Return the marks of every cell; `table` (n, m + r) is what stands for the key's where the motion begins elsewhere."""
     table = key.table if table is None else table
@@ -91,14 +105,8 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     units = student.units.copy()
     units[:, :m] = np.maximum(units[:, :m], own.coarse)  # worked out coarser than printed, a cell misses the key by as much
     ways = (Way(KEY, table, as_printed(key, units)), *own.tried)
-    with np.errstate(invalid="ignore"):
-        shown = np.isfinite(values) & (student.units <= key.coarsest)
-    marks = np.full(values.shape, WRONG, dtype="<U16")
-    for way in reversed(ways):
-        marks[way.holds(values)] = way.name
     start = Way(START, table[:1, :m], HALF * student.units[:1, :m] + _ROUND_OFF)
-    marks[:1, :m] = np.where(start.holds(values[:1, :m]), GIVEN, WRONG)
-    marks[~shown] = MISSING
+    marks, too_coarse = marks_by(key, student, ways, start.holds(values[:1, :m]))
     follows = own.holds(values)
     follows[:, m:] |= ways[0].holds(values)[:, m:]
     before = None
@@ -111,5 +119,4 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
             holds[:1, :m] = False
             marks[holds & (marks == WRONG)] = way.name
             follows |= holds
-    too_coarse = ~shown & np.isfinite(values)
     return Cells(student, marks, follows, ways, too_coarse, own.computed_to, m, before)
