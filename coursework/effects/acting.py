@@ -1,7 +1,7 @@
 """Everything that acts on the links as expressions of a row: what a page that moves is computed from.
 
 Enters: velocity equations, a `ForceScheme`.  Leaves: `Acting`.
-Used by `report/live/by_forces.py`.
+Used by `rubbed_motion.py` and `report/live/by_forces.py`.
 """
 
 from __future__ import annotations
@@ -58,11 +58,13 @@ def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[
 
 def acting_on(equations: VelocityEquations, scheme: ForceScheme) -> Acting:
     """Return what acts on every body where all velocities and their derivatives are known."""
-    return _Writer(equations, scheme).acting()
+    return ActingWriter(equations, scheme).acting()
 
 
 @dataclass(slots=True)
-class _Writer:
+class ActingWriter:
+    """What acts on bodies, as expressions of positions, velocities and their derivatives."""
+
     equations: VelocityEquations
     scheme: ForceScheme
 
@@ -120,7 +122,7 @@ class _Writer:
         way = last[0] - first[0], last[1] - first[1]
         moved, second = self.rate(way), (self.second(way[0]), self.second(way[1]))
         square = way[0] ** 2 + way[1] ** 2
-        return _cross(way, moved) / square, _cross(way, second) / square
+        return cross(way, moved) / square, cross(way, second) / square
 
     def inertia(self, body: Body) -> Expression:
         found = ZERO
@@ -144,7 +146,7 @@ class _Writer:
         moment = -inertia * self.turned(body)[1] if inertia is not ZERO else ZERO
         for at, force, torque in (*self.loads(body), *self.pulls(body)):
             x, y = x + force[0], y + force[1]
-            moment = add(moment, torque, _cross((at[0] - centre[0], at[1] - centre[1]), force))
+            moment = add(moment, torque, cross((at[0] - centre[0], at[1] - centre[1]), force))
         yield from (*centre, x, y, moment)
 
     def loads(self, body: Body) -> Iterator[tuple[Vector, Vector, Expression]]:
@@ -202,5 +204,6 @@ class _Writer:
         return add(*kinetic), add(*potential)
 
 
-def _cross(arm: Vector, force: Vector) -> Expression:
+def cross(arm: Vector, force: Vector) -> Expression:
+    """Return the moment of a force at the end of an arm."""
     return arm[0] * force[1] - arm[1] * force[0]

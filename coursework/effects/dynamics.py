@@ -11,15 +11,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.held import STILL, Held
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, Sum
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+
+if TYPE_CHECKING:
+    from coursework.effects.rubbing import Rubbing
 
 # Corrections of a slope, and how small the last one is (rad or m): what it leaves is of the size of its square.
 MOST_NEWTON, CLOSED = 12, 1e-8
@@ -30,6 +35,9 @@ MOST_STEPS = 3000  # from a row to the next one: more are taken where a dead poi
 _SLOWER = 0.9  # of the last rate: so much slower was the one beside which a dead point is looked for
 _LEAST = 1e-11  # of the whole time: a shorter step is none
 _ALONE = ((0, 1),)  # the first slope, nothing beside it
+_TRIALS = 60
+_LATER = 1e-5  # s
+_SHARP, _STANDS = 1e-14, 1e-9  # of a step: so well is known where a pair turns round; of its speeds: it stands there
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
 
 
@@ -45,7 +53,8 @@ class Open(ArithmeticError):
 class FreeMotion:
     """Rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f); `slopes` evaluated.
 
-    `ended`: "" where it reached its end, "dead point" or "not finite", at the time `at` (s).
+    `ended`: "" where it reached its end, "dead point", "not finite", "held" or "locked" (by friction at the point `by`), at the
+    time `at` (s).
     """
 
     t: Array
@@ -54,6 +63,7 @@ class FreeMotion:
     slopes: int
     ended: str = ""
     at: float = 0.0
+    by: str = ""
 
 
 @dataclass(slots=True)
@@ -122,13 +132,19 @@ class Dynamics:
         def take(t: float, now: list[float]) -> list[float]:
             return self._to(t, now, t + step, length, step * max(steps, 1))
 
-        return self._march(state, step, steps, take)
+        try:
+            return self._march(state, step, steps, take)
+        finally:
+            if self.motion.rubbing is not None:
+                self.motion.rubbing.held = ()
 
     def _to(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
         def moving(*state: float) -> list[float]:
             return [*self.slope(state[-1], state[:-1]), 1.0]
 
-        at, state = t, np.array([*now, t])
+        at, state, rubbing = t, np.array([*now, t]), self.motion.rubbing
+        if rubbing is not None and not rubbing.held:
+            self._begin(rubbing, moving, state, ())
         begin, tries = (list(self.q), list(self._rates)), 0
         passed: list[tuple[float, float]] = []
         while goal - at > _LEAST * whole:
@@ -143,9 +159,11 @@ class Dynamics:
                 after, error = dormand_prince_8(moving, state, slope, taken)
                 sizes = TOLERANCE * (1.0 + np.abs(state[:-1]))
                 ratio = float(np.max(np.abs(np.array(error[:-1])) / sizes))
-            except (Open, ZeroDivisionError, OverflowError):
-                ratio = math.inf
+            except (Open, Held, ZeroDivisionError, OverflowError) as error:
+                ratio, why = math.inf, error
             if ratio <= 1.0:
+                if rubbing is not None:
+                    taken, after = self._turned(rubbing, moving, (state, slope), taken, after)
                 at, state = at + taken, after
                 if taken == length[0] or ratio > 0:
                     length[0] = max(length[0], taken) if taken < length[0] else next_length(taken, ratio, 8)
@@ -154,13 +172,63 @@ class Dynamics:
             length[0] = next_length(taken, ratio, 8) if math.isfinite(ratio) else taken / 4
             if length[0] < _LEAST * whole:
                 self.q, self._rates = begin
+                if isinstance(why, Held):
+                    raise why.seen(at)
                 raise Open(_dead_point(at, passed))
         return [float(value) for value in state[:-1]]
+
+    def _turned(
+        self, rubbing: Rubbing, moving: Callable[..., list[float]], begin: tuple[Array, Array], taken: float, after: Array
+    ) -> tuple[float, Array]:
+        """Return a step as far as the first pair that turns round in it, and settle which way that one goes on."""
+        state, slope = begin
+
+        def least(found: Sequence[float]) -> float:
+            return min(sign * v for sign, v in zip(rubbing.held, found, strict=True))
+
+        found = self._speeds(rubbing, after)
+        if least(found) >= 0:
+            return taken, after
+        sizes, kept = [abs(v) for v in found], (list(self.q), list(self._rates))
+
+        def left(length: float) -> float:
+            nonlocal after, found
+            self.q, self._rates = map(list, kept)
+            after, _ = dormand_prince_8(moving, state, slope, length)
+            found = self._speeds(rubbing, after)
+            return least(found)
+
+        taken = _crossing(left, taken, (least(self._speeds(rubbing, state)), least(found)))
+        left(taken)
+        still = [abs(v) <= _STANDS * max(size, *sizes) for v, size in zip(found, sizes, strict=True)]
+        self._begin(rubbing, moving, after, still)
+        return taken, after
+
+    def _speeds(self, rubbing: Rubbing, state: Array) -> list[float]:
+        """Return how fast the pairs slide in a state with its time behind it."""
+        self.slope(float(state[-1]), state[:-1].tolist())
+        return rubbing.state(float(state[-1]), *self.q, *state[len(self.motion.free) : -1].tolist()).speeds
+
+    def _begin(self, rubbing: Rubbing, moving: Callable[..., list[float]], state: Array, still: Sequence[bool]) -> None:
+        """Settle which way every pair goes on, those that stand `still` too.  Raises `Held`."""
+        try:
+            signs = rubbing.signs(float(state[-1]), *self.q, *state[len(self.motion.free) : -1].tolist(), still=still)
+        except Held as error:
+            raise error.seen(float(state[-1])) from None
+        # A pair whose speed and acceleration both are 0, as in a dead position from rest, is seen to go a little later.
+        kept, rubbing.held = (list(self.q), list(self._rates)), signs
+        later, _ = dormand_prince_8(moving, state, np.array(moving(*state.tolist())), _LATER)
+        found = self._speeds(rubbing, later)
+        least = STILL * max(map(abs, found))
+        rubbing.held = tuple(
+            sign or (math.copysign(1.0, v) if abs(v) > least else 0.0) for sign, v in zip(signs, found, strict=True)
+        )
+        self.q, self._rates = kept
 
     def _march(self, state: Sequence[float], step: float, steps: int, take: Take) -> FreeMotion:
         count, now = len(self.motion.free), list(state)
         self.count = 0
-        positions, rates, ended, at = [], [], "", 0.0
+        positions, rates, ended, at, by = [], [], "", 0.0, ""
         for row in range(steps + 1):
             t = row * step
             try:
@@ -176,12 +244,32 @@ class Dynamics:
             except (Open, ZeroDivisionError) as error:
                 ended, at = "dead point", t if math.isnan(found := getattr(error, "at", math.nan)) else found
                 break
+            except Held as error:
+                ended, at, by = "locked" if error.locked else "held", t if math.isnan(error.time) else error.time, error.at
+                break
             except OverflowError:
                 ended, at = "not finite", t
                 break
         size = len(positions)
         q, v = np.array(positions).reshape(size, -1), np.array(rates).reshape(size, count)
-        return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at)
+        return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by)
+
+
+def _crossing(left: Callable[[float], float], high: float, ends: tuple[float, float]) -> float:
+    """Return the length of a step at whose end nothing is `left`; at 0 and `high` are `ends` left, the second one below 0."""
+    low, side, width, (at_low, at_high) = 0.0, 0, high, ends
+    for _ in range(_TRIALS):
+        # The straight line through both ends; one that stays twice counts half (Illinois), so that both close in.
+        between = (low * at_high - high * at_low) / (at_high - at_low)
+        between = between if low < between < high else (low + high) / 2
+        value = left(between)
+        if value == 0 or high - low <= _SHARP * width:
+            return between
+        if value < 0:
+            high, at_high, at_low, side = between, value, at_low / (2 if side < 0 else 1), -1
+        else:
+            low, at_low, at_high, side = between, value, at_high / (2 if side > 0 else 1), 1
+    return high
 
 
 def _dead_point(at: float, passed: Sequence[tuple[float, float]]) -> float:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -118,31 +119,36 @@ def stiffness(e: Evidence) -> tuple[float, float]:
     motor = e.exact.equations.variant.forces
     assert motor is not None and motor.motor is not None
     damped, swinging = 0.0, 0.0
-    count = len(dynamics.free)
     for row in range(0, len(motion.t), max(1, len(motion.t) // _LOOKED_AT)):
         t, q = float(motion.t[row]), motion.coordinates[row].tolist()
         v = [float(motion.column(rate)[row]) for rate in motor.motor.rates]
-        slopes = np.zeros((count, count))
-        for k in range(count):
-            moved = _TINY * (1 + abs(v[k]))
-            ends = [dynamics.slope(t, *q, *[x + s * moved * (k == i) for i, x in enumerate(v)])[:count] for s in (1, -1)]
-            slopes[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
-        damped = max(damped, float(-np.linalg.eigvals(slopes).real.min()))
-        springs = np.zeros((count, count))
-        for k, place in enumerate(dynamics.free):
-            moved = _TINY * (1 + abs(q[place]))
-            ends = []
-            for s in (1, -1):
-                there = list(q)
-                there[place] += s * moved
-                for _ in range(4 if dynamics.others else 0):
-                    step = dynamics.newton(t, *there, *dynamics.kept)
-                    for other, value in zip(dynamics.others, step, strict=True):
-                        there[other] += value
-                ends.append(dynamics.slope(t, *there, *v)[:count])
-            springs[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
-        swinging = max(swinging, float(-np.linalg.eigvals(springs).real.min()))
+        with dynamics.rubbing.sliding_as(t, *q, *v) if dynamics.rubbing is not None else nullcontext():
+            by_rates, by_places = _slopes(dynamics, t, q, v)
+        damped = max(damped, float(-np.linalg.eigvals(by_rates).real.min()))
+        swinging = max(swinging, float(-np.linalg.eigvals(by_places).real.min()))
     return damped, math.sqrt(max(swinging, 0.0))
+
+
+def _slopes(dynamics: EquationsOfMotion, t: float, q: list[float], v: list[float]) -> tuple[Array, Array]:
+    """Return how the free accelerations (f, f) change with the free rates and with the free coordinates."""
+    count = len(dynamics.free)
+    by_rates, by_places = np.zeros((count, count)), np.zeros((count, count))
+    for k, place in enumerate(dynamics.free):
+        moved = _TINY * (1 + abs(v[k]))
+        ends = [dynamics.slope(t, *q, *[x + s * moved * (k == i) for i, x in enumerate(v)])[:count] for s in (1, -1)]
+        by_rates[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
+        moved = _TINY * (1 + abs(q[place]))
+        ends = []
+        for s in (1, -1):
+            there = list(q)
+            there[place] += s * moved
+            for _ in range(4 if dynamics.others else 0):
+                step = dynamics.newton(t, *there, *dynamics.kept)
+                for other, value in zip(dynamics.others, step, strict=True):
+                    there[other] += value
+            ends.append(dynamics.slope(t, *there, *v)[:count])
+        by_places[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
+    return by_rates, by_places
 
 
 def _step(e: Evidence) -> Finding:

@@ -46,14 +46,14 @@ class Trial:
 
 def lesson(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion) -> list[Row]:
     """Return the rows; none for a long table."""
-    steps = len(exact.t) - 1
-    if steps < 1 or steps * sum(PARTS) * sum(one.slopes for one in COMPARED) > 12 * MOST_SLOPES:
+    steps, most = len(exact.t) - 1, MOST_SLOPES // equations.dear
+    if steps < 1 or steps * sum(PARTS) * sum(one.slopes for one in COMPARED) > 12 * most:
         return []
     last = float(energy_of_rows(equations, exact.t, exact.coordinates, rates_of(equations, exact))[0][-1])
     found = []
     for scheme in COMPARED:
         for parts in PARTS:
-            if steps * parts * scheme.slopes > MOST_SLOPES:
+            if steps * parts * scheme.slopes > most:
                 continue
             tried = attempt(Dynamics(equations, list(begin[0])), begin, time, exact, scheme, parts)
             gained = float("inf") if tried.ended else float(tried.energy[-1]) - last

@@ -32,14 +32,14 @@ def energy_study(
     *, progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
     """Return the study, never timed: slopes are what a scheme costs here; `own` is the scheme of the table."""
-    if (len(exact.t) - 1) * PRECISE.slopes > MOST_ROWS:
+    if (len(exact.t) - 1) * PRECISE.slopes * equations.dear > MOST_ROWS:
         why = say("study.too_long", rows=len(exact.t))
         return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), seconds_shown=False, left_out=(why,))
     energy, kinetic = energy_of_rows(equations, exact.t, exact.coordinates, rates_of(equations, exact))
     scale = float(kinetic.max(initial=0.0)) or 1.0
     rows, rates = list[StudyRow](), dict[str, float]()
     for scheme in (*SCHEMES.values(), SEMI_IMPLICIT):
-        for parts in _parts(scheme, len(exact.t) - 1):
+        for parts in _parts(scheme, len(exact.t) - 1, MOST_SLOPES // equations.dear):
             if progress:
                 progress(f"{scheme.name}, {parts}")
             tried = attempt(Dynamics(equations, list(begin[0])), begin, time, exact, scheme, parts)
@@ -55,9 +55,9 @@ def energy_study(
     return AccuracyStudy(tuple(rows), orders, point, floor, exact.label, told, (), seconds_shown=False)
 
 
-def _parts(scheme: Scheme, steps: int) -> list[int]:
+def _parts(scheme: Scheme, steps: int, most: int) -> list[int]:
     """Return into how many parts a step is divided: the whole and its half at least."""
-    return [parts for parts in PARTS if parts <= PARTS[1] or steps * parts * scheme.slopes <= MOST_SLOPES]
+    return [parts for parts in PARTS if parts <= PARTS[1] or steps * parts * scheme.slopes <= most]
 
 
 def _row(scheme: Scheme, tried: Trial, energy: Array, steps: int) -> StudyRow:

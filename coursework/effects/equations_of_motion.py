@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursework.effects.closed_positions import newton_statements
 from coursework.effects.force_scheme import Body, ForceScheme
@@ -33,6 +33,9 @@ from coursework.variant.record.forces import DISC, ROD, Load
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
+if TYPE_CHECKING:
+    from coursework.effects.rubbing import Rubbing
+
 
 @frozen
 class EquationsOfMotion:
@@ -40,7 +43,7 @@ class EquationsOfMotion:
 
     `slope(t, *q, *v)` -> free accelerations, then the rates of the others; `newton(t, *q, *kept)` -> corrections of the others,
     with `kept` the values that positions keep; `table(t, *q, *v)` over arrays -> velocities, their derivatives, kinetic and
-    potential energy, determinants.
+    potential energy, determinants.  `rubbing`: the friction that is in both.
     """
 
     free: tuple[int, ...]
@@ -50,13 +53,12 @@ class EquationsOfMotion:
     kept: tuple[float, ...]
     table: Callable[..., Any]
     determinants: int
+    rubbing: Rubbing | None = None
 
-
-def equations_of_motion(
-    equations: VelocityEquations, reduction: Reduction, scheme: ForceScheme, start: Sequence[float]
-) -> EquationsOfMotion:
-    """Return the equations of motion of a file with a motor.  Raises `InputError` where they cannot be made."""
-    return MotionWriter(equations, reduction, scheme, tuple(start)).made()
+    @property
+    def dear(self) -> int:
+        """Return how many times as much a slope costs as one without friction."""
+        return 1 if self.rubbing is None else 6
 
 
 @dataclass(slots=True)
@@ -87,6 +89,11 @@ class MotionWriter:
         return tuple(place for place in range(len(self.equations.variant.coordinates)) if place not in self.free)
 
     @property
+    def arguments(self) -> list[str]:
+        """Return the names of t, all coordinates and the free rates."""
+        return [private(name) for name in ("t", *(c.name for c in self.equations.variant.coordinates), *self.rates)]
+
+    @property
     def solved(self) -> list[Expression]:
         """Return the symbols of the free accelerations."""
         return [local(f"_acc{k}") for k in range(len(self.rates))]
@@ -99,29 +106,30 @@ class MotionWriter:
     def made(self) -> EquationsOfMotion:
         """Return the equations as functions."""
         variant = self.equations.variant
-        names = [c.name for c in variant.coordinates]
-        free, others, solved, common = self.free, self.others, self.solved, self.statements()
+        free, others, common = self.free, self.others, self.statements()
         values = compile_values(self.equations, [*self.weights.values()])[0](0.0, *self.start) if self.weights else ()
         self.numbers = dict(zip(self.weights, map(float, values), strict=True))
-        arguments = [private(name) for name in ("t", *names, *self.rates)]
         own = [symbol(variant.coordinates[place].rate) for place in others]
-        slope = self._compiled("slope", common, [*solved, *own], arguments)
+        slope = self.compiled("slope", common, [*self.solved, *own])
         blocks, kept, _ = newton_statements(self.equations, self.start, others)
         deltas = [local(f"_step{place}") for place in others]
-        newton = self._compiled(
-            "newton", [*blocks], deltas, [*map(private, ("t", *names)), *(f"_kept{k}" for k in range(len(kept)))]
+        newton = self.compiled(
+            "newton", [*blocks], deltas, [*self.arguments[: -len(free)], *(f"_kept{k}" for k in range(len(kept)))]
         )
-        return EquationsOfMotion(free, others, slope, newton, kept, self._table(common, arguments), len(self.reduction.blocks))
+        return EquationsOfMotion(free, others, slope, newton, kept, self._table(common), len(self.reduction.blocks))
 
-    def _compiled(
-        self, name: str, statements: Sequence[Statement], results: Sequence[Expression], arguments: Sequence[str],
+    def compiled(
+        self, name: str, statements: Sequence[Statement], results: Sequence[Expression], arguments: Sequence[str] = (),
         numpy: bool = False,
     ) -> Callable[..., Any]:  # fmt: skip
+        """Return results behind statements as a function, of t, coordinates and free rates where no arguments are named."""
         known = {**constants(self.equations.variant), **self.numbers}
         definitions = self.equations.symbols.definitions.without({symbol(rate) for rate in self.rates})
         outs = [Assign(local(f"_out{place}"), value) for place, value in enumerate(results)]
         body = program([*statements, *outs], definitions, known, self.equations.tables).bind(known)
-        return compile_function(name, arguments, body, [f"_out{place}" for place in range(len(results))], numpy=numpy)
+        return compile_function(
+            name, arguments or self.arguments, body, [f"_out{place}" for place in range(len(results))], numpy=numpy
+        )
 
     def _velocities(self) -> Iterator[Statement]:
         """Yield the analogs of all velocities, the velocities, and their derivatives for free accelerations of 0."""
@@ -169,10 +177,11 @@ class MotionWriter:
         for c in self.equations.variant.coordinates:
             slope = symbols.partial(expression, symbol(c.name))
             if slope is not ZERO:
-                found.append(slope * self._rate_of(c.rate, k))
+                found.append(slope * self.rate_of(c.rate, k))
         return add(*found) if found else ZERO
 
-    def _rate_of(self, rate: str, k: int) -> Expression:
+    def rate_of(self, rate: str, k: int) -> Expression:
+        """Return how fast a velocity changes with the free rate k."""
         if rate in self.rates:
             return ONE if rate == self.rates[k] else ZERO
         return _analog(k, rate) if rate else ZERO
@@ -183,7 +192,7 @@ class MotionWriter:
             line = self.scheme.forces.lines.get(("masses", body.name), 1)
             raise InputError([Fault(say("fault.V741", name=body.name), self.equations.variant.file, line)])
         free = body.rate in self.rates
-        return [self._rate_of(body.rate, k) for k in range(len(self.rates))], ZERO if free or not body.rate else _bias(body.rate)
+        return [self.rate_of(body.rate, k) for k in range(len(self.rates))], ZERO if free or not body.rate else _bias(body.rate)
 
     def _motion(self) -> Iterator[Statement]:
         """Yield M, Q - h, kinetic and potential energy."""
@@ -256,7 +265,7 @@ class MotionWriter:
 
     def _turn_of(self, name: str, k: int) -> Expression:
         body = next(one for one in self.scheme.bodies if one.name == self.scheme.body_named(name))
-        return self._rate_of(body.rate, k)
+        return self.rate_of(body.rate, k)
 
     def _stretched(self) -> Iterator[Expression]:
         symbols = self.equations.symbols
@@ -277,18 +286,27 @@ class MotionWriter:
         yield Assign(targets[0], (first * c - b * second) / local("_mass"))
         yield Assign(targets[1], (a * second - b * first) / local("_mass"))
 
-    def acceleration_of(self, name: str) -> Expression:
-        """Return the derivative of a velocity, behind the statements."""
+    def acceleration_of(self, name: str, free: Sequence[Expression] = ()) -> Expression:
+        """Return the derivative of a velocity, behind the statements, with these or the solved free accelerations."""
+        free = free or self.solved
         if name in self.rates:
-            return self.solved[self.rates.index(name)]
-        return _bias(name) + add(*[_analog(k, name) * one for k, one in enumerate(self.solved)])
+            return free[self.rates.index(name)]
+        return _bias(name) + add(*[_analog(k, name) * one for k, one in enumerate(free)])
 
-    def _table(self, common: Sequence[Statement], arguments: Sequence[str]) -> Callable[..., Any]:
+    def _table(self, common: Sequence[Statement]) -> Callable[..., Any]:
         variant = self.equations.variant
+        # With friction it is told what that adds to the free accelerations.
+        taken = [f"_rub{k}" for k in range(len(self.rates))] if self.scheme.forces.friction else []
+        free = [add(one, *map(local, taken[k : k + 1])) for k, one in enumerate(self.solved)]
         names = (*variant.rates, *(name for name, _ in variant.unknowns))
-        results = [*map(symbol, names), *map(self.acceleration_of, names), local("_kinetic"), local("_potential")]
+        results = [
+            *map(symbol, names),
+            *(self.acceleration_of(name, free) for name in names),
+            local("_kinetic"),
+            local("_potential"),
+        ]
         results += [local(f"_det{index}") for index in range(len(self.reduction.blocks))]
-        return self._compiled("table", common, results, arguments, numpy=True)
+        return self.compiled("table", common, results, [*self.arguments, *taken], numpy=True)
 
 
 def _analog(k: int, name: str) -> Expression:

@@ -14,7 +14,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from coursework.effects.effects import Action
-from coursework.effects.force_scheme import Unknown
+from coursework.effects.force_scheme import ForceScheme, Unknown
+from coursework.effects.held import STILL
 from coursework.effects.rows import RATE, Rows
 from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array, Flags
@@ -23,7 +24,6 @@ from coursework.variant.record.forces import Friction
 # Looked at after so many rounds: what shrinks goes on, slowly where friction nearly locks; the rest has no solution.
 ROUNDS, MOST_ROUNDS = 50, 2000
 SETTLED, LEFT = 1e-13, 1e-9  # change of a round, of the largest reaction: at rest, and where round-off lets it go no further
-_STILL = 1e-12  # of the largest speed: slower is still
 
 
 def friction_of(rows: Rows, values: Array) -> tuple[Action, ...]:
@@ -45,6 +45,12 @@ def rubbing(unknowns: Sequence[Unknown], rubs: Friction) -> Iterator[tuple[int, 
             yield place, "guide"
 
 
+def partner(scheme: ForceScheme, one: Unknown) -> str:
+    """Return what a body turns about in a joint: a pin of more than two links turns with the first of them, or stands."""
+    held = [other.on for other in scheme.unknowns if other.off == one.off and one.off in scheme.pins]
+    return held[0] if held else one.off
+
+
 def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
     for place, kind in rubbing(rows.scheme.unknowns, rubs):
         one = rows.scheme.unknowns[place]
@@ -60,9 +66,7 @@ def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
 def _turning(rows: Rows, one: Unknown, couple: Array) -> Iterator[Action]:
     """Yield a couple against the turning of two bodies about each other."""
     bodies = {body.name: body for body in rows.scheme.bodies}
-    # A pin of more than two links turns with the first of them, or stands with the frame.
-    held = [other.on for other in rows.scheme.unknowns if other.off == one.off and one.off in rows.scheme.pins]
-    other = held[0] if held else one.off
+    other = partner(rows.scheme, one)
     if one.on == other or one.on not in bodies:
         return
     below = rows.omega(bodies[other]) if other in bodies else np.zeros(rows.count)
@@ -103,4 +107,4 @@ def standing(found: Sequence[Action]) -> Flags:
 
 
 def _sign(values: Array, largest: float) -> Array:
-    return np.where(np.abs(values) > _STILL * largest, np.sign(values), 0.0)
+    return np.where(np.abs(values) > STILL * largest, np.sign(values), 0.0)

@@ -16,7 +16,7 @@ import numpy as np
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.dynamics import Dynamics, FreeMotion
 from coursework.effects.dynamics_checks import check_dynamics
-from coursework.effects.equations_of_motion import EquationsOfMotion, equations_of_motion
+from coursework.effects.equations_of_motion import EquationsOfMotion, MotionWriter
 from coursework.effects.regime import Regime, find_regime
 from coursework.effects.scheme import read_scheme
 from coursework.motion.integration.motion import Motion, Stop
@@ -61,7 +61,13 @@ class MotorScene(Scene):
     @computed("mechanism", "equations", "reduction", "start")
     def free_equations(self) -> EquationsOfMotion:
         """The equations of motion in the free coordinates."""
-        found = equations_of_motion(self.equations, self.reduction, read_scheme(self.mechanism), self.start)
+        writer = MotionWriter(self.equations, self.reduction, read_scheme(self.mechanism), tuple(self.start))
+        if writer.scheme.forces.friction:
+            from coursework.effects.rubbed_motion import rubbed_motion
+
+            found = rubbed_motion(writer)
+        else:
+            found = writer.made()
         try:
             found.slope(0.0, *self.start, *(0.0 for _ in found.free))
         except ZeroDivisionError:
@@ -121,8 +127,9 @@ class MotorScene(Scene):
             return None
         step, names = self.variant.time.step, [c.name for c in self.variant.coordinates]
         last = dict(zip(names, found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
-        key = "dead" if found.ended == "dead point" else "far"
-        cause, meaning = say(f"dynamics.{key}", time=found.at), say(f"dynamics.{key}_means", row=len(found.t))
+        key = {"dead point": "dead", "not finite": "far"}.get(found.ended, found.ended)
+        key = "still" if key == "held" and not found.at else key
+        cause, meaning = say(f"dynamics.{key}", time=found.at, at=found.by), say(f"dynamics.{key}_means", row=len(found.t))
         return Stop(found.ended, found.at, found.at / step, (), last, cause, meaning)
 
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:

@@ -95,12 +95,6 @@ def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_
     assert json.loads(record)["mean_moment"] is None
 
 
-def test_friction_of_motion_under_forces_is_refused():
-    text = text_of("example-2-motor", ("[ask]", '[friction]\nC = { coefficient = "0.1" }\n\n[ask]'))
-    with pytest.raises(coursework.InputError, match="V718"):
-        coursework.parse_variant(text)
-
-
 def test_a_file_without_friction_has_none():
     assert of("example-2-forces").reactions.friction == ()
     assert not of("example-2-forces").energy.friction.any()

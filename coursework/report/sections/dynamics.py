@@ -31,6 +31,10 @@ def dynamics(context: PageContext) -> list[Part]:
         return []
     math, text = _ONE if len(scene.free_equations.free) == 1 else _TWO
     parts: list[Part] = [Paragraph(context.say("dynamics.equation")), Equations([Display(math, text)])]
+    if scene.free_equations.rubbing is not None:
+        parts.append(Paragraph(context.say("dynamics.friction")))
+    if scene.stop is not None and context.run.motion.stop is None:
+        parts.append(Paragraph(context.rich(scene.stop.sentence)))
     if lines := lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, scene.exact):
         parts.append(_compared(context, lines))
     if scene.regime is not None:

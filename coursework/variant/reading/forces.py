@@ -5,7 +5,7 @@ Enters: checked sections.  Leaves: `Forces`; faults stay with the `Parts`.  Used
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
@@ -34,7 +34,7 @@ def read_forces(file: schema.VariantFile, parts: Parts) -> Forces:
         tuple(_mass(key, entry, parts) for key, entry in file.masses.items()),
         _gravity(gravity, parts) if gravity is not None else None,
         tuple(one for one in read if isinstance(one, Load)), tuple(one for one in read if isinstance(one, Spring)),
-        tuple(_friction(key, entry, file.motor, parts) for key, entry in file.friction.items()), _motor(file, parts),
+        tuple(_friction(key, entry, parts) for key, entry in file.friction.items()), _motor(file, parts),
         _flywheel(flywheel, parts) if flywheel is not None else None,
         {path: line for path, line in parts.source.positions.lines.items() if path[0] in FORCE_SECTIONS},
     )  # fmt: skip
@@ -112,10 +112,8 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
     yield Load(key, _body(str(entry.on), parts), at, force, torque)
 
 
-def _friction(key: str, entry: schema.FrictionEntry, file_motor: Mapping[str, object], parts: Parts) -> Friction:
+def _friction(key: str, entry: schema.FrictionEntry, parts: Parts) -> Friction:
     path: KeyPath = ("friction", key)
-    if "rates" in file_motor:
-        parts.say(path, say("fault.V718"))
     parts.known_point(path, key)
     named = {"coefficient": "1", "radius": "m", "length": "m", "arm": "m"}
     found = {

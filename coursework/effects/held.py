@@ -1,0 +1,23 @@
+"""What friction stops: nothing balances it, or a pair that stands still does not go on.
+
+Used by `dynamics.py`, which tells where a motion ends, `rubbing.py`, which finds it, and `friction.py`.
+"""
+
+from __future__ import annotations
+
+import math
+
+STILL = 1e-12  # of the largest speed: slower is still
+
+
+class Held(ArithmeticError):
+    """Friction holds: nothing balances (`locked`), or a pair that stands still does not go on; at the point `at`, `time` (s)."""
+
+    def __init__(self, at: str, locked: bool) -> None:
+        super().__init__(at)
+        self.at, self.locked, self.time = at, locked, math.nan
+
+    def seen(self, time: float) -> Held:
+        """Return the same with its time (s), where none is known yet."""
+        self.time = time if math.isnan(self.time) else self.time
+        return self

@@ -1,0 +1,182 @@
+"""The states of a motion with friction: which reactions a mechanism has where forces move it, as functions of its state.
+
+Enters: a `MotionWriter`.  Leaves: equations of motion that know of friction.  Raises `InputError`.
+Used by `scene/motor_scene.py`, for a file with [friction] only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from coursework.effects.acting import ActingWriter, cross
+from coursework.effects.equations_of_motion import EquationsOfMotion, MotionWriter
+from coursework.effects.force_scheme import Body, Unknown
+from coursework.effects.friction import partner, rubbing
+from coursework.effects.kinetostatics import places_of
+from coursework.effects.rubbing import Pair, Rubbing, State
+from coursework.equations.algebra.calculus import derivative as derivative_by
+from coursework.equations.algebra.expression import ONE, ZERO, Expression, add
+from coursework.equations.codegen.programs import Assign
+from coursework.equations.reduction.symbolic import Vector, symbol
+from coursework.motion.geometry.time_derivatives import derivative
+from coursework.system.frozen import frozen
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+Entries = dict[tuple[int, int], Expression]  # row and column of the equations of the unknown forces
+
+
+def rubbed_motion(writer: MotionWriter) -> EquationsOfMotion:
+    """Return equations of motion with the friction of the file.  Raises `InputError` where reactions are not unique."""
+    ideal, own = writer.made(), _Writer(writer, ActingWriter(writer.equations, writer.scheme)).made()
+
+    def table(*rows: Any) -> Any:
+        return ideal.table(*rows, *own.taken(len(ideal.free), *np.broadcast_arrays(*rows)))
+
+    return replace(ideal, slope=own.slope, table=table, rubbing=own)
+
+
+@dataclass(slots=True)
+class _Writer:
+    """The state as expressions: columns of the unknowns, what acts, a unit of friction of each pair."""
+
+    motion: MotionWriter
+    acting: ActingWriter
+
+    def made(self) -> Rubbing:
+        scheme, free = self.motion.scheme, len(self.motion.rates)
+        places, count = places_of(scheme), len(scheme.unknowns)
+        if count != 3 * len(scheme.bodies) + 2 * len(scheme.pins):
+            line = next((line for path, line in scheme.forces.lines.items() if path[0] == "friction"), 1)
+            raise InputError([Fault(say("fault.V718"), self.motion.equations.variant.file, line)])
+        entries: Entries = {}
+        for place, one in enumerate(scheme.unknowns):
+            for name, sign in ((one.on, ONE), (one.off, -ONE)):
+                self.acts(entries, places, place, name, one, sign)
+        for place, body in enumerate(scheme.bodies):
+            for row, value in enumerate([*self.acting.wrench(body)][2:], 3 * place):
+                entries[row, count] = -value
+                for k in range(free):
+                    entries[row, count + 1 + k] = -self.by_free(value, k)
+        pairs: list[Pair] = []
+        beside: list[Expression] = []
+        for rubs in scheme.forces.friction:
+            for place, kind in rubbing(scheme.unknowns, rubs):
+                column, speed = count + 1 + free + len(pairs), ZERO
+                one, factor = scheme.unknowns[place], self.acting.scalar(rubs.arm if kind == "wheel" else rubs.coefficient)
+                if kind == "guide":
+                    speed = self.slides(entries, places, column, one)
+                else:
+                    factor = factor * self.acting.scalar(rubs.radius) if kind == "pin" else factor
+                    speed = self.turns(entries, places, column, one)
+                following = scheme.unknowns[place + 1].name if place + 1 < count else ""
+                pairs.append(Pair(rubs.at, kind, place, kind == "guide" and following == f"K{one.name[1:]}"))
+                change = self.acting.changed(speed)
+                beside += [
+                    factor,
+                    self.acting.scalar(rubs.length),
+                    speed,
+                    change,
+                    *(self.by_free(change, k) for k in range(free)),
+                ]
+        drives = [place for place, one in enumerate(scheme.unknowns) if one.is_drive]
+        results = [*self.motion.solved, *self.others(), *entries.values(), *beside]
+        still = [Assign(derivative(rate), ZERO) for rate in self.motion.rates]
+        compiled = self.motion.compiled("rubbing", [*self.motion.statements(), *still], results)
+        sizes = Sizes(count, free, len(self.motion.others), len(pairs))
+        return Rubbing(tuple(pairs), partial(_state, compiled, sizes, tuple(entries), tuple(drives)))
+
+    def others(self) -> list[Expression]:
+        coordinates = self.motion.equations.variant.coordinates
+        return [symbol(coordinates[place].rate) for place in self.motion.others]
+
+    def by_free(self, value: Expression, k: int) -> Expression:
+        """Return how a value that is straight in the accelerations changes with the free one k."""
+        variant = self.motion.equations.variant
+        names = dict.fromkeys([*variant.rates, *(name for name, _ in variant.unknowns)])
+        return add(ZERO, *[derivative_by(value, derivative(name)) * self.motion.rate_of(name, k) for name in names])
+
+    def acts(self, entries: Entries, places: Mapping[str, int], column: int, name: str, one: Unknown, sign: Expression) -> None:
+        """Add what a unit of an unknown does to the equations of a body or pin."""
+        if name not in places:
+            return  # the frame
+        if one.direction.kind == "couple":
+            entries[places[name] + 2, column] = sign
+            return
+        x, y = self.unit(one)
+        self.force(entries, places, column, name, one, (sign * x, sign * y))
+
+    def force(self, entries: Entries, places: Mapping[str, int], column: int, name: str, one: Unknown, force: Vector) -> None:
+        first, body = places[name], self.body(name)
+        entries[first, column], entries[first + 1, column] = force
+        if body is not None and one.at is not None:
+            at, centre = self.acting.vector(one.at), self.acting.vector(body.centre)
+            entries[first + 2, column] = cross((at[0] - centre[0], at[1] - centre[1]), force)
+
+    def unit(self, one: Unknown) -> Vector:
+        return {"x": (ONE, ZERO), "y": (ZERO, ONE)}.get(one.direction.kind) or self.acting.along(one)
+
+    def body(self, name: str) -> Body | None:
+        return next((body for body in self.motion.scheme.bodies if body.name == name), None)
+
+    def turns(self, entries: Entries, places: Mapping[str, int], column: int, one: Unknown) -> Expression:
+        """Write a couple on two bodies that turn about each other, and return how fast they do."""
+        speed = ZERO
+        for name, sign in ((one.on, ONE), (partner(self.motion.scheme, one), -ONE)):
+            if (body := self.body(name)) is not None:
+                entries[places[name] + 2, column] = sign
+                speed = speed + sign * self.acting.turned(body)[0]
+        return speed
+
+    def slides(self, entries: Entries, places: Mapping[str, int], column: int, one: Unknown) -> Expression:
+        """Write a force along a guide on block and guide, and return how fast the block slides."""
+        assert one.at is not None
+        (x, y), at, speed = self.unit(one), self.acting.vector(one.at), ZERO
+        along = y, -x
+        for name, sign in ((one.on, ONE), (one.off, -ONE)):
+            if (body := self.body(name)) is not None:
+                self.force(entries, places, column, name, one, (sign * along[0], sign * along[1]))
+                centre, turned = self.acting.vector(body.centre), self.acting.turned(body)[0]
+                (u, v), arm = self.acting.rate(centre), (at[0] - centre[0], at[1] - centre[1])
+                speed = speed + sign * (along[0] * (u - turned * arm[1]) + along[1] * (v + turned * arm[0]))
+        return speed
+
+
+@frozen
+class Sizes:
+    """How many unknown forces, free rates, other coordinates and pairs there are."""
+
+    unknowns: int
+    free: int
+    others: int
+    pairs: int
+
+
+def _state(
+    compiled: Callable[..., Any], sizes: Sizes, at: tuple[tuple[int, int], ...], drives: tuple[int, ...], *state: float
+) -> State:
+    """Return a state from what its expressions are."""
+    found, count, free = compiled(*state), sizes.unknowns, sizes.free
+    a, others = list(found[:free]), list(found[free : free + sizes.others])
+    matrix = np.zeros((count, count + 1 + free + sizes.pairs))
+    begin = free + sizes.others
+    for place, value in zip(at, found[begin:], strict=False):
+        matrix[place] = value
+    try:
+        solved = np.linalg.solve(matrix[:, :count], matrix[:, count:])
+        slopes, units = solved[:, 1 : 1 + free], solved[:, 1 + free :]
+        changes = -np.linalg.solve(slopes[list(drives)], units[list(drives)])
+    except np.linalg.LinAlgError:
+        raise ZeroDivisionError from None
+    loose, reactions = solved[:, 0] + slopes @ np.array(a), units + slopes @ changes
+    width = 4 + free
+    beside = [found[k : k + width] for k in range(begin + len(at), len(found), width)]
+    return State(
+        a, others, loose.tolist(), reactions.T.tolist(), changes.T.tolist(), [one[:2] for one in beside],
+        [one[2] for one in beside], [one[3] for one in beside], [list(one[4:]) for one in beside],
+    )  # fmt: skip

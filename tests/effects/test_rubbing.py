@@ -1,0 +1,137 @@
+"""Friction while forces move a mechanism: a closed form, Newton and Euler written out, what holds and what locks."""
+
+import math
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.effects.dynamics_checks import remainder
+from coursework.report.pages import build_model, render_html
+from tests.effects.massed import text_of
+from tests.effects.test_ways import PARALLEL
+from tests.report.real import text_of as shown
+
+BLOCK = """
+format = 1
+title = "Block on a spring"
+[coordinates]
+s = { start = "1 m", rate = "u" }
+[time]
+step = "0.05 s"
+end = "12 s"
+[points]
+O = "(-1, 0)"
+C = "(s, 0)"
+[links]
+1 = { points = ["C"] }
+[frame]
+hinges = ["O"]
+rails = [ { through = "C", angle = "0" } ]
+[masses]
+C = { mass = "2 kg", inertia = "0.1 kg*m^2" }
+[forces]
+gravity = "9.81 m/s^2"
+k1 = { spring = ["O", "C"], stiffness = "50 N/m", free = "1 m" }
+[friction]
+C = { coefficient = "0.1" }
+[motor]
+rates = ["u"]
+[ask]
+quantities = ["table", "checks", "dynamics", "energy"]
+"""
+PIN = '{ radius = "20 mm", coefficient = "0.1" }'
+RUBS = f'A = {PIN}\nB = {PIN}\nC = {{ coefficient = "0.1" }}'
+
+
+def rubbing(name, entries, end="0.6 s"):
+    changed = ("[ask]", f"[friction]\n{entries}\n\n[ask]"), ('end    = "2 s"', f'end    = "{end}"')
+    return coursework.solve(coursework.parse_variant(text_of(name, *changed)))
+
+
+def test_a_block_on_a_spring_loses_the_same_of_every_swing_and_stops():
+    run = coursework.solve(coursework.parse_variant(BLOCK))
+    exact, least = run.scene.exact, 0.1 * 2 * 9.81 / 50
+    half = np.floor(exact.t * 5 / math.pi)
+    swing = (1 - least * (2 * half + 1)) * np.cos(5 * exact.t) + least * (-1) ** half
+    assert np.abs(exact.column("s") - swing).max() < 1e-12
+    stop = run.scene.stop
+    # After 13 half swings the spring pulls less than friction holds.
+    assert stop is not None and stop.kind == "held" and stop.time == pytest.approx(13 * math.pi / 5, abs=1e-9)
+    assert "the pair at C comes to rest" in str(stop.sentence)
+    page = shown(render_html(build_model(run, "en")))
+    assert "schemes of higher order lose their order" in page and "the pair at C comes to rest" in page
+
+
+@pytest.mark.parametrize(("coefficient", "starts"), [("2.54", True), ("2.56", False)])
+def test_it_starts_where_the_spring_pulls_more_than_friction_holds(coefficient, starts):
+    """50 N of the spring against the coefficient times 19.62 N."""
+    run = coursework.solve(coursework.parse_variant(BLOCK.replace('coefficient = "0.1"', f'coefficient = "{coefficient}"')))
+    stop = run.scene.stop
+    assert stop is not None and (stop.time > 0.5) == starts
+    assert ("does not start" in str(stop.sentence)) != starts
+
+
+def slider_crank(theta, w):
+    """The crank's acceleration: nine laws of Newton and Euler, the closed loop, friction found by repeating them."""
+    r1, r2, first, second = 0.4, 1.2, 0.2, 0.4
+    theta2 = math.asin(-r1 * math.sin(theta) / r2)
+    w2 = -r1 * math.cos(theta) * w / (r2 * math.cos(theta2))
+    u = -r1 * math.sin(theta) * w - r2 * math.sin(theta2) * w2
+    e1, e2 = (np.array([math.cos(a), math.sin(a)]) for a in (theta, theta2))
+    n1, n2 = np.array([-e1[1], e1[0]]), np.array([-e2[1], e2[0]])
+    weight, eye = np.array([0, -9.81]), np.eye(2)
+    a, b = np.zeros((10, 10)), np.zeros(10)  # a1, a2, of the slider; forces in A, B, C, on the slider's guide
+    a[:2, 0], a[:2, 1], a[0, 2], b[:2] = r1 * n1, r2 * n2, -1, r1 * w * w * e1 + r2 * w2 * w2 * e2
+    a[2:4, 3:5], a[2:4, 5:7], a[2:4, 0] = eye, -eye, -4 * first * n1
+    b[2:4] = -4 * first * w * w * e1 - 4 * weight
+    a[4, 0], a[4, 3:5], a[4, 5:7] = -5.0533, -first * n1, -(r1 - first) * n1
+    a[5:7, 5:7], a[5:7, 7:9], a[5:7, 0], a[5:7, 1] = eye, -eye, -12 * r1 * n1, -12 * second * n2
+    b[5:7] = -12 * (r1 * w * w * e1 + second * w2 * w2 * e2) - 12 * weight
+    a[7, 1], a[7, 5:7], a[7, 7:9] = -1.5, -second * n2, -(r2 - second) * n2
+    a[8, 2], a[8, 7], a[9, 8], a[9, 9], b[9] = -20, 1, 1, 1, 20 * 9.81
+    sizes = np.zeros(3)
+    for _ in range(100):
+        at_a, at_b = sizes[0] * np.sign(w), sizes[1] * np.sign(w2 - w)
+        b[4], b[7], b[8] = -(600 - 35 * w) + at_a - at_b, at_b, 300 * u + sizes[2] * np.sign(u)
+        x = np.linalg.solve(a, b)
+        sizes = np.array([0.002 * np.hypot(*x[3:5]), 0.002 * np.hypot(*x[5:7]), 0.1 * abs(x[9])])
+    return x[0]
+
+
+def test_rows_of_a_slider_crank_are_those_of_newton_and_euler():
+    run, theta, w, worst = rubbing("example-2-motor", RUBS), 0.0, 0.0, 0.0
+    for row in range(61):
+        own = run.motion.coordinates[row][0], run.motion.column("w1")[row]
+        worst = max(worst, abs(own[0] - theta), abs(own[1] - w))
+        theta, w = theta + 0.01 * w, w + 0.01 * slider_crank(theta, w)
+    assert worst < 1e-12
+
+
+def test_the_motion_itself_turns_round_with_its_guide_and_keeps_account_of_its_energy():
+    run = rubbing("example-2-motor", RUBS)
+    exact = run.scene.exact_analysis
+    left, exchanged = remainder(exact)
+    assert np.abs(left).max() < 1e-3 * exchanged and exact.energy.friction.min() < -10
+    # From rest in a dead position the slider has neither speed nor acceleration: it rubs all the same.
+    assert exact.energy.friction[1] < 0
+
+
+def test_joints_of_a_falling_arm_take_energy():
+    pin = '{ coefficient = "0.2", radius = "20 mm" }'
+    energy = rubbing("falling-arm", f"D = {pin}\nA = {pin}").scene.exact_analysis.energy
+    total = energy.kinetic + energy.potential
+    assert (np.diff(total) < 0).all()
+
+
+def test_a_slider_that_locks_is_told_with_its_time():
+    run = rubbing("example-2-motor", 'C = { coefficient = "4" }')
+    for stop in (run.scene.stop, run.motion.stop):
+        assert stop is not None and stop.kind == "locked" and 0.2 < stop.time < 0.4 and "C locks" in str(stop.sentence)
+
+
+def test_reactions_that_are_not_unique_leave_friction_unknown():
+    motor = '[motor]\nrates = ["w1"]\n1 = { torque = "1 N*m" }\n'
+    text = PARALLEL.replace('[drive]\nw1 = "w0"\n', motor) + '[friction]\nA = { radius = "10 mm", coefficient = "0.1" }\n'
+    with pytest.raises(coursework.InputError, match="V718"):
+        coursework.solve(coursework.parse_variant(text)).motion  # noqa: B018
