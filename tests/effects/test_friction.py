@@ -95,6 +95,11 @@ def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_
     assert json.loads(record)["mean_moment"] is None
 
 
+def test_a_coefficient_among_the_data_is_a_plain_number():
+    data = ("[given]", '[given]\nmu = "7"'), ("[ask]", '[friction]\nC = { coefficient = "mu" }\n\n[ask]')
+    assert coursework.parse_variant(text_of("example-2-forces", *data)).remarks == ()
+
+
 def test_a_file_without_friction_has_none():
     assert of("example-2-forces").reactions.friction == ()
     assert not of("example-2-forces").energy.friction.any()

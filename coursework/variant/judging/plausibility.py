@@ -160,7 +160,7 @@ def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]
     """Yield what stands as a term of an angle, and where: in sin, cos, tan, behind @, or where an angle is wanted."""
     for place in places:
         for tree in place.formulas:
-            if place.wanted == {}:
+            if place.wanted == {} and place.path[-1] != "coefficient":  # of friction, which is no angle
                 yield from ((place, term) for term in terms(tree))
             for node in tree.walk():
                 if node.op == "call" and node.name in {"sin", "cos", "tan"}:
