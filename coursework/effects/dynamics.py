@@ -11,20 +11,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from coursework.effects.equations_of_motion import EquationsOfMotion
-from coursework.effects.held import STILL, Held
+from coursework.effects.held import Held
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, Sum
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-
-if TYPE_CHECKING:
-    from coursework.effects.rubbing import Rubbing
 
 # Corrections of a slope, and how small the last one is (rad or m): what it leaves is of the size of its square.
 MOST_NEWTON, CLOSED = 12, 1e-8
@@ -35,9 +31,6 @@ MOST_STEPS = 3000  # from a row to the next one: more are taken where a dead poi
 _SLOWER = 0.9  # of the last rate: so much slower was the one beside which a dead point is looked for
 _LEAST = 1e-11  # of the whole time: a shorter step is none
 _ALONE = ((0, 1),)  # the first slope, nothing beside it
-_TRIALS = 60
-_LATER = 1e-5  # s
-_SHARP, _STANDS = 1e-14, 1e-9  # of a step: so well is known where a pair turns round; of its speeds: it stands there
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
 
 
@@ -144,7 +137,7 @@ class Dynamics:
 
         at, state, rubbing = t, np.array([*now, t]), self.motion.rubbing
         if rubbing is not None and not rubbing.held:
-            self._begin(rubbing, moving, state, ())
+            rubbing.begin(moving, self._where, state)
         begin, tries = (list(self.q), list(self._rates)), 0
         passed: list[tuple[float, float]] = []
         while goal - at > _LEAST * whole:
@@ -152,18 +145,18 @@ class Dynamics:
             if tries > MOST_STEPS:
                 self.q, self._rates = begin
                 raise Open(_dead_point(at, passed))
-            kept = list(self.q), list(self._rates)
+            kept, why = (list(self.q), list(self._rates)), None
             try:
                 slope = np.array(moving(*state.tolist()))
                 passed.append((at, max(map(abs, self._rates[1:]), default=0.0)))
                 after, error = dormand_prince_8(moving, state, slope, taken)
                 sizes = TOLERANCE * (1.0 + np.abs(state[:-1]))
                 ratio = float(np.max(np.abs(np.array(error[:-1])) / sizes))
-            except (Open, Held, ZeroDivisionError, OverflowError) as error:
-                ratio, why = math.inf, error
+            except (Open, Held, ZeroDivisionError, OverflowError) as stopped:
+                ratio, why = math.inf, stopped
             if ratio <= 1.0:
                 if rubbing is not None:
-                    taken, after = self._turned(rubbing, moving, (state, slope), taken, after)
+                    taken, after = rubbing.turned(moving, self._where, (state, slope), taken, after)
                 at, state = at + taken, after
                 if taken == length[0] or ratio > 0:
                     length[0] = max(length[0], taken) if taken < length[0] else next_length(taken, ratio, 8)
@@ -177,53 +170,10 @@ class Dynamics:
                 raise Open(_dead_point(at, passed))
         return [float(value) for value in state[:-1]]
 
-    def _turned(
-        self, rubbing: Rubbing, moving: Callable[..., list[float]], begin: tuple[Array, Array], taken: float, after: Array
-    ) -> tuple[float, Array]:
-        """Return a step as far as the first pair that turns round in it, and settle which way that one goes on."""
-        state, slope = begin
-
-        def least(found: Sequence[float]) -> float:
-            return min(sign * v for sign, v in zip(rubbing.held, found, strict=True))
-
-        found = self._speeds(rubbing, after)
-        if least(found) >= 0:
-            return taken, after
-        sizes, kept = [abs(v) for v in found], (list(self.q), list(self._rates))
-
-        def left(length: float) -> float:
-            nonlocal after, found
-            self.q, self._rates = map(list, kept)
-            after, _ = dormand_prince_8(moving, state, slope, length)
-            found = self._speeds(rubbing, after)
-            return least(found)
-
-        taken = _crossing(left, taken, (least(self._speeds(rubbing, state)), least(found)))
-        left(taken)
-        still = [abs(v) <= _STANDS * max(size, *sizes) for v, size in zip(found, sizes, strict=True)]
-        self._begin(rubbing, moving, after, still)
-        return taken, after
-
-    def _speeds(self, rubbing: Rubbing, state: Array) -> list[float]:
-        """Return how fast the pairs slide in a state with its time behind it."""
-        self.slope(float(state[-1]), state[:-1].tolist())
-        return rubbing.state(float(state[-1]), *self.q, *state[len(self.motion.free) : -1].tolist()).speeds
-
-    def _begin(self, rubbing: Rubbing, moving: Callable[..., list[float]], state: Array, still: Sequence[bool]) -> None:
-        """Settle which way every pair goes on, those that stand `still` too.  Raises `Held`."""
-        try:
-            signs = rubbing.signs(float(state[-1]), *self.q, *state[len(self.motion.free) : -1].tolist(), still=still)
-        except Held as error:
-            raise error.seen(float(state[-1])) from None
-        # A pair whose speed and acceleration both are 0, as in a dead position from rest, is seen to go a little later.
-        kept, rubbing.held = (list(self.q), list(self._rates)), signs
-        later, _ = dormand_prince_8(moving, state, np.array(moving(*state.tolist())), _LATER)
-        found = self._speeds(rubbing, later)
-        least = STILL * max(map(abs, found))
-        rubbing.held = tuple(
-            sign or (math.copysign(1.0, v) if abs(v) > least else 0.0) for sign, v in zip(signs, found, strict=True)
-        )
-        self.q, self._rates = kept
+    def _where(self, *state: float) -> tuple[float, ...]:
+        """Return time, closed position and free rates of a state with its time behind it."""
+        self.slope(state[-1], state[:-1])
+        return (state[-1], *self.q, *state[len(self.motion.free) : -1])
 
     def _march(self, state: Sequence[float], step: float, steps: int, take: Take) -> FreeMotion:
         count, now = len(self.motion.free), list(state)
@@ -253,23 +203,6 @@ class Dynamics:
         size = len(positions)
         q, v = np.array(positions).reshape(size, -1), np.array(rates).reshape(size, count)
         return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by)
-
-
-def _crossing(left: Callable[[float], float], high: float, ends: tuple[float, float]) -> float:
-    """Return the length of a step at whose end nothing is `left`; at 0 and `high` are `ends` left, the second one below 0."""
-    low, side, width, (at_low, at_high) = 0.0, 0, high, ends
-    for _ in range(_TRIALS):
-        # The straight line through both ends; one that stays twice counts half (Illinois), so that both close in.
-        between = (low * at_high - high * at_low) / (at_high - at_low)
-        between = between if low < between < high else (low + high) / 2
-        value = left(between)
-        if value == 0 or high - low <= _SHARP * width:
-            return between
-        if value < 0:
-            high, at_high, at_low, side = between, value, at_low / (2 if side < 0 else 1), -1
-        else:
-            low, at_low, at_high, side = between, value, at_high / (2 if side > 0 else 1), 1
-    return high
 
 
 def _dead_point(at: float, passed: Sequence[tuple[float, float]]) -> float:

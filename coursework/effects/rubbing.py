@@ -18,11 +18,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.effects.held import STILL, Held
+from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 ROUNDS, SETTLED = 200, 4e-16  # of a fixed point that shrinks by a third or more a round
 MOST_TURNS = 4  # guesses which way pairs go that stand still
+LATER = 1e-5  # s
+TRIALS, SHARP = 60, 1e-14  # of a step: so well is known where a pair turns round
+STANDS = 1e-9  # of the speeds: a pair stands there
+Moving = Callable[..., list[float]]  # a state, its time last -> how it changes
+Where = Callable[..., tuple[float, ...]]  # the same -> time, closed position, free rates
 
 
 @frozen
@@ -130,6 +136,43 @@ class Rubbing:
             found.append(0.0 if none else math.copysign(1.0, way))
         return found
 
+    def begin(self, moving: Moving, where: Where, state: Array, still: Sequence[bool] = ()) -> None:
+        """Hold the signs with which every pair goes on, those that stand `still` too.  Raises `Held`."""
+        try:
+            signs = self.held = self.signs(*where(*state.tolist()), still=still)
+        except Held as error:
+            raise error.seen(float(state[-1])) from None
+        # A pair whose speed and acceleration both are 0, as in a dead position from rest, is seen to go a little later.
+        later, _ = dormand_prince_8(moving, state, np.array(moving(*state.tolist())), LATER)
+        found = self.speeds(where, later)
+        least = STILL * max(map(abs, found))
+        self.held = tuple(
+            sign or (math.copysign(1.0, v) if abs(v) > least else 0.0) for sign, v in zip(signs, found, strict=True)
+        )
+
+    def speeds(self, where: Where, state: Array) -> list[float]:
+        """Return how fast the pairs slide in a state."""
+        return self.state(*where(*state.tolist())).speeds
+
+    def turned(self, moving: Moving, where: Where, begin: tuple[Array, Array], taken: float, after: Array) -> tuple[float, Array]:
+        """Return a step, from a state and its slope, as far as the first pair that turns round in it; from there it begins anew."""
+        (state, slope), ends = begin, {}
+        """Return a step from a state and its slope, as far as the first pair that turns round in it: there it begins anew."""
+        def left(length: float) -> float:
+            end = after if length == taken else dormand_prince_8(moving, state, slope, length)[0]
+            ends[length] = end, self.speeds(where, end)
+            return min(sign * v for sign, v in zip(self.held, ends[length][1], strict=True))
+
+        at_end = left(taken)
+        if at_end >= 0:
+            return taken, after
+        sizes = [abs(v) for v in ends[taken][1]]
+        at_begin = min(sign * v for sign, v in zip(self.held, self.speeds(where, state), strict=True))
+        length = _crossing(left, taken, (at_begin, at_end))
+        end, found = ends[length]
+        self.begin(moving, where, end, [abs(v) <= STANDS * max(size, *sizes) for v, size in zip(found, sizes, strict=True)])
+        return length, end
+
     def taken(self, count: int, *rows: Array) -> Array:
         """Return what friction adds to the `count` free accelerations (f, n) of t, coordinates and free rates, each (n,)."""
         states = [self.state(*map(float, row)) for row in zip(*rows, strict=True)]
@@ -146,3 +189,20 @@ class Rubbing:
 
 def _signs(speeds: Sequence[float]) -> list[float]:
     return [math.copysign(1.0, v) if v else 0.0 for v in speeds]
+
+
+def _crossing(left: Callable[[float], float], high: float, ends: tuple[float, float]) -> float:
+    """Return the length of a step at whose end nothing is `left`; at 0 and `high` are `ends` left, the second one below 0."""
+    low, side, width, (at_low, at_high) = 0.0, 0, high, ends
+    for _ in range(TRIALS):
+        # The straight line through both ends; one that stays twice counts half (Illinois), so that both close in.
+        between = (low * at_high - high * at_low) / (at_high - at_low)
+        between = between if low < between < high else (low + high) / 2
+        value = left(between)
+        if value == 0 or high - low <= SHARP * width:
+            return between
+        if value < 0:
+            high, at_high, at_low, side = between, value, at_low / (2 if side < 0 else 1), -1
+        else:
+            low, at_low, at_high, side = between, value, at_high / (2 if side > 0 else 1), 1
+    return high
