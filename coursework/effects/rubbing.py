@@ -1,7 +1,7 @@
 """Friction while forces move a mechanism: what it takes from the free accelerations of a state, and which way pairs go.
 
 Enters: a `State` without friction.  Leaves: `Rubbing`; raises `Held`.  Imported for a file with [friction] only.
-Used by `rubbed_motion.py`, which finds the states, and `dynamics.py`.
+Used by `rubbed_motion.py`, which finds the states, and `equations_of_motion.py`, which carries it.
 
 At a state the reactions are straight in the free accelerations, R = R0 + D a, and every pair adds its own share, R += s f G,
 with the size f of its friction, which the reactions give, and the sign s of its sliding.  The drives keep what the motor
@@ -155,9 +155,9 @@ class Rubbing:
         return self.state(*where(*state.tolist())).speeds
 
     def turned(self, moving: Moving, where: Where, begin: tuple[Array, Array], taken: float, after: Array) -> tuple[float, Array]:
-        """Return a step, from a state and its slope, as far as the first pair that turns round in it; from there it begins anew."""
-        (state, slope), ends = begin, {}
         """Return a step from a state and its slope, as far as the first pair that turns round in it: there it begins anew."""
+        (state, slope), ends = begin, {}
+
         def left(length: float) -> float:
             end = after if length == taken else dormand_prince_8(moving, state, slope, length)[0]
             ends[length] = end, self.speeds(where, end)
