@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from coursework.effects.force_scheme import Body, ForceScheme, Unknown, torques_beside_drives
+from coursework.effects.force_scheme import Body, ForceScheme, Unknown, inertia_of, torques_beside_drives
 from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, add
 from coursework.equations.algebra.functions import call, cosine, sine
@@ -22,7 +22,6 @@ from coursework.mechanism.joints import FRAME
 from coursework.motion.geometry.time_derivatives import acceleration_rest, derivative, second_rate
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
-from coursework.variant.record.forces import DISC, ROD
 
 COUPLE = 2
 _KINDS = {"x": 0, "y": 1, "couple": COUPLE}  # an unknown along a line has 3 and the number of its direction
@@ -124,17 +123,13 @@ class ActingWriter:
         square = way[0] ** 2 + way[1] ** 2
         return cross(way, moved) / square, cross(way, second) / square
 
+    def square(self, first: Formula, last: Formula) -> Expression:
+        """Return the square of a distance."""
+        (ax, ay), (bx, by) = self.vector(first), self.vector(last)
+        return (bx - ax) ** 2 + (by - ay) ** 2
+
     def inertia(self, body: Body) -> Expression:
-        found = ZERO
-        if isinstance(body.inertia, str):
-            assert body.span is not None
-            (ax, ay), (bx, by) = map(self.vector, body.span)
-            found = self.scalar(body.mass) * ((bx - ax) ** 2 + (by - ay) ** 2) / {ROD: 12, DISC: 2}[body.inertia]
-        elif body.inertia is not None:
-            found = self.scalar(body.inertia)
-        wheel = self.scheme.forces.flywheel
-        if wheel is not None and self.scheme.body_named(wheel.on) == body.name:
-            found = found + self.scalar(wheel.inertia)
+        found: Expression = inertia_of(self.scheme, body, self.scalar, self.square)
         return found
 
     def wrench(self, body: Body) -> Iterator[Expression]:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from coursework.effects.closed_positions import newton_statements
-from coursework.effects.force_scheme import Body, ForceScheme
+from coursework.effects.force_scheme import Body, ForceScheme, inertia_of
 from coursework.equations.algebra.calculus import derivative
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, add
 from coursework.equations.algebra.functions import call
@@ -29,7 +29,8 @@ from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.joints import FRAME
 from coursework.motion.geometry.time_derivatives import acceleration_rest, second_rate
 from coursework.system.frozen import frozen
-from coursework.variant.record.forces import DISC, ROD, Load
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.forces import Load
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -156,20 +157,16 @@ class MotionWriter:
         """Put masses and inertias among the numbers: they do not change with the motion."""
         symbols, wanted = self.equations.symbols, self.weights
         for place, body in enumerate(self.scheme.bodies):
-            if body.mass is None:
-                continue
             with placed(self.equations.variant, "masses", 1):
-                mass = wanted[f"_m{place}"] = symbols.scalar(body.mass)
-                if isinstance(body.inertia, str):
-                    assert body.span is not None
-                    (ax, ay), (bx, by) = map(symbols.vector, body.span)
-                    share = {ROD: 12, DISC: 2}[body.inertia]
-                    wanted[f"_j{place}"] = mass * ((bx - ax) ** 2 + (by - ay) ** 2) / share
-                elif body.inertia is not None:
-                    wanted[f"_j{place}"] = symbols.scalar(body.inertia)
-        flywheel = self.scheme.forces.flywheel
-        if flywheel is not None and flywheel.inertia is not None:
-            wanted["_jf"] = symbols.scalar(flywheel.inertia)
+                if body.mass is not None:
+                    wanted[f"_m{place}"] = symbols.scalar(body.mass)
+                inertia = inertia_of(self.scheme, body, lambda one: ZERO if one is None else symbols.scalar(one), self._square)
+            if inertia is not ZERO:
+                wanted[f"_j{place}"] = inertia
+
+    def _square(self, first: Formula, last: Formula) -> Expression:
+        (ax, ay), (bx, by) = map(self.equations.symbols.vector, (first, last))
+        return (bx - ax) ** 2 + (by - ay) ** 2
 
     def _analog_of(self, expression: Expression, k: int) -> Expression:
         """Return how fast an expression of the positions changes with the free rate k."""
@@ -201,15 +198,11 @@ class MotionWriter:
         right = [ZERO for _ in range(count)]
         potential = [ZERO]
         gravity = tuple(map(symbols.scalar, self.scheme.forces.gravity)) if self.scheme.forces.gravity else (ZERO, ZERO)
-        flywheel = self.scheme.forces.flywheel
         for place, body in enumerate(self.scheme.bodies):
-            if body.mass is None and not (flywheel and self.scheme.body_named(flywheel.on) == body.name):
+            mass, inertia = (local(name) if name in self.weights else ZERO for name in (f"_m{place}", f"_j{place}"))
+            if mass is inertia:
                 continue
             centre = symbols.vector(body.centre)
-            mass = local(f"_m{place}") if body.mass is not None else ZERO
-            inertia = local(f"_j{place}") if f"_j{place}" in self.weights else ZERO
-            if flywheel and "_jf" in self.weights and self.scheme.body_named(flywheel.on) == body.name:
-                inertia = inertia + local("_jf")
             ways = [tuple(self._analog_of(part, k) for part in centre) for k in range(count)]
             second = tuple(second_rate(self.equations, symbols.rate(part)) for part in centre)
             turned, bias = self._turning(body) if inertia is not ZERO else ([ZERO] * count, ZERO)

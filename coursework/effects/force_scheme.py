@@ -10,13 +10,14 @@ rolls.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
 
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.structure import in_order
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
-from coursework.variant.record.forces import Forces, Load
+from coursework.variant.record.forces import DISC, ROD, Forces, Load
 
 
 @frozen
@@ -89,6 +90,22 @@ class ForceScheme:
         """Return the body that holds a point, a block before the link that it is hinged on, the frame where none does."""
         holders = [name for name in in_order(self.holds) if name != FRAME and point in self.holds[name]]
         return next((name for name in holders if len(self.holds[name]) == 1), holders[0] if holders else FRAME)
+
+
+def inertia_of(
+    scheme: ForceScheme, body: Body, scalar: Callable[[Formula | None], Any], square: Callable[[Formula, Formula], Any]
+) -> Any:
+    """Return the moment of inertia about the centre of mass, that of a flywheel on the body included.
+
+    In what `scalar` gives of a formula, 0 of none, and `square` of the distance of two points: rows of numbers, or expressions.
+    """
+    if isinstance(body.inertia, str):
+        assert body.span is not None
+        found = scalar(body.mass) * square(*body.span) / {ROD: 12, DISC: 2}[body.inertia]
+    else:
+        found = scalar(body.inertia)
+    wheel = scheme.forces.flywheel
+    return found if wheel is None or scheme.body_named(wheel.on) != body.name else found + scalar(wheel.inertia)
 
 
 def torques_beside_drives(scheme: ForceScheme) -> Iterator[tuple[str, str, Load]]:

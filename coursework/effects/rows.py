@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.effects.force_scheme import Body, ForceScheme, Unknown
+from coursework.effects.force_scheme import Body, ForceScheme, Unknown, inertia_of
 from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.expression import Expression, add
 from coursework.equations.reduction.equations import VelocityEquations
@@ -22,7 +22,6 @@ from coursework.motion.geometry.time_derivatives import compile_rows, derivative
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
 from coursework.variant.formula.tree import Formula
-from coursework.variant.record.forces import DISC, ROD
 
 # Level of a value: where it is, how fast it changes, how fast that changes.
 PLACE, RATE, SECOND = 0, 1, 2
@@ -97,15 +96,9 @@ class Rows:
 
     def inertia(self, body: Body) -> Array:
         """Return the moment of inertia about the centre of mass (n,) kg m², that of a flywheel on the body included."""
-        wheel = self.scheme.forces.flywheel
-        turning = wheel is not None and wheel.inertia is not None and self.scheme.body_named(wheel.on) == body.name
-        added = self.scalar(wheel.inertia) if wheel is not None and turning else 0.0
-        if isinstance(body.inertia, str):
-            assert body.span is not None
-            length = np.abs(self.vector(body.span[1]) - self.vector(body.span[0]))
-            found: Array = self.mass(body) * length**2 * {ROD: 1 / 12, DISC: 1 / 2}[body.inertia] + added
-            return found
-        return np.asarray(self.scalar(body.inertia) + added)
+        vector = self.vector
+        found: Array = inertia_of(self.scheme, body, self.scalar, lambda first, last: np.abs(vector(last) - vector(first)) ** 2)
+        return found
 
     @cached_property
     def length(self) -> float:

@@ -46,7 +46,7 @@ def unit_motions(rows: Rows, equations: VelocityEquations) -> Array | None:
     found = found.reshape(rows.count, len(own), len(names) + len(drives))
     matrix, right = found[..., : len(names)], found[..., len(names) :]
     known = [[float(drive == rate) for drive in drives] for rate in equations.variant.known_rates]
-    driven = np.broadcast_to(np.array(known).reshape(-1, len(drives)), (rows.count, len(known), len(drives)))
+    driven = np.broadcast_to(np.array(known, dtype=float).reshape(len(known), len(drives)), (rows.count, len(known), len(drives)))
     if len(own) == len(names):
         try:
             return np.concatenate([np.linalg.solve(matrix, right), driven], axis=1)

@@ -256,14 +256,14 @@ class WayToMotion:
 
     def exact_at(self, times: Array) -> Motion:
         """Return the exact motion at times (s) that grow from 0, no row where it cannot be had."""
-        equations, every, count = self.equations, self.every_rate, len(self.reduction.blocks)
+        equations, every = self.equations, self.every_rate
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         with suppress(OutOfReach):
             if passages := self.search.passages:
                 return passing_motion(every, self.start, times, passages, self.passed)
             with suppress(NotReached):
-                return exact_motion(equations, every, self.closure, self.start, times, count, positions)
-            return exact_motion(equations, every, None, self.start, times, count)
+                return exact_motion(every, self.closure, self.start, times, positions)
+            return exact_motion(every, None, self.start, times)
         return no_rows(every)
 
     def charged(self, error: Exception) -> InputError | None:

@@ -23,6 +23,10 @@ def distinct(*values: NDArray[Any]) -> NDArray[Any]:
 
 
 def median(values: NDArray[Any]) -> NDArray[Any]:
-    """Return the median of each column, as `np.median` does, which imports masked arrays too."""
+    """Return the median of each column, as `np.median` does, which imports masked arrays too.
+
+    >>> [float(median(np.array(column))) for column in ([7.0], [7.0, 2.0], [7.0, 2.0, 3.0], [7.0, 2.0, 3.0, 0.0, 4.0, 1.0])]
+    [7.0, 4.5, 3.0, 2.5]
+    """
     ordered, rows = np.sort(values, axis=0), len(values)
     return np.asarray((ordered[(rows - 1) // 2] + ordered[rows // 2]) / 2)

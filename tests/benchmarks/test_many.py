@@ -3,7 +3,7 @@
 import numpy as np
 
 import coursework
-from coursework.equations.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import structures
 from tests.benchmarks.timer import ratio, spent
 
 SETS = 1000
@@ -69,7 +69,7 @@ if __name__ == "__main__":
     model, data = coursework.compile_model("31"), sets()
 
     def compiled():
-        forget_structures()
+        structures.cache_clear()
         return coursework.compile_model("31").program
 
     print(f"compile {spent(compiled, 5) * 1e3:.1f} ms")

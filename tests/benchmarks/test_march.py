@@ -131,7 +131,7 @@ def table_march(scene):
 def exact_rows(scene):
     """Return the call that makes the exact rows: positions by the closure, velocities, determinants."""
     times = np.arange(STEPS + 1) * (0.48 / STEPS)
-    return lambda: exact_motion(scene.equations, scene.rates, scene.closure, scene.start, times, len(scene.reduction.blocks))
+    return lambda: exact_motion(scene.rates, scene.closure, scene.start, times)
 
 
 def test_the_march_of_a_table_against_c(scene, in_c):

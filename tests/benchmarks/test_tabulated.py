@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 import coursework
-from coursework.equations.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import structures
 from coursework.words.data_folders import folder
 from tests.benchmarks.timer import ratio
 
@@ -23,7 +23,7 @@ def test_a_long_table_costs_little_more_than_a_short_one(nodes, method, tmp_path
     (tmp_path / "long.csv").write_text(rows, encoding="utf-8")
 
     def whole(path):
-        forget_structures()
+        structures.cache_clear()
         run = coursework.solve(path, quantities=["table", "checks"])
         return run.columns(), run.checks
 

@@ -30,7 +30,7 @@ SPENT = """
 import os, shutil, sys
 import coursework.commands.accuracy
 from coursework.commands.cli import main
-from coursework.equations.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import structures
 from coursework.system import budget
 
 def status(*arguments):
@@ -46,7 +46,7 @@ os.chdir("..")
 shutil.rmtree("first")
 print("spent", flush=True)
 budget.PACE = 0.001
-forget_structures()  # of a template that this process knows, a table would be there in time
+structures.cache_clear()  # of a template that this process knows, a table would be there in time
 sys.exit(status(sys.argv[1], "31", "--budget", "0.005"))
 """
 

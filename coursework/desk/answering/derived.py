@@ -66,7 +66,7 @@ def _parts(one: VelocityEquation, found: VelocityEquations) -> int:
 
 
 def _rank(matrices: Any) -> int:
-    return int(np.linalg.matrix_rank(matrices, tol=SAME * max(1.0, float(np.abs(matrices).max(initial=0.0)))).max(initial=0))
+    return int(np.linalg.matrix_rank(matrices, tol=SAME * np.abs(matrices).max(initial=0.0)).max())
 
 
 def _written(name: str, one: VelocityEquation, found: VelocityEquations, desk: Desk) -> list[str]:

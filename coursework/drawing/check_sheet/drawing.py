@@ -85,8 +85,8 @@ class _Drawing:
         self.middle = self.painter.middle
 
     def svg(self, title: str) -> str:
-        for name, centre in (*self.findings.drawn.items(), *self.findings.specials.items()):
-            self.construction(name, centre)
+        for centre in (*self.findings.drawn.values(), *self.findings.specials.values()):
+            self.construction(centre)
         self.painter.fixed()
         self.painter.moving()
         for name in self.points:
@@ -117,7 +117,7 @@ class _Drawing:
         places = [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0), (tip - arrow / 4, 1j * away, 1.0)]
         self.marks.append((("V", lowered_name(name), value), places if seen else places[:1], (tip - arrow / 2, tip)))
 
-    def construction(self, link: str, centre: Centre) -> None:
+    def construction(self, centre: Centre) -> None:
         """Draw the lines that lead from two points to a centre, or to where they leave the sheet."""
         if centre.at is not None:
             for name in centre.lines:

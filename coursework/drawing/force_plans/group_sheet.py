@@ -79,7 +79,7 @@ def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[
     corner = complex(EDGE - left, EDGE + (top + high + low) / 2)
     _draw_links(sheet, figure, shown, lambda z: corner + ((z - middle) * (1000 / scale)).conjugate())
     pole = complex(width - EDGE - end, EDGE + (top + over + under) / 2)
-    _draw_polygon(sheet, plan, shown, [pole + tip.conjugate() for tip in tips], row)
+    _draw_polygon(sheet, plan, shown, [pole + tip.conjugate() for tip in tips])
     names = ", ".join(plan.bodies)
     lines = [say("drawing.scale", scale=ratio(scale)), say("plans.scale", scale=decimal(unit), unit="N")]
     draw_foot(sheet, lines, say("drawing.title", row=row + 1, time=figure.time), (unit, "N"), written)
@@ -119,7 +119,7 @@ def _draw_links(sheet: Sheet, figure: Figure, shown: Sequence[ForceVector], put:
         sheet.label(vector.word, [(tip, tip - at, 0.8)], ITALIC, owner=Owner([(at, tip)]))
 
 
-def _draw_polygon(sheet: Sheet, plan: GroupPlan, shown: Sequence[ForceVector], tips: Sequence[complex], row: int) -> None:
+def _draw_polygon(sheet: Sheet, plan: GroupPlan, shown: Sequence[ForceVector], tips: Sequence[complex]) -> None:
     for vector, tail, tip in zip(shown, tips[:-1], tips[1:], strict=True):
         data = f' data-plan="force" data-name="{vector.name}"'
         sheet.arrow(tail, tip, PENS[vector.role], data, head=min(2.6, 0.6 * abs(tip - tail)), heavy=True)

@@ -65,7 +65,7 @@ def _solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solu
         shown = []
         for name, numerator in zip(block.unknowns, block.numerators, strict=True):
             plain = quotient(numerator, bottom, order)
-            if before and before.keys() & numerator.free_symbols:
+            if before.keys() & numerator.free_symbols:
                 other = quotient(replaced(numerator, before), bottom, order)
                 plain = other if _size(other) < _size(plain) else plain
             shown.append((name, plain))

@@ -6,15 +6,13 @@ Used by `way_to_motion.py` and `scene/model/model.py`: a class of five hundred d
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from dataclasses import replace
+from functools import lru_cache
 
 from coursework.equations.reduction.equations import VelocityEquations, differentiate
 from coursework.mechanism.mechanism import Mechanism, build
 from coursework.system.frozen import changing
 from coursework.variant.record.variant import Coordinate, Given, Law, Time, Variant
-
-MOST_KEPT = 64  # structures kept at once: a class has one or a few, and the catalogue, run again and again, fits whole
 
 
 @changing
@@ -35,22 +33,15 @@ class Structure:
         return replace(self._equations, variant=mechanism.variant)
 
 
-_kept: OrderedDict[Variant, Structure] = OrderedDict()
+@lru_cache(maxsize=64)  # a class has one or a few, and the catalogue, run again and again, fits whole
+def structures(_without_data: Variant) -> Structure:
+    """Return the structure of all variants that are the same without their data."""
+    return Structure()
 
 
 def structure_of(variant: Variant) -> Structure:
     """Return the structure of a variant: the same one for each that differs in its data only."""
-    key = without_data(variant)
-    structure = _kept.setdefault(key, Structure())
-    _kept.move_to_end(key)
-    while len(_kept) > MOST_KEPT:
-        _kept.popitem(last=False)
-    return structure
-
-
-def forget_structures() -> None:
-    """Forget every structure: the next variant is a first one, as in a process of its own."""
-    _kept.clear()
+    return structures(without_data(variant))
 
 
 def without_data(variant: Variant) -> Variant:

@@ -12,7 +12,6 @@ from contextlib import suppress
 
 import numpy as np
 
-from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.drive import resolution
 from coursework.motion.integration.following import follow_closure
@@ -175,9 +174,8 @@ def _step(times: Array) -> float:
 
 
 def exact_motion(
-    equations: VelocityEquations, rates: Rates, closure: Closure | None, start: Sequence[float], times: Array,
-    blocks: int, chain: Callable[[Array], Array] | None = None,
-) -> Motion:  # fmt: skip
+    rates: Rates, closure: Closure | None, start: Sequence[float], times: Array, chain: Callable[[Array], Array] | None = None
+) -> Motion:
     """Return the exact motion at `times` (rows up to a dead point only).
 
     Raises `NotReached` where a closure cannot be followed although no dead point was found before, `OutOfReach` where a motion

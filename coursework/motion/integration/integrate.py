@@ -98,10 +98,10 @@ def _followed(
         try:
             row = rates.evaluate(t, *q.tolist())
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _first_stop(stop, _broken("event.singular", index, t, step, q, rates))
+            stop = _first_stop(stop, _broken("event.singular", index, t, step, q))
             break
         if not np.all(np.isfinite(row)) and _has_outgrown(q):
-            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q, rates))
+            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q))
             break
         if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
             stop = _first_stop(stop, found)
@@ -112,7 +112,7 @@ def _followed(
         try:
             moved = scheme.step(rates.slopes((index + 1) * step), t, q, step, np.array(row[:size]))
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _first_stop(stop, _broken("event.singular_inside", index, t, step, q, rates))
+            stop = _first_stop(stop, _broken("event.singular_inside", index, t, step, q))
             break
         wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
         if wide:
@@ -123,7 +123,7 @@ def _followed(
             moved = corrected(correction, targets, index, step, t, q, moved)
         q = moved
         if not np.all(np.isfinite(q)):
-            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q, rates))
+            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q))
             break
     return rows, stop
 
@@ -176,7 +176,7 @@ def _too_wide(name: str, turned: float, index: int, t: float, step: float, q: Ar
     return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, say("event.smaller_step"))
 
 
-def _broken(what: str, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
+def _broken(what: str, index: int, t: float, step: float, q: Array) -> Stop:
     if _has_outgrown(q):  # what then has no value has none because of the rows before
         cause = say("event.broken", row=index + 1, time=t, what=say("event.overflow"))
         return Stop(TOO_LARGE, t, float(index), (), {}, cause, say("event.smaller_step"))

@@ -110,8 +110,7 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     if len(sizes) > 1 and sizes[-2] < 1e-6 * sizes[0]:
         return ()
     w, v = left[:, -1], directions[-1]
-    inverse = np.where(sizes > 1e-4 * scale, 1.0 / np.where(sizes > 0, sizes, 1.0), 0.0) if len(sizes) > 1 else np.zeros(1)
-    particular = directions.T @ (inverse * (left.T @ right))
+    particular = directions[:-1].T @ ((left[:, :-1].T @ right) / sizes[:-1])  # any other differs by a part of v
     place = flow.places[block]
     own = [(i, place.unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in place.unknowns]
 

@@ -38,15 +38,6 @@ _PLACE = re.compile(r"┌─ .*?reports/(?P<name>[^:\n]+):(?P<line>\d+):")  # in
 _ALONE = threading.Lock()  # a compiler that is used again serves one thread at a time
 
 
-def is_available() -> bool:
-    """Return whether Typst can be loaded here."""
-    try:
-        _typst()
-    except OutputError:
-        return False
-    return True
-
-
 def _typst() -> Any:
     try:
         import typst

@@ -57,7 +57,7 @@ def _links(context: PageContext, found: Structure) -> str:
     if not pivots:
         shown = [say("structure.frame_alone")]
     for link in found.links:
-        kind = say(f"structure.kind.{_kind(context, link, found)}")
+        kind = say(f"structure.kind.{_kind(context, link)}")
         shown.append(say("structure.link", name=clean(link.name), kind=kind, points=_points(link.points)).rstrip())
     return say("join.semicolon").join(shown)
 
@@ -68,7 +68,7 @@ def _points(points: Sequence[str]) -> str:
     return unbroken(between.join(clean(point) for point in points)) if points else ""
 
 
-def _kind(context: PageContext, link: Member, found: Structure) -> str:
+def _kind(context: PageContext, link: Member) -> str:
     """Return the word for a link; whether one on a pivot is a crank or a rocker, its motion tells."""
     if link.kind != "pivoted":
         return link.kind

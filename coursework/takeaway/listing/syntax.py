@@ -44,6 +44,9 @@ class Syntax:
     end: str = ";"
     knows_case: bool = True
     wrap: str = ""  # what stands at the end of a line that goes on
+    around: tuple[str, str] = ("", "")  # what holds a value of several lines
+    unpacks: str = ""  # how several names take what one function gives; "" where none gives more than one
+    divides: bool = False  # whether a matrix divides a column
 
 
 def _words(text: str) -> frozenset[str]:
@@ -52,9 +55,11 @@ def _words(text: str) -> frozenset[str]:
 
 PYTHON = Syntax(
     "python", "py", frozenset((*keyword.kwlist, *_MATH, "print", "range", "min", "max", "int")), {"pow": "pow"},
-    "({yes} if {holds} else {no})", "# ", end="",
+    "({yes} if {holds} else {no})", "# ", end="", around=("(", ")"), unpacks="{names} = ",
 )  # fmt: skip
-OCTAVE = Syntax("octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ", wrap=" ...")
+OCTAVE = Syntax(
+    "octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ", wrap=" ...", divides=True,
+)  # fmt: skip
 C = Syntax("c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ")
 PASCAL = Syntax(
     "pascal", "pas", _words(_PASCAL) | {*_MATH},
@@ -63,7 +68,7 @@ PASCAL = Syntax(
 )  # fmt: skip
 JAVASCRIPT = Syntax(
     "javascript", "js", _words(_JAVASCRIPT) | {*_MATH}, {name: f"Math.{name}" for name in _MATH},
-    "({holds} ? {yes} : {no})", "// ",
+    "({holds} ? {yes} : {no})", "// ", unpacks="[{names}] = ",
 )  # fmt: skip
 SYNTAXES = {one.name: one for one in (PYTHON, OCTAVE, C, PASCAL, JAVASCRIPT)}
 

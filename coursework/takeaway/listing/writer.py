@@ -108,13 +108,14 @@ class Writer:
         name, sign, value = line.partition(self.syntax.assign)
         if not sign:
             name, value = "", line
-        found = [f"{name}{sign}("] if sign and self.syntax.name == "python" else [f"{name}{sign}"]
+        begin, end = self.syntax.around if sign else ("", "")
+        found = [f"{name}{sign}{begin}"]
         for word in value.split(" "):
             if len(found[-1]) + len(word) > WIDEST and found[-1].strip():
                 found[-1] = found[-1].rstrip() + self.syntax.wrap
                 found.append("    ")
             found[-1] += f"{word} "
-        return [*found[:-1], found[-1].rstrip() + (")" if sign and self.syntax.name == "python" else "")]
+        return [*found[:-1], found[-1].rstrip() + end]
 
     @property
     def of_velocities(self) -> str:
@@ -186,25 +187,19 @@ def indented(lines: Iterable[str], by: int = 4) -> list[str]:
 
 def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> list[str]:
     """Return the lines that solve a block: matrix row by row, then the right side; unknowns and determinant come back."""
-    name, rows = writer.syntax.name, []
-    for row in range(size):
-        rows.append([*entries[row * size : (row + 1) * size], entries[size * size + row]])
+    syntax, rows = writer.syntax, [[*entries[row * size : (row + 1) * size], entries[size * size + row]] for row in range(size)]
+    if syntax.unpacks:
+        listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
+        return writer.wrapped(f"{syntax.unpacks.format(names=', '.join(found))}{writer.gauss}([{listed}]){syntax.end}")
     work = writer.names.own("_work", "work")
-    match name:
-        case "python":
-            listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
-            return writer.wrapped(f"{', '.join(found)} = {writer.gauss}([{listed}])")
-        case "javascript":
-            listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
-            return writer.wrapped(f"[{', '.join(found)}] = {writer.gauss}([{listed}]);")
-        case "octave":
-            filled = writer.wrapped(f"{work} = [{'; '.join(', '.join(f'({one})' for one in row) for row in rows)}];")
-            return [
-                *filled,
-                f"{found[size]} = det({work}(:, 1:{size}));",
-                f"{work} = {work}(:, 1:{size}) \\ {work}(:, {size + 1});",
-                *(f"{one} = {work}({place});" for place, one in enumerate(found[:size], 1)),
-            ]
+    if syntax.divides:
+        filled = writer.wrapped(f"{work} = [{'; '.join(', '.join(f'({one})' for one in row) for row in rows)}];")
+        return [
+            *filled,
+            f"{found[size]} = det({work}(:, 1:{size}));",
+            f"{work} = {work}(:, 1:{size}) \\ {work}(:, {size + 1});",
+            *(f"{one} = {work}({place});" for place, one in enumerate(found[:size], 1)),
+        ]
     cells = [(row, column, value) for row, values in enumerate(rows) for column, value in enumerate(values)]
     filled = [line for row, column, value in cells for line in writer.wrapped(writer.sets(f"{work}[{row}][{column}]", value))]
     read = [writer.sets(one, f"{work}[{place}][{size}]") for place, one in enumerate(found[:size])]

@@ -50,6 +50,7 @@ def test_variant_31_in_the_row_of_the_coursework() -> None:
         assert difference == found - tabled, name
         assert abs(difference) < 1e-13, name
     run = run_of("31")
+    assert [row[0] for row in check.exact] == [row[0] for row in check.rows]
     for name, exact, error, unit in check.exact[:4]:
         column = name.replace("ω", "w").translate(str.maketrans("₁₂₃₄", "1234"))
         assert exact == pytest.approx(float(run.exact.column(column)[3]), abs=1e-12)

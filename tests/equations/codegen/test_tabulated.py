@@ -10,7 +10,7 @@ from scipy.interpolate import CubicSpline
 import coursework
 from coursework.equations.codegen import tabulated
 from coursework.equations.codegen.tabulated import OutsideTable, TableLaw, spline_slopes
-from coursework.equations.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import structures
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 from tests.benchmarks.timer import ratio
@@ -73,7 +73,7 @@ def test_a_law_is_worked_out_once_a_scene(method, tmp_path, monkeypatch):
     for name in ("_quartics", "_cubics"):
         whole = getattr(tabulated, name)
         monkeypatch.setattr(tabulated, name, lambda values, step, whole=whole: made.append(len(values)) or whole(values, step))
-    forget_structures()  # another test may have worked out the same law
+    structures.cache_clear()  # another test may have worked out the same law
     variant = coursework.load("variable-crank-table")
     law = variant.functions[0]
     chosen = replace(variant, functions=(replace(law, method=method),))

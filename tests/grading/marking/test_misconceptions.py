@@ -8,7 +8,7 @@ import pytest
 import coursework
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.table.cells import mark_cells
-from coursework.grading.marking.table.misconceptions import euler_cells, find_misconception, indistinct, looked_for
+from coursework.grading.marking.table.misconceptions import euler_cells, explanations, indistinct, looked_for
 from tests.grading.marking import students
 from tests.grading.marking.test_cells import printed
 
@@ -23,7 +23,7 @@ def key():
 def test_each_is_named_or_tied(key, code, decimals):
     cells = mark_cells(key, printed(students.MISCONCEPTIONS[code](), decimals))
     assert looked_for(key, cells, 172)
-    found = find_misconception(key, cells)
+    found = explanations(key, cells).named
     assert found is not None
     assert code in (found.code, *found.ties)
     assert found.share >= 0.93
@@ -33,7 +33,7 @@ def test_each_is_named_or_tied(key, code, decimals):
 def test_a_declared_confusion_is_named(key):
     table = students.table(printed=lambda t, q: students.velocities(t, q, alpha=0.02))
     cells = mark_cells(key, printed(np.where(np.abs(table) < 1e3, table, np.nan), 4))
-    found = find_misconception(key, cells, {"alpha": 0.02})
+    found = explanations(key, cells, {"alpha": 0.02}).named
     assert found is not None
     assert found.code == "confusion_alpha"
 
@@ -46,7 +46,7 @@ def test_nothing_is_named_without_ground(key):
         table[rows, columns] *= rng.uniform(0.5, 0.9, 12)
         cells = mark_cells(key, printed(table, 4))
         assert looked_for(key, cells, 172)
-        assert find_misconception(key, cells) is None
+        assert explanations(key, cells).named is None
 
 
 def test_a_few_slips_are_no_misconception(key):
@@ -57,7 +57,7 @@ def test_a_few_slips_are_no_misconception(key):
 def test_another_variant_of_the_class(key):
     other = students.table(printed=lambda t, q: students.velocities(t, q, V1=4.1), start=(1.6, 3.37, 2.8))
     cells = mark_cells(key, printed(other, 4))
-    found = find_misconception(key, cells, {}, {"12": other})
+    found = explanations(key, cells, {}, {"12": other}).named
     assert found is not None
     assert "variant_12" in (found.code, *found.ties)
 
@@ -67,7 +67,7 @@ def test_the_other_assembly_of_written_equations(key):
     chord = students.DATA["r1"] * np.exp(1j * students.START[0]) + students.DATA["r2"] * np.exp(1j * students.START[1])
     phi1, phi2 = (2 * np.angle(chord) - angle for angle in students.START[:2])
     cells = mark_cells(key, printed(students.table(start=(phi1, phi2, students.START[2])), 4))
-    found = find_misconception(key, cells)
+    found = explanations(key, cells).named
     assert found is not None
     assert "branch" in (found.code, *found.ties)
 
@@ -82,7 +82,7 @@ def test_the_other_assembly_of_a_chain(tmp_path):
     rows[:, 2] += 2 * np.pi  # as the reader takes whole turns off
     cells = mark_cells(found, printed(rows, 5))
     assert cells.wrong[0].any()
-    named = find_misconception(found, cells)
+    named = explanations(found, cells).named
     assert named is not None
     assert "branch" in (named.code, *named.ties)
 
@@ -106,7 +106,7 @@ def test_what_the_digits_cannot_tell_is_what_passes_as_right_when_a_student_make
 
 def test_a_hypothesis_that_the_digits_cannot_tell_is_not_named(key):
     cells = mark_cells(key, printed(students.MISCONCEPTIONS["sign_w1"](), 4))
-    found = find_misconception(key, cells)
+    found = explanations(key, cells).named
     assert found is not None
     assert found.code == "sign_w1"
-    assert find_misconception(key, cells, hidden=(found.code, *found.ties)) is None
+    assert explanations(key, cells, hidden=(found.code, *found.ties)).named is None

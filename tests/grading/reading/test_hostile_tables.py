@@ -92,6 +92,20 @@ def test_rows_of_the_grid_within_three_tenths_of_a_step() -> None:
     assert codes(outside) == ["rows_missing", "rows_extra"]
 
 
+@pytest.mark.parametrize(("step", "first", "off", "rows", "is_own"), [
+    (2, 0, 0, 6, True), (1, 0, 0, 6, False), (1.04, 0, 0, 6, False), (1.06, 0, 0, 6, True), (0.96, 0, 0, 6, False),
+    (0.94, 0, 0, 6, True), (2, 0, 0, 3, True), (2, 0, 0, 2, False), (2, 0, 0.28, 6, True), (2, 0, 0.32, 6, False),
+    (1.5, 0.28, 0, 6, True), (1.5, 0.32, 0, 6, False),
+])  # fmt: skip
+def test_a_step_of_ones_own_on_both_sides_of_its_limits(step: float, first: float, off: float, rows: int, is_own: bool) -> None:
+    """In steps of the grid; where the first row stands, and how far one row is off, in parts of the own step."""
+    own = [step * GRID.step * (first * (row == 0) + row + off * (row == 2)) for row in range(rows)]
+    found = read(csv([[f"{time:.6f}", *row[1:]] for time, row in zip(own, ROWS, strict=False)])).own
+    assert (found is not None) == is_own
+    if found is not None:
+        assert found.step == pytest.approx((own[-1] - own[0]) / (rows - 1))
+
+
 def test_columns_repeated_exchanged_missing_and_unknown() -> None:
     same = [[*row, row[2]] for row in ROWS]
     table = read("\n".join(";".join(row) for row in [[*HEAD, "φ2"], *same]).encode())

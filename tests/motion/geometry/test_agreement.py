@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.equations.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import structures
 from coursework.motion.geometry import agreement
 
 PAGE = (Path(__file__).parents[2] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
@@ -26,7 +26,7 @@ def with_datum(value, left, text=PAGE):
 @pytest.fixture
 def looked_at(monkeypatch):
     """Return a list of the data that the positions were looked at with."""
-    forget_structures()
+    structures.cache_clear()
     seen = []
     judge = agreement._judged
 

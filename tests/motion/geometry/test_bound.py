@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.equations.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import structures
 from coursework.words.data_folders import folder
 
 TEMPLATE = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8").replace("NAME", "mine")
@@ -169,7 +169,7 @@ WRITTEN = re.compile(r'name *= "([^"]+)"\n(?:because *= "[^"]*"\n)?equation *= "
 
 
 def closure_of(text):
-    forget_structures()
+    structures.cache_clear()
     return coursework.solve(coursework.parse_variant(text, "v.toml"), quantities=["table"]).scene.closure
 
 

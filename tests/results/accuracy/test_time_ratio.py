@@ -53,10 +53,10 @@ def test_what_is_short_is_repeated_no_more_than_tells_its_time(monkeypatch):
 
     def work():
         calls.append(None)
-        now[0] += 0.001
+        now[0] += 0.001 if len(calls) > 3 else 0.002  # what is new to a machine takes longer
 
     assert seconds(work, shortest=QUICK_REPEAT) == pytest.approx(0.001)
-    assert sum(0.001 for _ in calls) < 2 * REPEATS * QUICK_REPEAT
+    assert now[0] < 2 * REPEATS * QUICK_REPEAT
 
 
 def test_the_command_studies_once(tmp_path, monkeypatch):

@@ -5,6 +5,7 @@ import pandas as pd
 import pytest
 
 import coursework
+from coursework.motion.geometry.drive import resolved
 from coursework.motion.schemes import SCHEMES
 from coursework.scene.model.sets import prepare
 from coursework.variant.catalogue import find, names
@@ -149,6 +150,8 @@ def test_a_drive_in_pieces(data, scheme):
     variant = coursework.parse_variant(PIECES, "pieces")
     MODELS["pieces"] = coursework.compile_model(variant)
     same("pieces", data, scheme=scheme)
+    values = {name: np.array([value]) for name, value in variant.values.items()}
+    assert resolved(MODELS["pieces"].equations, values, np.array([0.0, 0.12])).all()  # split where its pieces meet
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,8 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
     13
     >>> column_as_handed_in(r"$r_3 \dot\varphi_3 + r_1 \omega_1 = 0$", "r3*w3 + r1*w1 = 0", 7, is_sign=True)
     20
+    >>> [column_as_handed_in("r ω sin φ + 2 v = 0", "r*w*sin(phi) - 2*v = 0", column) for column in (1, 5, 18)]
+    [1, 5, 15]
     """
     if is_sign:
         column = _sign_before(read, column)
@@ -43,7 +45,11 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
 
 
 def has_sign(text: str, column: int) -> bool:
-    """Return whether a plus or minus stands before the term at a column."""
+    """Return whether a plus or minus stands before the term at a column.
+
+    >>> [has_sign(text, text.index("w") + 1) for text in ("r - w", "r - ( w)", "+w", "w - r", "(w)", "r*w")]
+    [True, True, True, False, False, False]
+    """
     return _sign_before(text, column) != column
 
 
@@ -59,7 +65,7 @@ def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) ->
 
 def _sign_before(text: str, column: int) -> int:
     """Return the column of the sign before a term, of the term itself where none stands there."""
-    place = min(column - 2, len(text) - 1)
+    place = column - 2
     while place >= 0 and (text[place].isspace() or text[place] == "("):
         place -= 1
     return place + 1 if place >= 0 and text[place] in f"+{_MINUS}" else column

@@ -84,17 +84,6 @@ def looked_for(key: Key, cells: Cells, count: int) -> bool:
     return int(cells.wrong.sum()) > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells)
 
 
-def find_misconception(
-    key: Key,
-    cells: Cells,
-    confusions: Mapping[str, float] | None = None,
-    others: Mapping[str, Array] | None = None,
-    hidden: Container[str] = (),
-) -> Misconception | None:
-    """Return what explains a table, None where nothing does with ground; `hidden` are the codes the digits cannot tell."""
-    return explanations(key, cells, confusions, others, hidden).named
-
-
 def explanations(
     key: Key,
     cells: Cells,

@@ -12,8 +12,9 @@ from collections.abc import Iterator
 
 import pytest
 
-from coursework.grading.reading.documents import pdf
+from coursework.grading.reading.documents import document, pdf
 from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -201,6 +202,31 @@ def test_a_pdf_of_too_many_letters_or_levels(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(pdf, "LETTERS", letters * 30 - 1)
     assert code(one_page(TEXT, pages=29)) == "other_kind"
     assert code(one_page(TEXT, pages=30)) == "too_large_open"
+
+
+KEPT = [([1, 2, 2, 3], [2, 2, 3]), ([2, 2, 2, 2], [2, 2, 2]), ([2, 6], [2, 6]), ([2, 7], [2])]
+TYPED = [
+    ([" ab", " ", "cd", "efgh"], ["ab", "cd", "efgh"]),
+    (["a", "b", "c", "d"], ["a", "b", "c"]),
+    (["abcde", "fghi"], ["abcde"]),
+]
+
+
+def test_a_document_keeps_what_it_may(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tables of two columns at least, so many of them and of cells, lines and letters; what is beyond is left out."""
+    for name, limit in {"MOST_TABLES": 3, "MOST_CELLS": 8, "MOST_LINES": 3, "MOST_CHARACTERS": 8}.items():
+        monkeypatch.setattr(document, name, limit)
+    place = document.place_of("line", line=1)
+    for widths, kept in KEPT:
+        found = document.Document("x")
+        for width in widths:
+            found.add_table([[Cell("a")] * width], place)
+        assert [len(table.rows[0]) for table in found.tables] == kept
+    for texts, lines in TYPED:
+        found = document.Document("x")
+        for text in texts:
+            found.add_line(text, place)
+        assert [line.text for line in found.lines] == lines
 
 
 def test_without_the_extra_a_person_is_asked_and_told_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
