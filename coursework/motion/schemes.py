@@ -71,6 +71,9 @@ class Scheme:
     inner: tuple[Sum, ...] = field(init=False, repr=False)
     outer: Sum = field(init=False, repr=False)
 
+    def __hash__(self) -> int:  # asked for with every loop: that of a hundred fractions takes as long as the loop
+        return hash(self.name)
+
     def __post_init__(self) -> None:
         fault = self._fault()
         if fault:

@@ -17,7 +17,7 @@ from coursework.mechanism.derivation.segments import ZERO, PointGraph, point_gra
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any
 
 SAME = 1e-8  # of the length of a row: far above round-off, far below a wrong sign
 SIMPLE = (-1.0, 0.0, 1.0)
@@ -131,31 +131,31 @@ class _Table:
 
     def projection(self, one: Projection) -> Array:
         """Return start + terms - end."""
-        found = np.zeros((len(self.rows), len(self.columns)))
+        found = self._linear(one.start) - self._linear(one.end)
         for place, row in enumerate(self.rows):
             known = {"pi": math.pi, **self.values, **row}
-            for formula, sign in ((one.start, 1.0), (one.end, -1.0)):
-                found[place] += sign * self._linear(formula, row)
             for term in one.terms:
-                angle = float(term.angle.offset) * math.pi + (evaluate(term.angle.base, known) if term.angle.base else 0.0)
+                base = evaluate_any(term.angle.base, known).real if term.angle.base else 0.0
+                angle = float(term.angle.offset) * math.pi + base
                 value = math.sin(angle) if term.function == "sin" else math.cos(angle)
-                length = evaluate(term.length, known) if term.length is not None else 1.0
+                length = evaluate_any(term.length, known).real if term.length is not None else 1.0
                 if term.rate in self.columns:
                     found[place, self.columns.index(term.rate)] += term.sign * length * value
         return found
 
     def written(self, left: Formula, right: Formula) -> Array:
         """Return left - right."""
-        found = np.zeros((len(self.rows), len(self.columns)))
-        for place, row in enumerate(self.rows):
-            found[place] = self._linear(left, row) - self._linear(right, row)
-        return found
+        return self._linear(left) - self._linear(right)
 
-    def _linear(self, formula: Formula, row: Mapping[str, float]) -> Array:
+    def _linear(self, formula: Formula) -> Array:
         """Return the coefficients of a formula that is linear in the velocities."""
-        known = {**self.values, **row, **dict.fromkeys((*self.columns, *self.resting), 0.0)}
-        inside = {*formula.names()} & {*self.columns}
-        return np.array([evaluate(formula, {**known, name: 1.0}) if name in inside else 0.0 for name in self.columns])
+        inside = [(column, name) for column, name in enumerate(self.columns) if name in formula.names()]
+        found = np.zeros((len(self.rows), len(self.columns)))
+        for place, row in enumerate(self.rows if inside else ()):
+            known = {"pi": math.pi, **self.values, **row, **dict.fromkeys((*self.columns, *self.resting), 0.0)}
+            for column, name in inside:
+                found[place, column] = evaluate_any(formula, known | {name: 1.0}).real
+        return found
 
 
 def _solved(rows: Array, wanted: Array) -> Array | None:

@@ -42,6 +42,7 @@ def _gauss_legendre(count: int) -> tuple[Array, Array]:
 _POINTS, _WEIGHTS = _gauss_legendre(POINTS)
 _PIECES_PER_RUN = 240
 _MANY_TURNS = 1e3  # rad
+_SAME_END = 1e-12  # part of the run by which rows counted otherwise end later
 _MOST_CELLS = 1_000_000  # stretches of all sets that are looked at together
 # Of the scenes that live, by the end of the time looked at.
 _resolved: WeakKeyDictionary[VelocityEquations, dict[float, Resolution]] = WeakKeyDictionary()
@@ -104,7 +105,8 @@ def _split(fine: Array, resolved: Array) -> Array:
 
 def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
     """Return the stretches that resolve every drive up to the end of the run, or further (s), and what integrals leave open."""
-    kept, last = _resolved.setdefault(equations, {}), max(end, equations.variant.time.end)
+    kept, own = _resolved.setdefault(equations, {}), equations.variant.time.end
+    last = end if end > own * (1 + _SAME_END) else own
     if last not in kept:
         kept[last] = _resolution(equations, last)
     return kept[last]

@@ -7,6 +7,7 @@ All intervals are followed at once, with a cubic between the steps; where that i
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -101,14 +102,31 @@ def _between(positions: Array, moved: Array, places: Array) -> Array:
 
 def exact_at(exact: Motion, rates: Rates, time: float) -> Array | None:
     """Return the exact row (m + k,) at any time (s) up to a step off the first and the last row, None where there is none."""
+    found = _known_at(exact, rates, time)
+    return None if found is None else found[: len(exact.names)]
+
+
+def at_times(exact: Motion, rates: Rates, times: Sequence[float]) -> Motion | None:
+    """Return the exact motion at growing `times` (s), rows and any moments between; None where it cannot be followed there."""
+    rows = [row for time in times if (row := _known_at(exact, rates, time)) is not None]
+    if len(rows) < len(times):
+        return None
+    size, every = len(rates.coordinates), len(rates.coordinates) + len(rates.velocities)
+    listed = np.array(rows).reshape(len(rows), every + len(rates.blocks))
+    known = listed[:, size:every].copy(), listed[:, every:].copy()
+    return rates.motion(np.array(times), listed[:, :size].copy(), exact.scheme, exact.step, known=known)
+
+
+def _known_at(exact: Motion, rates: Rates, time: float) -> Array | None:
+    """Return coordinates, velocities and determinants of the exact motion at a time (s), None where there are none."""
     index = min(int(time / exact.step * (1 + 1e-12)), len(exact.t) - 1) if exact.step else 0
     with suppress(ArithmeticError, ValueError, OutsideTable):
         begin = float(exact.t[index])
         q = exact.coordinates[index]
         if time != begin:
             q = refine(rates, q.tolist(), np.array([begin, time]))[0][-1]
-        row = np.array([*q, *rates.evaluate(time, *q.tolist())[: len(exact.velocity_names)]])
-        return row if np.all(np.isfinite(row)) else None
+        row = np.array([*q.tolist(), *rates.evaluate(time, *q.tolist())])
+        return row if np.isfinite(row[: len(exact.names)]).all() else None
     return None
 
 

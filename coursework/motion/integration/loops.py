@@ -31,7 +31,9 @@ def generate_loop(scheme: Scheme, rates: Rates, *, numpy: bool = False) -> Loop:
     With `numpy` in the numbers that it is called with.  Where the drive has breaks, no slope is taken at a time beyond
     `_latest`, which may be named.
     """
-    return build(_loop_source(scheme, _Shape.of(rates)), "loop", rates.body, numpy=numpy)
+    if (scheme, numpy) not in rates.loops:
+        rates.loops[scheme, numpy] = build(_loop_source(scheme, _Shape.of(rates)), "loop", rates.body, numpy=numpy)
+    return rates.loops[scheme, numpy]
 
 
 @lru_cache(maxsize=256)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +23,7 @@ from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Slopes
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
 
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
@@ -32,7 +33,7 @@ _SOLVED = 25  # formulas that a block solved by numbers takes as long as
 _BEFORE_BREAK = 1e-13
 
 
-@frozen
+@caching
 class Rates:
     """The right-hand side of a scene.
 
@@ -49,6 +50,11 @@ class Rates:
     body: Bound
     equations: VelocityEquations
     breaks: tuple[float, ...] = ()
+
+    @cached_property
+    def loops(self) -> dict[tuple[Any, bool], Callable[..., Any]]:
+        """Return the loops of schemes made so far: a page follows hundreds of intervals by the same one."""
+        return {}
 
     def may_look_until(self, end: float) -> float:
         """Return how far (s) a step that ends at `end` may look: up to a break of the drive that lies there, else any time."""

@@ -1,6 +1,6 @@
 """When a column of the exact motion turns back: sought in continuous time, not read at the rows.
 
-Enters: the exact motion, its rates, the slope of a column.  Leaves: times (s), and the exact motion at any of them.
+Enters: the exact motion, its rates, the slope of a column.  Leaves: times (s), and closer samples.
 Used by `strokes.py` and `extremes.py`.
 
 Samples of a closer exact motion bracket each change of sign; the slope at a time between them is that of the exact motion
@@ -10,12 +10,12 @@ followed from the row before, so that a root is right to the accuracy of the exa
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.motion.integration.finer import exact_at, finer
+from coursework.motion.integration.finer import at_times, finer
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
@@ -34,16 +34,6 @@ def closer(exact: Motion, rates: Rates) -> Motion:
     parts = min(_MOST_PARTS, -(-_SAMPLES // max(len(exact.t), 1)))
     rows = (len(exact.t) - 1) * parts + 1
     return (finer(exact, rates, parts, rows) if parts > 1 else None) or exact
-
-
-def at_times(exact: Motion, rates: Rates, times: Sequence[float]) -> Motion | None:
-    """Return the exact motion at growing `times` (s), rows and any moments between; None where it cannot be followed there."""
-    found = [exact_at(exact, rates, time) for time in times]
-    rows = [row for row in found if row is not None]
-    if len(rows) < len(found):
-        return None
-    positions = np.array(rows).reshape(len(rows), -1 if rows else len(exact.coordinate_names))[:, : len(exact.coordinate_names)]
-    return rates.motion(np.array(times), positions.copy(), exact.scheme, exact.step)
 
 
 def stands(slopes: Array) -> NDArray[np.bool_]:

@@ -141,6 +141,8 @@ def _name(text: str, place: tuple[float, float], piece: str, dots: Array, taken:
     wide, key = LETTERS * width(text), KEY if piece else 0.0
     best: tuple[float, Box, float] | None = None
     for dx, dy, cost in _places(wide + key):
+        if best is not None and cost >= best[0]:
+            break  # whatever it covers only adds to what a place costs by itself
         before = 0.0 if (dx, dy) == BESIDE else key
         left, top = place[0] + dx, place[1] + dy - LINE / 2
         box = (left, top, left + before + wide, top + LINE)

@@ -72,29 +72,40 @@ def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] 
     names = {name for follow in followed.values() for name in follow}
     moved = tuple(place for place, c in enumerate(variant.coordinates) if c.name in names)
     zero = [position.expression for position in equations.positions if position.target == "zero"]
-    slopes = [
-        equations.symbols.partial(expression, symbol(variant.coordinates[place].name)) for expression in zero for place in moved
-    ]
-    pieces = (
-        *(moving or [rates_of(scene)]),
-        Piece("places", [], places),
-        Piece("closing", [], [*zero, *slopes] if moved else []),
-    )
-    programs = [(piece, _program(scene, piece)) for piece in pieces]
-    numbers, q = constants(variant), [private(c.name) for c in variant.coordinates]
+    numbers = constants(variant)
+
+    def written() -> tuple[str, tuple[tuple[str, int], ...]]:
+        slopes = [
+            equations.symbols.partial(expression, symbol(variant.coordinates[place].name)) for expression in zero for place in moved
+        ]
+        pieces = (
+            *(moving or [rates_of(scene)]),
+            Piece("places", [], places),
+            Piece("closing", [], [*zero, *slopes] if moved else []),
+        )
+        return _written(scene, pieces, [*numbers])
+
+    blocks = tuple((block.equations, block.unknowns) for block in scene.reduction.blocks)
+    text, laws = written() if moving else equations.once(("javascript", tuple(places), moved, blocks), written)
+    return Functions(
+        text, tuple(numbers.values()), _tables(scene, laws), len(zero), moved,
+        tuple(name for name, follow in followed.items() if follow),
+    )  # fmt: skip
+
+
+def _written(scene: Scene, pieces: Sequence[Piece], numbers: Sequence[str]) -> tuple[str, tuple[tuple[str, int], ...]]:
+    """Return functions as text, and the laws that they call: nothing in them is a datum, but for its name."""
+    programs, q = [(piece, _program(scene, piece)) for piece in pieces], [private(c.name) for c in scene.variant.coordinates]
     functions = [
         javascript_function(
-            piece.name, {"t": (), "q": q, **piece.arrays, "d": [*numbers]}, body,
+            piece.name, {"t": (), "q": q, **piece.arrays, "d": numbers}, body,
             [f"_out{place}" for place in range(len(piece.wanted))],
         )
         for piece, body in programs
     ]  # fmt: skip
     laws = {name: law for _, body in programs for name, law in called_tables(body).items()}
     called = [f'const {name} = law("{key}", {order});' for name, (key, order) in sorted(laws.items())]
-    return Functions(
-        "\n".join((*called, *functions)), tuple(numbers.values()), _tables(scene, laws.values()), len(zero), moved,
-        tuple(name for name, follow in followed.items() if follow),
-    )  # fmt: skip
+    return "\n".join((*called, *functions)), tuple(laws.values())
 
 
 def _program(scene: Scene, piece: Piece) -> Bound:

@@ -11,9 +11,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from coursework.motion.integration.finer import at_times
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
-from coursework.motion.integration.turning import at_times, closer, root, stands, turns
+from coursework.motion.integration.turning import closer, root, stands, turns
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Coordinate
 
