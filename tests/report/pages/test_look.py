@@ -168,6 +168,15 @@ def test_a_printed_report_has_the_readings_of_the_check_beside_its_drawing(place
     assert all(words in told for words in ("8 Graph-analytical check", "Figure 4", "100 mm", "Table 4", "Link 1 turns about D."))
 
 
+def test_a_key_and_a_feedback_page_take_two_sheets_of_paper(places: dict[str, Path], page: Any) -> None:
+    page.emulate_media(media="print", color_scheme="light")
+    for kind in ("key", "feedback"):
+        page.goto(places[kind].as_uri())
+        with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
+            assert len(document) == 2
+    page.emulate_media(media="screen")
+
+
 def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> None:
     page.goto(places["accuracy"].as_uri())
     sized(page, 1400)
