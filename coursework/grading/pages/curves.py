@@ -9,7 +9,7 @@ from html import escape
 
 import numpy as np
 
-from coursework.report.graphs.graph_paper import EXACT_PEN, MOST_DOTS, Field, axes, dots, field_for, letters, sparse, way
+from coursework.report.graphs.graph_paper import EXACT_PEN, MOST_DOTS, axes, dots, field_for, letters, sparse
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol, symbol
 from coursework.report.text.words import Words
@@ -21,7 +21,7 @@ MOST_POINTS = 80
 BEYOND = 0.25  # of the key's range: what lies further out stands at the edge
 _DOTS = 'stroke="#0072b2" stroke-width="1.24" stroke-linecap="round"'
 _DOTTED = EXACT_PEN.replace('"exact"', '"exact dotted"')
-_CROSSES = 'class="crosses" fill="none" stroke="#b00020" stroke-width="0.45"'
+_CROSSES = 'class="crossed" fill="none"'  # the corners of this line are the crosses
 
 
 def panel(name: Symbol, unit: str, t: Array, key: Array, found: Array, is_wrong: Flags, words: Phrases) -> str:
@@ -40,13 +40,7 @@ def panel(name: Symbol, unit: str, t: Array, key: Array, found: Array, is_wrong:
     inside += f'<path {EXACT_PEN} d="{line}"/>'
     if is_right.any():
         inside += f'<path {_DOTS} d="{dots(field, t[~is_wrong], held[~is_wrong])}"/>'
-    return inside + _crosses(field, t[is_wrong], held[is_wrong])
-
-
-def _crosses(field: Field, t: Array, values: Array) -> str:
-    known = np.isfinite(values)
+    known = is_wrong & np.isfinite(held)
     if not known.any():
-        return ""
-    t, values = sparse(t[known], MOST_POINTS), sparse(values[known], MOST_POINTS)
-    corner = way([field.x(t) - 0.9, field.y(values) - 0.9], "m", "l1.8 1.8m0-1.8l-1.8 1.8m0-1.8")
-    return f'<path {_CROSSES} d="{corner}l1.8 1.8m0-1.8l-1.8 1.8"/>'
+        return inside
+    return f'{inside}<path {_CROSSES} d="{field.path(sparse(t[known], MOST_POINTS), sparse(held[known], MOST_POINTS))}"/>'

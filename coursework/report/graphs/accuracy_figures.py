@@ -6,10 +6,12 @@ Used by `accuracy.py`.
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Callable, Iterator
+import operator
+from collections.abc import Callable, Iterable, Iterator
 from html import escape
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -39,6 +41,9 @@ HALO = ' stroke="#fff" stroke-width="0.8" stroke-linejoin="round" paint-order="s
 ROUND_OFF = 'fill="#f2f2f2"'
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
 BAND_ORDER = 2  # of which there are several methods, hardly apart
+
+STANDS = 48  # places of a name among which those of all are looked for
+MEETING = 400.0  # mm of way that a name rather takes than standing on another
 
 Box = tuple[float, float, float, float]
 Named = tuple[str, tuple[float, float], str]  # words, the end of what they name, a piece of it as SVG in KEY_WIDE mm
@@ -111,17 +116,16 @@ def chart(page: Chart) -> tuple[str, float]:
         named.append((method.name, places[-1], _piece(mark, ink, dashes)))
     # Marks count more than what is between them.
     dots = np.array([dot for line in drawn for dot in (*_dotted(line), *4 * line)]).reshape(-1, 2)
-    taken: list[Box] = []
+    ring: list[Box] = []
     if own[0] is not None:
         at = (x.at(own[0]), y.at(own[1]))
         inside += f'<circle {OWN} cx="{at[0]:.2f}" cy="{at[1]:.2f}" r="{OWN_RADIUS}"/>'
         piece = f'<circle {OWN} cx="{KEY_WIDE / 2:g}" r="{OWN_RADIUS}"/>'
-        taken.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
-        inside += _name(page.labels["own_legend"], (at[0] + OWN_RADIUS, at[1]), piece, dots, taken)
-    # Those that stand right behind their lines take their places before any that may stand elsewhere, the longest first.
-    for text, place, piece in sorted(named, key=lambda one: (not _is_free(one[0], one[1], dots), -width(one[0]))):
-        inside += _name(text, place, piece, dots, taken)
-    return sheet(WIDTH, HEIGHT, inside), HEIGHT
+        ring.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
+        own_name = min(_stands(page.labels["own_legend"], (at[0] + OWN_RADIUS, at[1]), piece, dots), key=lambda one: one.cost)
+        inside += _written(own_name, piece)
+        ring.append(own_name.box)
+    return sheet(WIDTH, HEIGHT, inside + _names(named, dots, ring)), HEIGHT
 
 
 def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
@@ -136,35 +140,97 @@ def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
     return inside + upward(y, x.begin, x.end, escape(page.error_label)), named
 
 
-def _name(text: str, place: tuple[float, float], piece: str, dots: Array, taken: list[Box]) -> str:
-    """Return the name of a line at its end or behind a piece of it, where it covers fewest words and `dots` (n, 2) of lines."""
-    wide, key = LETTERS * width(text), KEY if piece else 0.0
-    best: tuple[float, Box, float] | None = None
-    for dx, dy, cost in _places(wide + key):
-        if best is not None and cost >= best[0]:
-            break  # whatever it covers only adds to what a place costs by itself
-        before = 0.0 if (dx, dy) == BESIDE else key
-        left, top = place[0] + dx, place[1] + dy - LINE / 2
-        box = (left, top, left + before + wide, top + LINE)
-        cost += 400 * sum(_meet(box, other) for other in taken) + 8 * _covered(box, dots) + 4000 * _is_outside(box)
-        if best is None or cost < best[0]:
-            best = (cost, box, before)
-    assert best is not None
-    _, box, before = best
-    taken.append(box)
-    left, middle = box[0], box[1] + LINE / 2
-    shown = f'<g transform="translate({left:.2f} {middle:.2f})">{piece}</g>' if before else ""
-    return shown + words(left + before, middle + RISE * LETTERS, escape(text), more=HALO if _covered(box, dots) else "")
+def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
+    """Return the names of lines, each at the end of its own or behind a piece of it: on no other name, on fewest `dots` (n, 2).
+
+    Each takes the best place that is free.  Then each tries its others once more, from which it drives away whoever stands there.
+    """
+    stands = [sorted(_stands(*one, dots), key=lambda stand: stand.cost)[:STANDS] for one in named]
+    boxes = np.array([*taken, *(stand.box for one in stands for stand in one)]).reshape(-1, 4)
+    left, top, right, bottom = boxes.T
+    meet = (left[:, None] < right) & (left < right[:, None]) & (top[:, None] < bottom) & (top < bottom[:, None])
+    masks = [int.from_bytes(row.tobytes(), "little") for row in np.packbits(meet, axis=1, bitorder="little")]
+    begins = [*accumulate(map(len, stands), initial=len(taken))]
+    ground = functools.reduce(operator.or_, masks[: len(taken)], 0)
+
+    def settle(at: dict[int, int], names: Iterable[int]) -> dict[int, int]:
+        """Give each of `names` the best place that those which have one leave."""
+        for k in names:
+            full = functools.reduce(operator.or_, (masks[begins[other] + place] for other, place in at.items()), ground)
+            free = (place for place in range(len(stands[k])) if not full >> begins[k] + place & 1)
+            at = at | {k: next(free, 0)}
+        return at
+
+    def cost(at: dict[int, int]) -> float:
+        full, total = ground, 0.0
+        for k, place in at.items():
+            total += stands[k][place].cost + MEETING * (full >> begins[k] + place & 1)
+            full |= masks[begins[k] + place]
+        return total
+
+    order = sorted(range(len(named)), key=lambda k: (stands[k][0].cost, -width(named[k][0])))
+    best = settle({}, order)
+    everywhere = [(name, place) for name in order for place in range(len(stands[name]))]
+    for k, place in 2 * everywhere:
+        met = masks[begins[k] + place]
+        kept = {other: own for other, own in best.items() if other != k and not met >> begins[other] + own & 1}
+        other = settle(kept | {k: place}, [name for name in order if name != k and name not in kept])
+        if cost(other) < cost(best) - 1e-9:
+            best = other
+    return "".join(_written(stands[k][best[k]], named[k][2]) for k in order)
 
 
-def _is_free(text: str, place: tuple[float, float], dots: Array) -> bool:
-    left, top = place[0] + BESIDE[0], place[1] + BESIDE[1] - LINE / 2
-    box = (left, top, left + LETTERS * width(text), top + LINE)
-    return not _covered(box, dots) and not _is_outside(box)
+@frozen
+class Stand:
+    """A place of a name: its lines, the box that they fill, how much before them is a piece of the line, what it costs."""
+
+    rows: tuple[str, ...]
+    box: Box
+    before: float
+    cost: float
+    covers: bool
 
 
-def _covered(box: Box, dots: Array) -> int:
-    return int(np.sum(np.all((box[:2] < dots) & (dots < box[2:]), axis=1)))
+def _stands(text: str, place: tuple[float, float], piece: str, dots: Array) -> Iterator[Stand]:
+    """Yield where a name may stand, in one line or in lines as wide as the room beside the axes."""
+    key = KEY if piece else 0.0
+    for rows in dict.fromkeys(((text,), _rows(text))):
+        wide, high = LETTERS * max(map(width, rows)), LINE * len(rows)
+        found = []
+        for dx, dy, cost in _places(wide + key, WIDTH - RIGHT - place[0]):
+            before = 0.0 if (dx, dy) == BESIDE else key
+            left, top = place[0] + dx, place[1] + dy - high / 2
+            found.append(((left, top, left + before + wide, top + high), before, cost + LINE * (len(rows) - 1)))
+        covered = _covered(np.array([box for box, *_ in found]), dots)
+        for (box, before, cost), count in zip(found, covered, strict=True):
+            yield Stand(rows, box, before, cost + 16 * count + 4000 * _is_outside(box), count > 0)
+
+
+def _written(stand: Stand, piece: str) -> str:
+    left, top, _, bottom = stand.box
+    shown = f'<g transform="translate({left:.2f} {(top + bottom) / 2:.2f})">{piece}</g>' if stand.before else ""
+    base, more = top + LINE / 2 + RISE * LETTERS, HALO if stand.covers else ""
+    rows = (words(left + stand.before, base + LINE * k, escape(row), more=more) for k, row in enumerate(stand.rows))
+    return shown + "".join(rows)
+
+
+def _rows(text: str) -> tuple[str, ...]:
+    """Return a name in lines that have room beside the axes."""
+    rows = [""]
+    for word in text.split(" "):
+        longer = f"{rows[-1]} {word}".lstrip()
+        if rows[-1] and LETTERS * width(longer) > RIGHT - BESIDE[0]:
+            rows.append(word)
+        else:
+            rows[-1] = longer
+    return tuple(rows)
+
+
+def _covered(boxes: Array, dots: Array) -> list[int]:
+    """Return how many dots lie in each of the boxes (n, 4)."""
+    left, top, right, bottom = boxes.T[:, :, None]
+    x, y = dots.T
+    return [int(count) for count in ((left < x) & (x < right) & (top < y) & (y < bottom)).sum(axis=1)]
 
 
 def _is_outside(box: Box) -> bool:
@@ -179,18 +245,18 @@ def _pen(places: Points, ink: str, dashes: str) -> str:
     return polyline(places, f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
 
 
-def _places(wide: float) -> list[tuple[float, float, float]]:
-    """Return where the left middle of words may stand from the end of a line, and how far off that is."""
+def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
+    """Return where the left middle of words may stand from the end of a line, and how far off that is.
+
+    From there the `axes` end so far to the right (mm).
+    """
     found = []
     for step in range(12):
+        far = step + step * step / 8
         for dy in {0.0} if step == 0 else {step * LINE * 0.75, -step * LINE * 0.75}:
-            found += [(BESIDE[0], dy, step), (-wide - BESIDE[0], dy, step + 2.0)]
-            found += [(-wide * part, dy, step + 0.5 + 9 * (step < 1)) for part in (0.25, 0.5, 0.75)]
+            found += [(BESIDE[0], dy, far), (-wide - BESIDE[0], dy, far + 2.0), (axes + BESIDE[0], dy, far + axes / LINE)]
+            found += [(-wide * part, dy, far + 0.5 + 9 * (step < 1)) for part in (0.25, 0.5, 0.75)]
     return sorted(found, key=lambda one: (one[2], one))
-
-
-def _meet(one: Box, other: Box) -> bool:
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def _dotted(line: Points) -> Iterator[tuple[float, float]]:

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.report.graphs.accuracy_figures import STYLES, Chart, Method, _name, chart
-from coursework.report.graphs.log_paper import MARKS, Scale, scale_for
+from coursework.report.graphs.accuracy_figures import STYLES, Chart, Method, _names, chart
+from coursework.report.graphs.log_paper import MARKS, Scale, scale_for, sheet
 from coursework.report.pages import build_model
 from coursework.report.text.parts import Figure
 from tests.drawing import measured
@@ -39,6 +39,7 @@ def test_no_word_lies_over_a_word_or_beyond_the_sheet(language):
     sections = build_model(coursework.solve("31", quantities=["accuracy"]), language).sections
     (figure,) = (part for one in sections if one.name == "accuracy" for part in one.parts if isinstance(part, Figure))
     check_words(figure.svg)
+    assert figure.svg.count("paint-order") <= 2  # of names that have to stand on a line
 
 
 @pytest.mark.parametrize("timed", [False, True])
@@ -71,8 +72,17 @@ def test_a_value_lies_where_its_logarithm_says():
 
 def test_a_name_stands_at_the_end_of_its_line_or_behind_a_piece_of_it():
     piece, free, crossed = "<path/>", np.empty((0, 2)), np.array([(60.0, 30.0)])
-    assert piece not in _name("midpoint", (50.0, 30.0), piece, free, [])
-    taken = []
-    assert piece in _name("midpoint", (50.0, 30.0), piece, crossed, taken)
-    ((left, top, right, bottom),) = taken
-    assert not (left < 60 < right and top < 30 < bottom)
+    assert piece not in _names([("midpoint", (50.0, 30.0), piece)], free, [])
+    assert piece in _names([("midpoint", (50.0, 30.0), piece)], crossed, [])
+
+
+def test_names_that_want_one_place_stand_apart():
+    named = [(f"a name of many words, number {k}", (140.0, 30.0), "<path/>") for k in range(3)]
+    svg = sheet(170, 70, _names(named, np.empty((0, 2)), [(125.0, 28.0, 170.0, 32.0)]))
+    assert measured.overlaps(svg) == []
+
+
+def test_a_name_with_room_beside_the_axes_only_is_set_in_lines():
+    everywhere = np.array([(float(x), float(y)) for x in range(14, 128) for y in range(70)])
+    svg = sheet(170, 70, _names([("a name of many words, number 0", (126.0, 30.0), "<path/>")], everywhere, []))
+    assert svg.count("<text") == 2 and "paint-order" not in svg

@@ -142,7 +142,8 @@ def test_the_first_wrong_cell_is_in_view_on_a_phone(places: dict[str, Path], pag
     page.goto(places["feedback"].as_uri())
     box = "(() => { const one = document.querySelector('#first').getBoundingClientRect(); return [one.left, one.right]; })()"
     left, right = page.evaluate(box)
-    assert 0 <= left < right <= 390
+    rows = page.evaluate("document.querySelector('.numbers tbody th').getBoundingClientRect().right")  # they stay at the side
+    assert rows <= left < right <= 390
     assert page.evaluate("[...document.querySelectorAll('td[title]')].map((one) => one.id)") == ["first"]
 
 
@@ -165,6 +166,15 @@ def test_a_printed_report_has_the_readings_of_the_check_beside_its_drawing(place
         told = lying.get_text()
     page.emulate_media(media="screen")
     assert all(words in told for words in ("8 Graph-analytical check", "Figure 4", "100 mm", "Table 4", "Link 1 turns about D."))
+
+
+def test_a_key_and_a_feedback_page_take_two_sheets_of_paper(places: dict[str, Path], page: Any) -> None:
+    page.emulate_media(media="print", color_scheme="light")
+    for kind in ("key", "feedback"):
+        page.goto(places[kind].as_uri())
+        with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
+            assert len(document) == 2
+    page.emulate_media(media="screen")
 
 
 def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> None:
