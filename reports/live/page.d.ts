@@ -3,6 +3,8 @@
 
 /** The numbers and words of the page, as `coursework/report/live/` writes them. */
 declare const data: Data;
+/** A packed script, before it is unpacked. */
+declare const packed: string;
 /** The generated functions of a variant: velocities and determinants, places of what is drawn, what the links close. */
 declare function rates(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;
 declare function places(t: number, q: ArrayLike<number>, d: any, out: Float64Array): Float64Array;

@@ -33,7 +33,7 @@ def test_the_page_is_the_report_of_run(client):
     found = answer.json()
     assert (answer.status_code, found["faults"]) == (200, [])
     assert found["summary"] == run.summary
-    assert found["page"] == render_html(results.model)
+    assert found["page"] == render_html(results.model, pack=False)
 
 
 def test_what_comes_into_view_later_is_left_out_until_it_is_asked_for(client):
@@ -49,7 +49,7 @@ def test_what_comes_into_view_later_is_left_out_until_it_is_asked_for(client):
 
 def test_a_page_is_written_again_where_something_on_it_is_another(client, monkeypatch):
     written = []
-    monkeypatch.setattr(variant_page, "render_html", lambda model: written.append(model) or render_html(model))
+    monkeypatch.setattr(variant_page, "render_html", lambda model, **how: written.append(model) or render_html(model, **how))
     text, other = TEXT.replace("0.953 m", "0.9531 m"), TEXT.replace("0.953 m", "0.9532 m")
     pages = [
         client.post("/api/page", json={"text": one, **more}).json()["page"]

@@ -39,7 +39,7 @@ def _written(results: Results) -> str:
     key = (results.stamp, results.later)
     if key not in _PAGES:
         results.compute(pages=True)
-        _PAGES[key] = render_html(results.model)
+        _PAGES[key] = render_html(results.model, pack=False)
     _PAGES.move_to_end(key)
     while len(_PAGES) > KEPT:
         _PAGES.popitem(last=False)

@@ -45,9 +45,8 @@ class Moved:
         """Return the pieces of the script where those of a page without forces are `known`."""
         first, *others, last = known
         free = self.scene.variant.motor is not None
-        watch = [] if "stop_watch" in known else ["no_watch"]
         begin, end = (["free_motion"], ["free_laboratory"]) if free else ([], [])
-        return [first, *begin, *others, *watch, "acting", "forces", *end, last]
+        return [first, *begin, *others, "acting", "forces", *end, last]
 
 
 def _once(statements: Sequence[Statement]) -> Iterator[Statement]:

@@ -21,7 +21,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
 from coursework.report.live.functions import Functions, live_functions, tableau
-from coursework.report.live.script import embedded, hash_of, script_of, shortened
+from coursework.report.live.script import embedded, hash_of, packed, script_of, shortened
 from coursework.report.text.tables import given_constants
 from coursework.report.text.words import Words
 from coursework.scene.quantities import ENERGY, FORCES
@@ -52,8 +52,7 @@ _ROUNDING = 1e-12
 class LivePart:
     """`words` of what stands still by key, `speeds` (value, text); `last` row from 0; `script` with its `hash`; `data` as JSON.
 
-    Without a `laboratory` the page shows a motion that was computed before; with `forces` it has reactions and energy too, with a
-    `watch` it tells the time of a table.
+    Without a `laboratory` the page shows a motion that was computed before; with `forces` it has reactions and energy too.
     """
 
     words: dict[str, str]
@@ -64,12 +63,11 @@ class LivePart:
     hash: str
     data: str
     forces: bool = False
-    watch: bool = True
 
     @property
     def size(self) -> int:
-        """Return the bytes of script and data."""
-        return len(self.script.encode()) + len(self.data.encode())
+        """Return the bytes of script and data as they stand in a page."""
+        return len(packed(self.script)) + len(self.data.encode())
 
 
 def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> LivePart | None:
@@ -100,7 +98,7 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
 def _laboratories(
     run: SceneRun, drawn: Drawn, said: dict[str, Any], phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
 ) -> Iterator[LivePart]:
-    """Yield the laboratory of a run: with forces where they are asked for, without the stop-watch, without forces."""
+    """Yield the laboratory of a run: with forces where they are asked for, without them."""
     forces, laws = run.variant.forces, run.scene.follows_laws
     # The script of a page moves no mechanism against friction: there the rows alone are shown.
     if forces is not None and ((run.asks(FORCES) or run.asks(ENERGY)) if laws else not forces.friction):
@@ -111,10 +109,9 @@ def _laboratories(
         own = said | said_of(found, said, phrases, label, unit)
         data = own | live_numbers(run, found.functions) | {"sliders": sliders_of(heavy, unit)} | found.numbers
         data |= {"given": heavy.variant.values, "given_order": list(heavy.variant.values)}
-        for pieces in (found.pieces(_LABORATORY), found.pieces([one for one in _LABORATORY if one != "stop_watch"])):
-            script = script_of(shortened(found.functions.text), pieces)
-            part = _part(run, phrases, script, _asked(data, script) | {"most_cells": MOST_CELLS}, laboratory=True)
-            yield replace(part, forces=True, watch="stop_watch" in pieces)
+        script = script_of(shortened(found.functions.text), found.pieces(_LABORATORY))
+        part = _part(run, phrases, script, _asked(data, script) | {"most_cells": MOST_CELLS}, laboratory=True)
+        yield replace(part, forces=True)
     if laws:
         functions = live_functions(run.scene, drawn.places)
         data = said | live_numbers(run, functions) | {"sliders": sliders_of(run, unit), "given_order": list(run.variant.values)}

@@ -10,20 +10,33 @@ from typing import Any
 
 from coursework.report.formulas.latex import latex
 from coursework.report.formulas.svg import Drawn, draw
-from coursework.report.live.script import alone
+from coursework.report.live.script import alone, hash_of, packed
 from coursework.report.pages.model import ReportModel
 from coursework.words.errors import OutputError
 from coursework.words.stylesheets import fitted
 from coursework.words.templates import filled
 
 
-def render_html(model: ReportModel) -> str:
-    """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing."""
+def render_html(model: ReportModel, *, pack: bool = True) -> str:
+    """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing.
+
+    `pack`: its moving part unpacks itself, which takes half the bytes; whoever reads the script from the page has it plain.
+    """
     page = model.plain()
     drawn = _drawn(page)
-    scripts = {"latex": latex, "copying": alone("copying")} if model.scripts else {}
+    scripts = {"latex": latex, **_scripts(model, pack)} if model.scripts else {}
     made = filled("report.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live, **scripts)
     return made if model.scripts else fitted(made)  # what moves, and what the desk changes, may come to need any rule
+
+
+def _scripts(model: ReportModel, pack: bool) -> dict[str, Any]:
+    """Return the scripts of a page by what they do, and the hashes that admit them; what is packed has two."""
+    copying = alone("copying")
+    if model.live is None:
+        return {"copying": copying, "admitted": [hash_of(copying)]}
+    moving = packed(model.live.script) if pack else model.live.script
+    admitted = dict.fromkeys((hash_of(copying), hash_of(moving), model.live.hash))
+    return {"copying": copying, "moving": moving, "admitted": [*admitted]}
 
 
 def _drawn(page: dict[str, Any]) -> Drawn:

@@ -6,6 +6,7 @@ import base64
 import hashlib
 import json
 import re
+import zlib
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -14,7 +15,7 @@ import pytest
 
 import coursework
 from coursework.report.live.page import MOST_BYTES, LivePart, live_part
-from coursework.report.live.script import embedded, hash_of
+from coursework.report.live.script import embedded, hash_of, packed
 from coursework.variant.catalogue import names
 from coursework.words.sentences import load_phrases
 from tests.sample import sampled
@@ -38,9 +39,10 @@ def test_the_policy_admits_exactly_the_bytes_between_the_tags(written: Any) -> N
     page = (written("31") / "report.html").read_bytes()
     policy = re.search(rb'Content-Security-Policy" content="([^"]*)"', page)[1].decode()
     scripts = re.findall(rb"<script>(.*?)</script>", page, re.S)
-    admitted = [f"sha256-{base64.b64encode(hashlib.sha256(script).digest()).decode()}" for script in scripts]
+    unpacked = zlib.decompress(base64.b64decode(re.search(rb'packed="([^"]*)"', scripts[0])[1]), -zlib.MAX_WBITS)
+    admitted = [f"sha256-{base64.b64encode(hashlib.sha256(script).digest()).decode()}" for script in (*scripts, unpacked)]
     assert sorted(re.search(r"script-src ([^;]*)", policy)[1].split()) == sorted(f"'{one}'" for one in admitted)
-    assert [hash_of(script.decode()) for script in scripts] == admitted
+    assert [hash_of(script.decode()) for script in (*scripts, unpacked)] == admitted
     assert not [script for script in scripts if b"\r" in script]
     assert len(scripts) == 2 and page.count(b"<script") == 3
 
@@ -49,11 +51,23 @@ def test_the_policy_admits_exactly_the_bytes_between_the_tags(written: Any) -> N
 def test_every_variant_has_its_laboratory_in_sixty_kilobytes(name: str) -> None:
     part = part_of(name)
     assert part.laboratory
-    assert part.size == len(part.script.encode()) + len(part.data.encode()) <= MOST_BYTES
+    assert part.size == len(packed(part.script)) + len(part.data.encode()) <= MOST_BYTES
     data = json.loads(part.data)
     assert {*data} >= HOOKS
     assert data["points"]
     assert not re.search(r"https?:(?!//www\.w3\.org/2000/svg)|\beval\b|\bFunction\b|innerHTML|localStorage|fetch\(", part.script)
+
+
+@pytest.mark.browser
+def test_what_is_packed_is_there_again_at_once(browser: Any) -> None:
+    """Codes of its own, fixed ones, the longest repetition from the farthest place, many blocks, letters of three bytes."""
+    page = browser.new_page()
+    far = "".join(hashlib.sha256(bytes([k])).hexdigest() for k in range(256))
+    texts = (part_of("31").script, "window.ran = 1", f"/*{far * 2}{'a' * 600}*/", "/*速度 ω₃*/" * 4, f"/*{list(range(30_000))}*/")
+    for text in texts:
+        page.set_content(f"<script>{packed(text)}</script><script>window.behind = document.scripts[0].textContent</script>")
+        assert page.evaluate("window.behind") == text
+    page.close()
 
 
 def test_the_same_bytes_on_every_run() -> None:

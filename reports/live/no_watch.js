@@ -1,3 +1,0 @@
-// Where a script has no room for the stop-watch nothing is timed.
-// Leaves: `watch`.
-const watch = { open() {}, later() {}, draw() {} };
