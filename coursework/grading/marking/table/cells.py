@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.restored import as_it_was, from_what_was
+from coursework.grading.marking.table.restored import as_it_was, what_was
 from coursework.grading.marking.table.ways import (
     ANGLES,
     EARLIER,
@@ -113,8 +113,8 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     if (marks == WRONG).any():
         # Among the rows of another motion the cells of that motion were always so; those of the task were put right.
         right = marks == KEY if table is key.table else alike(key, student, key.table) & (marks != KEY)
-        before = as_it_was(key, student, right, own)
-        for way in from_what_was(key, student, marks == WRONG, own, before):
+        made, before = what_was(key, student, marks == WRONG, own, as_it_was(key, student, right, own))
+        for way in made:
             holds = way.holds(values)
             holds[:1, :m] = False
             marks[holds & (marks == WRONG)] = way.name

@@ -10,9 +10,8 @@ are right.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,45 +27,53 @@ _PASSES = 2
 # So many cells must agree on what another was when they were made; what is so in nearly all rows was never otherwise.
 _AGREE, _FEW = 2, 0.75
 # So many of the longest steps of its column it may lie from the rows beside.
-_FAR = 4.0
+_FAR = 2.0
 # What a cell was is told by cells that it leaves no more open than so many times what is usual in their column.
 _USUAL = 4.0
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
 
 
-def from_what_was(key: Key, student: StudentTable, wrong: Flags, own: OwnWays, before: StudentTable | None) -> Iterator[Way]:
-    """Yield the ways to `wrong` cells (n, m + r) from what others were; `before` is the table as the rows above make it.
+def what_was(
+    key: Key, student: StudentTable, wrong: Flags, own: OwnWays, before: StudentTable | None
+) -> tuple[list[Way], StudentTable | None]:
+    """Return the ways to `wrong` cells (n, m + r) from what others were, and the table as it was, None where it is as it was.
 
-    A cell that is the task's may have been put right: it speaks neither for nor against what stood beside it.
+    `before` is the table as the rows above make it.  A cell that is the task's may have been put right: it speaks neither for
+    nor against what stood beside it.
     """
     put = near(student.values, key.table, as_printed(key, student.units))
-    wrong = wrong & ~put
+    may_be_other = wrong | put  # what is right as its row has it was never otherwise
+    wrong, put_back = wrong & ~put, np.zeros_like(wrong)
+    found: list[Way] = []
     if before is not None:
-        above = own_ways(key, before, own.coarse).tried
-        yield from above
-        wrong = wrong & ~_held(above, student)
-    m, was, usual = len(key.coordinates), student, _usual(own)
-    as_it_stands = _held(own.tried, student)
+        found += own_ways(key, before, own.coarse).tried
+        wrong = wrong & ~_held(found, student)
+    m, was, usual, as_it_stands = len(key.coordinates), student, _usual(own), _held(own.tried, student)
     for _ in range(_PASSES):
-        before = was
-        for guess, fitted in _guesses(key, was, wrong):
-            if not (_made_from(wrong & _likely(key, student, guess, usual), m) > fitted).any():
+        last, speaking = was, wrong | put_back
+        for guess, fitted in _guesses(key, was, own, speaking, may_be_other):
+            if not (_made_from(speaking & _likely(key, was, guess, usual), m) > fitted).any():
                 continue
             tried = own_ways(key, guess, own.coarse).tried
             ways = [replace(way, expected=np.where(way.tolerance <= usual, way.expected, np.nan)) for way in tried]
-            held = _held(ways, student)
-            new, lost = wrong & held, (as_it_stands & ~held & ~put)[:, m:].sum(axis=1)
+            held = _held(ways, was)
+            new, lost = (wrong | put_back) & held, (as_it_stands & ~held & ~put)[:, m:].sum(axis=1)
             rows = (_made_from(new, m) > fitted + lost) & new[:, m:].any(axis=1)
             if rows.any():
                 made = np.zeros_like(wrong)
                 made[rows, m:] = True
                 made[1:, :m] = rows[:-1, None]
-                yield from (replace(way, expected=np.where(made, way.expected, np.nan)) for way in ways)
+                found += (replace(way, expected=np.where(made, way.expected, np.nan)) for way in ways)
                 wrong = wrong & ~(new & made)
+                put_back |= rows[:, None] & (guess.values != was.values) & put
                 was = replace(was, values=np.where(rows[:, None], guess.values, was.values))
-        if was is before:
-            return
+        if was is last:
+            break
+        own = own_ways(key, was, own.coarse)
+    if before is not None:
+        was = replace(before, values=np.where(was.values != student.values, was.values, before.values))
+    return found, None if was is student else was
 
 
 def _usual(own: OwnWays) -> Array:
@@ -98,16 +105,16 @@ def _made_from(cells: Flags, m: int) -> Counts:
     return np.asarray(found)
 
 
-def _guesses(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
+def _guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> Iterator[tuple[StudentTable, Counts]]:
     """Yield what rows may have been, and how many cells (n,) each of them was fitted to; as many prove nothing."""
     m = len(key.coordinates)
     if 0 < wrong[:, m:].any(axis=1).sum() <= _FEW * len(wrong):
         yield from _by_next_row(key, was, wrong)
-        yield from _by_velocities(key, was, wrong)
+        yield from _by_one_cell(key, was, own, wrong, other)
 
 
 def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
-    """Yield the coordinates, and the velocities, that the steps to the next row were made from: all of a row, or one."""
+    """Yield all coordinates of a row, and its velocities, that the steps to the next row were made from."""
     m, h = len(key.coordinates), key.stride
     q, w, after = was.values[:-1, :m], was.values[:-1, m : 2 * m], was.values[1:, :m]
     true = q
@@ -115,72 +122,105 @@ def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[St
         true = after - h * key.velocities_at(key.t[:-1], true)[:, :m]
     digits, finer, next_digits = was.units[:-1, :m], was.units[:-1, m : 2 * m], was.units[1:, :m]
     with np.errstate(invalid="ignore"):
-        broken = np.abs(after - q - h * w) > HALF * (digits + next_digits + h * finer)
-    for chosen in dict.fromkeys([*((place,) for place in range(m)), tuple(range(m))]):
-        here = np.zeros_like(broken)
-        here[:, chosen] = broken[:, chosen]
-        fitted = np.full(len(was.values), wrong.size)
-        fitted[:-1][here.any(axis=1)] = (here & wrong[1:, :m]).sum(axis=1)[here.any(axis=1)]
-        for first, made, units in (
-            (0, after - h * w, next_digits + h * finer),
-            (0, true, next_digits),
-            (m, (after - q) / h, (digits + next_digits) / h),
-        ):
-            part = slice(first, first + m)
-            guess = replace(was, values=was.values.copy(), units=was.units.copy())
-            guess.values[:-1, part] = np.where(here, made, guess.values[:-1, part])
-            guess.units[:-1, part] = np.where(here, units, guess.units[:-1, part])
-            yield guess, fitted
+        here = np.abs(after - q - h * w) > HALF * (digits + next_digits + h * finer)
+    fitted = np.full(len(was.values), wrong.size)
+    fitted[:-1][here.any(axis=1)] = (here & wrong[1:, :m]).sum(axis=1)[here.any(axis=1)]
+    for first, made, units in (
+        (0, after - h * w, next_digits + h * finer),
+        (0, true, next_digits),
+        (m, (after - q) / h, (digits + next_digits) / h),
+    ):
+        part = slice(first, first + m)
+        guess = replace(was, values=was.values.copy(), units=was.units.copy())
+        guess.values[:-1, part] = np.where(here, made, guess.values[:-1, part])
+        guess.units[:-1, part] = np.where(here, units, guess.units[:-1, part])
+        yield guess, fitted
 
 
-def _by_velocities(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
-    """Yield each cell as the velocities of its row have it: all follow from a coordinate, later blocks from a velocity."""
+def _by_one_cell(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> Iterator[tuple[StudentTable, Counts]]:
+    """Yield each cell as most of the wrong ones that are made from it, and what it is made from itself, have it."""
     m = len(key.coordinates)
-    rows = np.flatnonzero(wrong[:, m:].any(axis=1) & (_made_from(wrong, m) >= _AGREE))
-
-    def by_coordinates(t: Array, cells: Array) -> Array:
-        return key.velocities_at(t, cells[:, :m])
-
-    first = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
-    if len(rows):
-        for places, made in ((range(m), by_coordinates), (first, partial(_later, key))):
-            for place in places:
-                guess = replace(was, values=was.values.copy())
-                guess.values[rows, place] = _fitted(made, key.t[rows], was.values[rows], was.units[rows], wrong[rows, m:], place)
-                fitted = np.full(len(wrong), wrong.size)
-                fitted[rows[_beside(key, guess.values[:, place], was.values[:, place], place)[rows]]] = 1
-                yield guess, fitted
-
-
-def _beside(key: Key, guess: Array, printed: Array, place: int) -> Flags:
-    """Return where a guess (n,) lies near what is printed in rows above or below: roots of chance lie anywhere."""
-    far, near = _FAR * np.max(np.abs(np.diff(key.table[:, place])), initial=0.0), np.zeros(len(guess), dtype=bool)
-    with np.errstate(invalid="ignore"):
-        for by in (1, 2):
-            close = np.abs(guess[by:] - printed[:-by]) <= far, np.abs(guess[:-by] - printed[by:]) <= far
-            near[by:] |= close[0]
-            near[:-by] |= close[1]
-    return near
+    apart = np.zeros(len(wrong), dtype=bool)
+    apart[1:] = ~_held((own.step, own.step_true), was)[1:, :m].all(axis=1)
+    rows = np.flatnonzero(wrong[:, m:].any(axis=1) & (apart | (_made_from(wrong, m) >= _AGREE)))
+    if not len(rows):
+        return
+    later = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
+    places = np.array([*dict.fromkeys([*range(2 * m), *later])])
+    found, agree = _agreed(key, was, own, wrong, rows, places)
+    agree = np.where(other[np.ix_(rows, places)].T, agree, 0)
+    every = np.arange(len(rows))
+    for place in np.argsort(-agree, axis=0, kind="stable"):  # in each row the cell first of which most speaks
+        if not (agree[place, every] >= _AGREE).any():
+            return
+        guess, at = replace(was, values=was.values.copy()), (rows, places[place])
+        guess.values[at] = found[place, every]
+        fitted = np.full(len(wrong), wrong.size)
+        fitted[rows] = np.where(_beside(key, guess, was)[at], 1 - _held(own.tried, guess)[at], wrong.size)
+        yield guess, fitted
 
 
-def _fitted(made: Callable[[Array, Array], Array], t: Array, cells: Array, units: Array, wrong: Flags, place: int) -> Array:
-    """Return what most of the `wrong` velocities (n, r) in rows of `cells` (n, m + r) have the one at a place for (n,)."""
-    count, r = wrong.shape
-    m = cells.shape[1] - r
-    one, printed = (np.arange(r * count), np.repeat(np.arange(r), count)), np.tile(cells[:, m:], (r, 1))
-    times, moved = np.tile(t, r), np.tile(cells, (r, 1))
-    for _ in range(_ROUNDS):
-        nearer = moved.copy()
-        nearer[:, place] += _DIFFERENCE
-        found = made(times, moved)
-        slopes = (made(times, nearer) - found) / _DIFFERENCE
-        with np.errstate(divide="ignore", invalid="ignore"):
-            moved[:, place] += np.nan_to_num(((printed - found) / slopes)[one], posinf=0.0, neginf=0.0)
-    doubt = np.tile(units[:, m:], (r, 1)) + np.abs(slopes) * np.tile(units[:, [place]], (r, 1))
-    with np.errstate(invalid="ignore"):
-        agree = (np.abs(printed - made(times, moved)) <= doubt) & (slopes != 0)
-    best = (agree & np.tile(wrong, (r, 1))).sum(axis=1).reshape(r, count).argmax(axis=0)
-    return np.asarray(moved[:, place].reshape(r, count)[best, np.arange(count)])
+def _beside(key: Key, guess: StudentTable, printed: StudentTable) -> Flags:
+    """Return where guesses (n, m + r) lie near what is printed in rows above or below: roots of chance lie anywhere."""
+    far, close = _FAR * np.max(np.abs(np.diff(key.table, axis=0)), axis=0, initial=0.0), np.zeros(key.table.shape, dtype=bool)
+    for by in (1, 2):
+        close[by:] |= near(guess.values[by:], printed.values[:-by], far)
+        close[:-by] |= near(guess.values[:-by], printed.values[by:], far)
+    return close
+
+
+def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Places, places: Places) -> tuple[Array, Counts]:
+    """Return what the cells at some places of some rows (places, rows) were by as many others as can be, and by how many.
+
+    Each `wrong` one made from it leaves it a span as wide as its own tolerance, and so does what it was made from: where most
+    spans meet it may have been.
+    """
+    m, r = len(key.coordinates), len(key.velocities)
+    after = np.minimum(rows + 1, len(was.values) - 1)
+
+    def of(velocities: Sequence[Array], steps: Sequence[Array]) -> Array:
+        return np.hstack([*(table[rows, m:] for table in velocities), *(table[after, :m] for table in steps)]).T
+
+    tolerance = of((own.angles.tolerance, own.earlier.tolerance), (own.step.tolerance, own.step_true.tolerance))
+    speaks = of((wrong, wrong), (wrong, wrong)) & np.isfinite(tolerance)
+    speaks[2 * r :, after == rows] = False
+    used = np.flatnonzero(speaks.any(axis=1))
+    shape = (len(places), len(used), len(rows))
+    printed, tolerance, speaks = of((was.values,) * 2, (was.values,) * 2)[used], tolerance[used], speaks[used]
+    one, at = np.indices(shape)[1].ravel(), (np.arange(np.prod(shape)), np.repeat(places, shape[1] * shape[2]))
+    times, moved = np.tile(key.t[rows], shape[0] * shape[1]), np.tile(was.values[rows], (shape[0] * shape[1], 1))
+    beside = np.pad(was.values, ((1, 1), (0, 0)), mode="edge")
+    middle = np.median([beside[rows + by] for by in range(3)], axis=0)  # a misprint leads astray
+    moved[at] = np.repeat(middle.T[places], shape[1], axis=0).ravel()
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for last in range(_ROUNDS + 1):
+            nearer = moved.copy()
+            nearer[at] += _DIFFERENCE
+            found = _made_from_rows(key, times, moved)[at[0], used[one]]
+            slopes = ((_made_from_rows(key, times, nearer)[at[0], used[one]] - found) / _DIFFERENCE).reshape(shape)
+            off = printed - found.reshape(shape)
+            if last < _ROUNDS:
+                moved[at] += np.nan_to_num(off / slopes, posinf=0.0, neginf=0.0).ravel()
+        half = np.where(speaks & (np.abs(off) <= tolerance), tolerance / np.abs(slopes), np.nan)
+    low, high = (moved[at].reshape(shape) + side * half for side in (-1, 1))
+    for way in own.tried:
+        made, by = way.expected[rows].T[places, None], way.tolerance[rows].T[places, None]
+        low, high = np.hstack([low, made - by]), np.hstack([high, made + by])
+    cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 2)])[used]  # each is made in two ways
+    cells = np.concatenate([cells, np.full(len(own.tried), r + m)])
+    meet = (low[:, :, None] <= low[:, None]) & (low[:, None] <= high[:, :, None])  # (place, span, where one begins, row)
+    counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
+    best, (place, row) = counts.argmax(axis=1), np.ogrid[: shape[0], : shape[2]]
+    to = np.min(np.where(meet[place, :, best, row], high.transpose(0, 2, 1), np.inf), axis=-1)
+    return (low[place, best, row] + to) / 2, counts[place, best, row]
+
+
+def _made_from_rows(key: Key, t: Array, rows: Array) -> Array:
+    """Return what rows (n, m + r) make: their velocities, later ones from earlier ones, the next coordinates in both ways."""
+    m, h = len(key.coordinates), key.stride
+    velocities = key.velocities_at(t, rows[:, :m])
+    steps = (rows[:, :m] + h * rates[:, :m] for rates in (rows[:, m:], velocities))
+    return np.hstack([velocities, _later(key, t, rows), *steps])
 
 
 def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> StudentTable | None:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import GIVEN, MISSING, Cells, mark_cells
+from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
 from coursework.grading.marking.table.ways import KEY
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -32,18 +32,14 @@ def begins_elsewhere(key: Key, cells: Cells) -> bool:
 def own_start(key: Key, cells: Cells) -> OwnStart | None:
     """Return the table marked from its own start; None where that is the task's or row 1 does not follow from it.
 
-    The start is what row 1 prints.  Where that is the task's, and neither its velocities nor row 2 follow, it may also
-    be what the step to row 2 was made from.
+    The start is what row 1 prints, or what stood there before that was put right.
     """
     m, values = len(key.coordinates), cells.student.values
     printed = np.where(np.isfinite(values[0, :m]), values[0, :m], key.table[0, :m])
     starts = [(printed, cells.wrong[0, :m])]
-    if len(values) > 1 and not np.isin(cells.marks[0, m:], (KEY, MISSING)).all():
-        unused = (cells.marks[0, :m] == GIVEN) & np.isfinite(values[0, m : 2 * m]) & ~cells.missing[1, :m]
-        unused &= ~np.any([way.holds(values)[1, :m] for way in cells.ways], axis=0)
-        if unused.any():
-            made = np.where(unused, values[1, :m] - key.step * values[0, m : 2 * m], printed)
-            starts.append((made, cells.wrong[0, :m] | unused))
+    if cells.before is not None:
+        was = np.where(cells.marks[0, :m] == GIVEN, cells.before.values[0, :m], printed)
+        starts.append((was, cells.wrong[0, :m] | (was != printed)))
     for start, other in starts:
         if other.any() and (found := _marked_from(key, cells, start)):
             return OwnStart(found, tuple(key.coordinates[place] for place in np.flatnonzero(other).tolist()))
