@@ -76,7 +76,9 @@ def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] 
 
     def written() -> tuple[str, tuple[tuple[str, int], ...]]:
         slopes = [
-            equations.symbols.partial(expression, symbol(variant.coordinates[place].name)) for expression in zero for place in moved
+            equations.symbols.partial(expression, symbol(variant.coordinates[place].name))
+            for expression in zero
+            for place in moved
         ]
         pieces = (
             *(moving or [rates_of(scene)]),

@@ -92,7 +92,9 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
     said = _asked(said, script)
     room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
     part = _part(run, phrases, script, said | frames_of(run, drawn, room))
-    return replace(part, words=part.words | {"no_laboratory": part.words["sudden"]}) if sudden else part
+    forces = run.variant.forces
+    why = "sudden" if sudden else "rubbing" if not driven and forces is not None and forces.friction else "no_laboratory"
+    return replace(part, words=part.words | {"no_laboratory": part.words[why]})
 
 
 def _laboratories(
