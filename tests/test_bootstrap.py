@@ -91,6 +91,17 @@ def test_the_one_package_to_install_is_named(module, tmp_path, monkeypatch, caps
     assert not (tmp_path / ".venv").exists()
 
 
+def test_a_link_in_the_place_of_the_environment_goes_and_what_it_leads_to_stays(tmp_path, monkeypatch):
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "elsewhere/work.txt").touch()
+    (tmp_path / ".venv").symlink_to(tmp_path / "elsewhere")
+    monkeypatch.setattr(bootstrap, "HOME", tmp_path / ".venv")
+    monkeypatch.setattr(venv, "create", lambda home, with_pip: home.mkdir())
+    bootstrap.make_environment()
+    assert (tmp_path / "elsewhere/work.txt").exists()
+    assert not (tmp_path / ".venv").is_symlink()
+
+
 @pytest.mark.parametrize("version", [(3, 7), (3, 10)])
 def test_too_old_a_python_is_told(version, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(bootstrap, "HOME", tmp_path / ".venv")

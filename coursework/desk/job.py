@@ -75,7 +75,11 @@ def told(status: int, language: str, key: str, /, **values: object) -> Answer:
 
 
 def fault_entry(code: str, sentence: str, line: int = 0, column: int = 0, mend: Any = None) -> dict[str, Any]:
-    """Return a fault as the browser shows it; what stands nowhere in the text has no line."""
+    """Return a fault as the browser shows it; what stands nowhere in the text has no line.
+
+    >>> [(one["line"], one["column"]) for one in (fault_entry("", "", 3, 7), fault_entry("", "", 3), fault_entry("", ""))]
+    [(3, 7), (3, 1), (None, None)]
+    """
     return {
         "code": code, "line": line or None, "column": max(column, 1) if line else None, "sentence": sentence, "mend": mend,
     }  # fmt: skip

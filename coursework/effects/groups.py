@@ -47,7 +47,7 @@ def by_groups(scheme: ForceScheme, reactions: Reactions) -> Array | None:
     """Return the unknowns (n, k), each group solved for itself; None where the order of the groups is not known."""
     sets = sets_of(scheme)
     count, _, k = reactions.matrix.shape
-    if not sets or sum(len(unknowns) for *_, unknowns in sets) != k:
+    if sum(len(unknowns) for *_, unknowns in sets) != k:
         return None
     right = np.zeros(reactions.matrix.shape[:2])
     right[:, : 3 * len(scheme.bodies)] = -reactions.wrench.reshape(count, 3 * len(scheme.bodies))

@@ -23,8 +23,6 @@ COEFFICIENTS = (
     (-1, 6, -18, 10, 3),
     (3, -16, 36, -48, 25),
 )
-# Estimate minus derivative = factor h^4 f5, for the same five places.
-TRUNCATION = (-1 / 5, 1 / 20, -1 / 30, 1 / 20, -1 / 5)
 # Independent errors of size sigma in the table give sigma sqrt(1 + 64 + 64 + 1)/(12 h) at an inner node.
 AMPLIFICATION = math.sqrt(130) / 12
 # A node off its place by a part p of the step falsifies the derivative by about the same part p; nodes that a

@@ -23,6 +23,8 @@ def said(runs: Sequence[dict[str, str]]) -> Markup:
 
     >>> said([{"v": "φ", "s": "3"}, {"t": " is <small>"}, {"p": "2"}])
     Markup('<i>φ</i><sub>3</sub> is &lt;small&gt;<sup>2</sup>')
+    >>> said([{"c": "w1 = 2"}, {"t": " in row 3"}])
+    Markup('<bdi>w1 = 2</bdi> in <bdi>row 3</bdi>')
     """
     groups = line_groups(runs)
     return Markup("".join(f"{_BEGIN}{_written(group, kept)}{_END}" if kept else _written(group, kept) for kept, group in groups))

@@ -8,7 +8,7 @@ import jsonschema
 import pytest
 
 import coursework
-from coursework.assigning.ranges import MEASURES
+from coursework.assigning.ranges import MEASURES, Difficulty, Limits
 from coursework.assigning.reader import DIFFICULTY, LIMITS, SECTIONS, read_ranges
 from coursework.words.data_folders import folder
 
@@ -136,6 +136,8 @@ def test_the_schema_has_the_keys_of_the_reader():
     assert tuple(properties["limits"]["properties"]) == LIMITS
     assert tuple(properties["difficulty"]["properties"]) == DIFFICULTY
     assert properties["difficulty"]["properties"]["numbers"]["items"]["enum"] == list(MEASURES)
+    assert properties["difficulty"]["properties"]["band"]["default"] == Difficulty().band
+    assert properties["limits"]["properties"]["tries"]["default"] == Limits().tries
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
 
 

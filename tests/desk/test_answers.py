@@ -17,6 +17,7 @@ from coursework.report.pages.html import render_html
 from coursework.variant.reading.reader import parse_variant
 from tests.command import call
 from tests.desk.desks import TEXT, VARIANTS, desk
+from tests.equations.test_nearly_dependent import two
 
 
 @pytest.fixture
@@ -34,6 +35,15 @@ def test_the_page_is_the_report_of_run(client):
     assert (answer.status_code, found["faults"]) == (200, [])
     assert found["summary"] == run.summary
     assert found["page"] == render_html(results.model, pack=False)
+    sliders = {one["name"]: (one["low"], one["high"], one["step"]) for one in found["data"]}
+    assert sliders["r1"] == (0.476, 1.43, 0.001)  # from half of it to half as much again, outwards to its own last digit
+    assert sliders["V1"] == (2.25, 6.75, 0.01)  # of 4.5: fifty places at least
+    assert sliders["phi1"] == (-1.52, 4.78, 0.01)  # half a turn to each side
+
+
+def test_what_failed_is_called_by_its_code_in_english_and_by_its_name_elsewhere(client):
+    summaries = [client.post("/api/check", json={"text": two(1e-12), "language": one}).json()["summary"] for one in ("en", "uk")]
+    assert ["CONDITION" in one for one in summaries] == [True, False]
 
 
 def test_what_comes_into_view_later_is_left_out_until_it_is_asked_for(client):

@@ -14,6 +14,7 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.commands.cli import main
+from coursework.motion.integration import adaptive, order_eight
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES, Scheme, _density, _trees
 from coursework.report.formulas.lecture import lines
@@ -37,6 +38,26 @@ vocabulary.SCHEME_NAMES = (*vocabulary.SCHEME_NAMES, "kutta3")
 from coursework.commands.cli import main
 main()
 """
+
+
+def moments(nodes, weights, count):
+    """Return the sums of weights times powers of nodes: 1, 1/2, 1/3 … up to the order of a method, 0 of an estimated error."""
+    return [sum(weight * nodes[place] ** power for place, weight in weights.items()) for power in range(count)]
+
+
+def test_the_pairs_with_a_step_of_their_own_keep_the_conditions_of_their_orders():
+    rows, numbered = adaptive._ROWS, lambda row: dict(enumerate(row))
+    assert [sum(row) for row in rows] == pytest.approx(adaptive._NODES, abs=1e-14)
+    assert moments(adaptive._NODES, numbered(rows[-1]), 5) == pytest.approx([1 / k for k in range(1, 6)], abs=1e-14)
+    assert moments(adaptive._NODES, numbered(adaptive._ERROR), 4) == pytest.approx([0.0] * 4, abs=1e-14)
+    nodes = [0.0, *(sum(row.values()) for row in order_eight._ROWS)]
+    squares = [moments(nodes, row, 2)[1] for row in order_eight._ROWS[1:]]
+    assert squares == pytest.approx([node**2 / 2 for node in nodes[2:]], abs=1e-13)
+    assert nodes[-1] == pytest.approx(1.0, abs=1e-13)
+    assert moments(nodes, order_eight._RESULT, 8) == pytest.approx([1 / k for k in range(1, 9)], abs=1e-13)
+    for error, order in ((order_eight._THIRD, 3), (order_eight._FIFTH, 5)):
+        assert moments(nodes, error, order) == pytest.approx([0.0] * order, abs=1e-13)
+        assert abs(moments(nodes, error, order + 1)[-1]) > 1e-6
 
 
 @pytest.fixture

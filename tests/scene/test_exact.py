@@ -57,6 +57,7 @@ def test_without_closed_positions_it_is_refused():
     done = call("run", "open.toml", "--scheme", "exact", "--format", "csv")
     assert done.exit_code == 2
     assert "add [closure] (or a chain of [[group]]), or take --scheme rk4" in done.stderr
+    assert "open.toml:1 " in done.stderr  # what is missing has no line of its own
     Path("asked.toml").write_text(OPEN.replace("[time]\n", '[time]\nscheme = "exact"\n'), encoding="utf-8")
     done = call("run", "asked.toml", "--format", "csv")
     line = next(i for i, text in enumerate(Path("asked.toml").read_text(encoding="utf-8").splitlines(), 1) if "exact" in text)

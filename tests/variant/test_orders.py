@@ -84,10 +84,10 @@ def test_units_tell_the_order_of_an_rrp():
     assert refused(f'{text}{slider}coordinates = ["p4", "q4"]\n').code == "V156"
 
 
-def with_starts(text, digits):
+def with_starts(text, digits, off=0.0):
     row = solved(CHAIN).table.iloc[0]
     for name in ("phi2", "phi3"):
-        text = text.replace(f"{name} = {{ rate", f'{name} = {{ start = "{float(row[name]):.{digits}f} rad", rate')
+        text = text.replace(f"{name} = {{ rate", f'{name} = {{ start = "{float(row[name]) + off:.{digits}f} rad", rate')
     return text
 
 
@@ -99,6 +99,19 @@ def test_start_values_tell_the_order(key, order):
     assert fault.code == "V334"
     assert f"with {key} = {order} they do" in str(fault.message)
     assert len(solved(with_starts(CHAIN, 12)).table)
+
+
+@pytest.mark.parametrize(
+    ("is_turned", "off", "code"),
+    [(False, 0.9e-6, None), (False, -0.9e-6, None), (False, 1.5e-6, "V332"), (True, 0.019, "V334"), (True, -0.03, "V332")],
+)
+def test_starts_are_rounded_to_both_sides_of_their_limits(is_turned, off, code):
+    text = with_starts(CHAIN.replace('["phi2", "phi3"]', '["phi3", "phi2"]') if is_turned else CHAIN, 12, off)
+    if code is None:
+        assert len(solved(text).table)
+    else:
+        with pytest.raises(coursework.InputError, match=code):
+            solved(text).table  # noqa: B018
 
 
 def test_a_start_that_closes_in_no_order_is_told_as_before():

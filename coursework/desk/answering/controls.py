@@ -16,7 +16,7 @@ from coursework.desk.answering.typed import Desk
 from coursework.report.text.symbols import symbol
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.system.frozen import frozen
-from coursework.variant.formula.units import UNITS
+from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 
@@ -46,7 +46,7 @@ class Written:
     @property
     def size(self) -> float:
         """Return what one of its unit is in SI."""
-        return float(UNITS[self.unit][0]) if self.unit in UNITS else 1.0
+        return size_of(self.unit) or 1.0
 
     def spelled(self, value: float, decimals: int) -> str:
         """Return another value (SI) as the file writes it."""

@@ -16,6 +16,7 @@ from coursework.desk.answering.edits import with_lines
 from coursework.desk.answering.typed import Desk
 from coursework.desk.job import FORBIDDEN, Answer, told
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations, differentiate
+from coursework.equations.reduction.independent import DEPENDENT
 from coursework.equations.reduction.system import compile_system
 from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.start import start_values
@@ -23,7 +24,7 @@ from coursework.variant.formula.reader import MAX_NODES as MOST_PARTS
 from coursework.variant.formula.tree import spelled
 from coursework.words.sentences import say
 
-ROWS, SPREAD, SAME = 4, 0.1, 1e-9  # positions about the start at which equations are compared, how far (rad, m), and rank
+ROWS, SPREAD = 4, 0.1  # positions about the start at which equations are compared, and how far (rad, m)
 _GEOMETRY = re.compile(r"^(?:#[^\n]*\n+)?\[(?:points|links|frame|closure|ask)\]", re.M)
 
 
@@ -66,7 +67,7 @@ def _parts(one: VelocityEquation, found: VelocityEquations) -> int:
 
 
 def _rank(matrices: Any) -> int:
-    return int(np.linalg.matrix_rank(matrices, tol=SAME * np.abs(matrices).max(initial=0.0)).max())
+    return int(np.linalg.matrix_rank(matrices, tol=DEPENDENT * np.abs(matrices).max(initial=0.0)).max())
 
 
 def _written(name: str, one: VelocityEquation, found: VelocityEquations, desk: Desk) -> list[str]:

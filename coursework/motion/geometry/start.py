@@ -66,6 +66,8 @@ def _by_groups(equations: VelocityEquations) -> list[float]:
 def _swaps(equations: VelocityEquations) -> list[Fault]:
     """Return a fault for the group whose `from` or `coordinates`, in the other order, close where the start values are."""
     variant = equations.variant
+    if _closes_near_start(variant):
+        return []  # the order is right, a digit is not
     for index, group in enumerate(variant.groups):
         for key, old in (("from", group.start_points), ("coordinates", group.coordinates)):
             if len(old) < 2:

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from coursework.variant.dimensions.exponents import LENGTH
 from coursework.variant.formula.tree import Formula, terms
-from coursework.variant.formula.units import UNITS
+from coursework.variant.formula.units import UNITS, size_of
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
 from coursework.variant.record.no_value import known_value
@@ -181,9 +181,9 @@ def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, S
             given = turned.get(name)
             if given is None or (path, name) in told or not factor:
                 continue
-            sizes = {_unit_size(given), math.pi / 30} - {1.0}
+            sizes = {(size_of(given.unit) or 1.0), math.pi / 30} - {1.0}
             key = "remark.rpm" if any(abs(factor / size - 1) < _NEAR for size in sizes) else ""
-            if path[0] == "time" and factor == -_MINUTE and _unit_size(given) < 1.0:
+            if path[0] == "time" and factor == -_MINUTE and (size_of(given.unit) or 1.0) < 1.0:
                 key = "remark.rpm_turn"
             if key:
                 told.add((path, name))
@@ -195,10 +195,6 @@ def _place(path: KeyPath, variant: Variant) -> str:
     if path[0] == "constraint":
         return say("place.constraint", name=variant.constraints[int(path[1])].name)
     return str(path[1])
-
-
-def _unit_size(given: Given) -> float:
-    return float(UNITS[given.unit][0]) if given.unit in UNITS else 1.0
 
 
 def _laws(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:

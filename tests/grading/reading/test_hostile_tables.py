@@ -206,6 +206,9 @@ def test_long_lines_blank_rows_and_nul_bytes() -> None:
     assert refused(b"t;phi1\n" + b"1" * 20_001 + b";2\n").code == "long_line"
     assert isinstance(read_table(csv(ROWS) + b"\n" + b"x" * 20_000, "t.csv", GRID), Table)
     assert column(read(csv(ROWS) + b"\n" + b";;;;;;;\n" * 400_000), "w3")[24] == float(ROWS[24][6])
+    for blank, goes_on in ((200, True), (201, False)):
+        parted = csv(ROWS[:10]) + b"\n" * (blank + 1) + csv(ROWS[10:]).partition(b"\n")[2]
+        assert math.isfinite(column(read(parted), "w3")[24]) == goes_on
     table = read(csv(ROWS).replace(b"\n", b"\0\n"))
     assert codes(table) == ["encoding"]
     assert column(table, "w3")[24] == float(ROWS[24][6])

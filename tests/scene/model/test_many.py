@@ -70,6 +70,11 @@ def test_dead_points_of_any_data():
     assert sum(stop is None for stop in solved.stops) > 4
 
 
+def test_only_where_lengths_stay_lengths_is_a_set_sure_to_move():
+    found = prepare(model("31"), model("31").data({"r1": [0.953, -0.953, 0.94]}), model("31").variant.time.end)
+    assert found.sure.tolist() == [True, False, True]
+
+
 @pytest.mark.parametrize("edge", [1.5929, 4.6903])
 def test_beside_the_edge_of_what_is_possible(edge):
     """The feasible phases of variant 31, to the digits its page gives, and closer than any step could see."""
