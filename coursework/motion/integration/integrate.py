@@ -8,6 +8,7 @@ correction is asked for, the same steps are made one by one, which tells why a m
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -100,7 +101,7 @@ def _followed(
         except (ZeroDivisionError, ValueError, OverflowError):
             stop = _first_stop(stop, _broken("event.singular", index, t, step, q, rates))
             break
-        if not np.all(np.isfinite(row)) and _has_outgrown(q):
+        if not all(map(math.isfinite, row)) and _has_outgrown(q):
             stop = _first_stop(stop, _broken("event.overflow", index, t, step, q, rates))
             break
         if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
@@ -122,7 +123,7 @@ def _followed(
         if correction and targets is not None:
             moved = corrected(correction, targets, index, step, t, q, moved)
         q = moved
-        if not np.all(np.isfinite(q)):
+        if not np.isfinite(q).all():
             stop = _first_stop(stop, _broken("event.overflow", index, t, step, q, rates))
             break
     return rows, stop
