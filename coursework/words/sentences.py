@@ -44,7 +44,7 @@ class Phrases:
     language: str
     entries: Mapping[str, Any]
     on_paper: bool = False
-    _templates: dict[str, str] = field(default_factory=dict, repr=False, compare=False)  # those read so far
+    _known: dict[str, object] = field(default_factory=dict, repr=False, compare=False)  # what was looked up so far
 
     def has(self, key: str) -> bool:
         """Return whether there is such a sentence."""
@@ -63,11 +63,8 @@ class Phrases:
 
     def template(self, key: str) -> str:
         """Return a sentence with its gaps, in English where this language has none yet.  Raises `KeyError` for an unknown key."""
-        if (known := self._templates.get(key)) is not None:
-            return known
         found = self._found(key)
         if isinstance(found, str):
-            self._templates[key] = found
             return found
         if self.language == ENGLISH:
             raise KeyError(f"words.{ENGLISH}.toml has no sentence {key}")
@@ -129,10 +126,15 @@ class Phrases:
         return str(known[unit]) if unit in known else _UNIT.sub(lambda part: str(known.get(part[0], part[0])), unit)
 
     def _found(self, key: str) -> object:
+        if (known := self._known.get(key)) is not None:
+            return known
         places = [self.entries]
         if self.on_paper and "paper" in self.entries:
             places.insert(0, self.entries["paper"])
-        return next((entry for place in places if (entry := _entry(place, key)) is not None), None)
+        found = next((entry for place in places if (entry := _entry(place, key)) is not None), None)
+        if found is not None:
+            self._known[key] = found
+        return found
 
     def for_paper(self) -> Phrases:
         """Return the same words with those of [paper] in the place of what is typed on a command line."""

@@ -1,19 +1,21 @@
 """An embedded pair that chooses its own step: Dormand and Prince 5(4).  Twelve digits are for `order_eight.py`.
 
-Enters: a vector field.  Leaves: one accepted step at a time.  Used by `singular` and the accuracy study.
+Enters: a field of time and position.  Leaves: the states at some times.  Used by `singular` and the accuracy study.
 Source: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math. 6 (1980).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
+from functools import cache
 
 import numpy as np
 
+from coursework.equations.codegen.programs import Bound, build
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
 
-Field = Callable[[float, Array], Array]
+Field = Callable[..., Sequence[float]]
 
 _NODES = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 _ROWS = (
@@ -26,29 +28,28 @@ _ROWS = (
     (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
 )
 _ERROR = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
-_WEIGHTS = [np.array(row) for row in _ROWS]
-_DIFFERENCE = np.array(_ERROR)
 SLOPES = 6  # new slopes a step: the last one is the first of the next step
 
 
-@frozen
-class Step:
-    """`state` after the step, its estimated `error` (same shape), the slope there."""
+@cache
+def _written_out(size: int) -> Callable[..., tuple[list[float], list[float], list[float]]]:
+    """Return (field, at, length, *state, *slope) -> the state after a step, its estimated error, the slope there."""
+    parts = range(size)
+    lines = [f"def step(field, at, length, {_listed('y', parts)}, {_listed('k0_', parts)}):"]
+    for stage, (node, row) in enumerate(zip(_NODES[1:], _ROWS[1:], strict=True), start=1):
+        lines += [f"    p{part} = y{part} + length * ({_sum(row, part)})" for part in parts]
+        lines.append(f"    {_listed(f'k{stage}_', parts)}, *_ = field(at + {node!r} * length, {_listed('p', parts)})")
+    error = ", ".join(f"length * ({_sum(_ERROR, part)})" for part in parts)
+    lines.append(f"    return [{_listed('p', parts)}], [{error}], [{_listed('k6_', parts)}]")
+    return build("\n".join(lines), "step", Bound((), {}, {}))
 
-    state: Array
-    error: Array
-    slope: Array
+
+def _listed(name: str, parts: Sequence[int]) -> str:
+    return ", ".join(f"{name}{part}" for part in parts)
 
 
-def dormand_prince(field: Field, at: float, state: Array, slope: Array, length: float) -> Step:
-    """Return one step of the pair from `state` with known `slope` = field(at, state)."""
-    slopes = np.empty((len(_NODES), len(state)))
-    slopes[0] = slope
-    point = state
-    for index in range(1, len(_NODES)):
-        point = state + length * (_WEIGHTS[index] @ slopes[:index])
-        slopes[index] = field(at + _NODES[index] * length, point)
-    return Step(point, length * (_DIFFERENCE @ slopes), slopes[-1])
+def _sum(weights: Sequence[float], part: int) -> str:
+    return " + ".join(f"{weight!r} * k{stage}_{part}" for stage, weight in enumerate(weights) if weight)
 
 
 def next_length(length: float, ratio: float, order: int = 5) -> float:
@@ -57,21 +58,26 @@ def next_length(length: float, ratio: float, order: int = 5) -> float:
 
 
 def integrate_adaptive(field: Field, state: Array, times: Array, tolerance: float) -> tuple[Array, int]:
-    """Return the states at `times` (n, m) and the number of slopes; every row is hit by a step, not interpolated."""
-    slope = field(float(times[0]), state)
+    """Return the states at `times` (n, m) and the number of slopes; every row is hit by a step, not interpolated.
+
+    `field(t, *state)` gives the slopes (m,), and may give more behind them.
+    """
+    goals, now = times.tolist(), state.tolist()
+    step, (*slope,) = _written_out(len(now)), field(goals[0], *now)[: len(now)]
     count = 1
-    at, length = float(times[0]), float(times[-1] - times[0]) / 100
-    rows = [state]
-    for goal in times[1:]:
+    at, length = goals[0], (goals[-1] - goals[0]) / 100
+    rows = [now]
+    for goal in goals[1:]:
         while at < goal:
             last = at + length >= goal * (1 - 1e-14)
-            taken = float(goal) - at if last else length
-            step = dormand_prince(field, at, state, slope, taken)
+            taken = goal - at if last else length
+            after, error, following = step(field, at, taken, *now, *slope)
             count += SLOPES
-            ratio = float(np.max(np.abs(step.error) / (tolerance * (1.0 + np.abs(state)))))
+            shares = [abs(off) / (tolerance * (1.0 + abs(value))) for off, value in zip(error, now, strict=True)]
+            ratio = math.inf if math.isnan(sum(shares)) else max(shares)
             if ratio <= 1.0:
-                at, state, slope = (float(goal) if last else at + taken), step.state, step.slope
+                at, now, slope = (goal if last else at + taken), after, following
             if not last or ratio > 1.0:
                 length = next_length(taken, ratio)
-        rows.append(state)
+        rows.append(now)
     return np.array(rows), count

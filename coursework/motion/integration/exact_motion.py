@@ -7,8 +7,10 @@ Used by `results/accuracy/study.py`, `continuity.py`, `finer.py` and `way_to_mot
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from functools import partial
 
 import numpy as np
 
@@ -87,7 +89,7 @@ def refine(
     most += 12 * len(times)
     loop = generate_loop(PRECISE, rates)
     cells = resolution(rates.equations, float(times[-1])).edges
-    rows = [np.array(start, dtype=float)]
+    rows = [[*map(float, start)]]
     gap, steps = 0.0, 0
     for begin, end in itertools.pairwise(times.tolist()):
         edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *_quick(cells, begin, end)}), end]
@@ -115,25 +117,26 @@ def _halved(
     loop: Callable[..., tuple[float, ...]],
     begin: float,
     end: float,
-    q: Array,
+    q: list[float],
     count: int,
     left: int,
     growth: Growth | None,
     depth: int = 0,
-) -> tuple[Array, float, int]:
+) -> tuple[list[float], float, int]:
     """Return the position after an interval, extrapolated from two results, their difference and the steps, `left` at most."""
     try:
-        coarse, fine = (np.array(loop(begin, parts, (end - begin) / parts, *q.tolist())) for parts in (count, 2 * count))
-        gap = float(np.max(np.abs(fine - coarse), initial=0.0)) / _GAIN
+        coarse, fine = (loop(begin, parts, (end - begin) / parts, *q) for parts in (count, 2 * count))
+        apart = [b - a for a, b in zip(coarse, fine, strict=True)]
+        gap = max(map(abs, apart), default=0.0) / _GAIN if math.isfinite(sum(apart)) else math.inf
     except (ArithmeticError, ValueError):
-        coarse = fine = q
-        gap = np.inf
-    if gap < max(AGREEMENT, _ROUND_OFF * float(np.max(np.abs(q), initial=0.0))) or depth >= _MOST_HALVINGS:
-        if not np.isfinite(gap):
-            raise NoVelocities((begin, end), q.tolist())
+        gap = math.inf
+    if gap < max(AGREEMENT, _ROUND_OFF * max(map(abs, q), default=0.0)) or depth >= _MOST_HALVINGS:
+        if not math.isfinite(gap):
+            raise NoVelocities((begin, end), q)
         if growth is not None:
-            growth.go_on(lambda there: np.array(loop(begin, count, (end - begin) / count, *there.tolist())), q, coarse, gap)
-        return fine + (fine - coarse) / _GAIN, gap, 3 * count
+            ahead = partial(loop, begin, count, (end - begin) / count)
+            growth.go_on(lambda there: np.array(ahead(*there.tolist())), np.array(q), np.array(coarse), gap)
+        return [b + off / _GAIN for b, off in zip(fine, apart, strict=True)], gap, 3 * count
     if left <= 0:
         raise OutOfReach
     middle = (begin + end) / 2

@@ -9,6 +9,7 @@ of their distance; the column itself, flat there, is that of the exact motion at
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -43,8 +44,15 @@ def extremes(exact: Motion, rates: Rates, accelerations: Callable[[Motion], Arra
 
 def _flat(t: Array, slopes: Array) -> float:
     """Return the time (s) among three samples at which the parabola through their slopes is zero; the middle one without any."""
-    x = (t - t[1]) / (t[2] - t[1])
-    square, linear, middle = np.polyfit(x, slopes, 2).tolist()
-    roots = np.roots([square, linear, middle]) if np.any([square, linear]) else np.zeros(0)
-    near = [float(one.real) for one in roots if abs(one.imag) < 1e-9 and abs(one.real) <= 1]
-    return float(t[1] + (t[2] - t[1]) * min(near, key=abs, default=0.0))
+    first, middle, last = t.tolist()
+    before, here, after = slopes.tolist()
+    unit = last - middle
+    back = (first - middle) / unit
+    square = (after - here - (before - here) / back) / (1.0 - back)
+    linear = after - here - square
+    under = linear * linear - 4 * square * here
+    if under < 0:
+        return float(middle)
+    far = -(linear + math.copysign(math.sqrt(under), linear)) / 2  # no difference of two that are alike
+    near = [top / bottom for top, bottom in ((far, square), (here, far)) if abs(top) <= abs(bottom) and bottom]
+    return float(middle + unit * min(near, key=abs, default=0.0))

@@ -8,6 +8,7 @@ correction is asked for, the same steps are made one by one, which tells why a m
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -100,7 +101,7 @@ def _followed(
         except (ZeroDivisionError, ValueError, OverflowError):
             stop = _first_stop(stop, _broken("event.singular", index, t, step, q))
             break
-        if not np.all(np.isfinite(row)) and _has_outgrown(q):
+        if not all(map(math.isfinite, row)) and _has_outgrown(q):
             stop = _first_stop(stop, _broken("event.overflow", index, t, step, q))
             break
         if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
@@ -117,12 +118,12 @@ def _followed(
         wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
         if wide:
             turned = float(moved[wide[0]] - q[wide[0]])
-            stop = _first_stop(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
+            stop = _first_stop(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q))
             break
         if correction and targets is not None:
             moved = corrected(correction, targets, index, step, t, q, moved)
         q = moved
-        if not np.all(np.isfinite(q)):
+        if not np.isfinite(q).all():
             stop = _first_stop(stop, _broken("event.overflow", index, t, step, q))
             break
     return rows, stop

@@ -79,13 +79,13 @@ def _flanked(
     if begun is None or times[-1] > within[1]:
         return None
 
-    def field(t: float, q: Array) -> Array:
-        *motion, clock = flow.slopes(t, q.tolist(), block)
-        return np.array(motion) / clock
+    def field(t: float, *q: float) -> list[float]:
+        *motion, clock = flow.slopes(t, q, block)
+        return [float(rate / clock) for rate in np.array(motion)]
 
     before = integrate_adaptive(field, begun[:-1], np.array([begun[-1], *times[:2]]), _TOLERANCE)[0][1:]
     # Where the motion was two flanks before, it has changed its velocities at this rate (an error of a cube in the jump).
-    bent = (moving - field(times[1], before[1])) / flank
+    bent = (moving - np.array(field(times[1], *before[1].tolist()))) / flank
     jump = _JUMP / abs(slope)
     beyond = middle.position + jump * moving + jump**2 / 2 * bent
     after = integrate_adaptive(field, beyond, np.array([middle.time + jump, *times[2:]]), _TOLERANCE)[0][1:]

@@ -75,11 +75,8 @@ def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] 
     numbers = constants(variant)
 
     def written() -> tuple[str, tuple[tuple[str, int], ...]]:
-        slopes = [
-            equations.symbols.partial(expression, symbol(variant.coordinates[place].name))
-            for expression in zero
-            for place in moved
-        ]
+        names = [symbol(variant.coordinates[place].name) for place in moved]
+        slopes = [equations.symbols.partial(expression, name) for expression in zero for name in names]
         pieces = (
             *(moving or [rates_of(scene)]),
             Piece("places", [], places),

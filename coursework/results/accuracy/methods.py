@@ -103,7 +103,7 @@ def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int
 
 
 def _adaptive(problem: Problem, tolerance: float) -> tuple[Array, int]:
-    return integrate_adaptive(problem.rates.slopes(), np.array(problem.start, dtype=float), problem.times, tolerance)
+    return integrate_adaptive(problem.rates.evaluate, np.array(problem.start, dtype=float), problem.times, tolerance)
 
 
 def _closed(problem: Problem) -> tuple[Array, int]:
