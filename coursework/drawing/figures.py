@@ -36,6 +36,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import joined, say, say_count
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
+TALL, MANY = 110.0, 7  # mm, where so many links with their names stand too close; their data fill that page anyway
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
 ARROWS = (ARROW, 10.5, 15.5, 8.5)  # the next ones where it would end in a hinge
 AT_HINGE = 7.0  # mm: so far the sense of a rotation still stands at its hinge
@@ -108,7 +109,8 @@ def _mechanism(
         yield from room(outline, poses, [0], arrows, mm)
         yield from (((at * mm).conjugate(), wide) for at, wide in around)
 
-    board = fit(needed, HIGHEST)
+    highest = TALL if len(outline.bars) >= MANY else HIGHEST
+    board = fit(needed, highest)
     sheet = board.sheet()
     painter = Painter(sheet, outline, poses, 0, board.put, board.mm)
     painter.fixed()
@@ -135,7 +137,7 @@ def _mechanism(
                 sense = int(np.sign(law[np.argmax(np.abs(law) > 0)])) or 1
                 owner = replace(link_owner(painter, bar), lost=AT_HINGE)
                 sheet.label(rate_word(rate), rate_places(painter, bar, hinge), ITALIC, turn=sense, owner=owner)
-    sheet.axes(highest=HIGHEST)
+    sheet.axes(highest=highest)
     return replace(board, height=sheet.height), sheet.svg()
 
 

@@ -145,3 +145,9 @@ def test_a_ring_is_seen_whole_and_no_dimension_runs_through_the_ground_of_a_hing
     lines = {line.says["data-dimension"]: line for line in measured.lines(drawing_of("jansen").svg, "data-dimension")}
     links = measured.lines(drawing_of("jansen").svg, "data-link")
     assert lines["a"].a.imag < min(min(link.a.imag, link.b.imag) for link in links)
+
+
+def test_many_links_are_drawn_larger_and_hardly_a_name_needs_a_line_to_what_it_names() -> None:
+    svg = drawing_of("jansen").svg
+    assert float(re.search(r'height="([\d.]+)mm"', svg)[1]) > 95  # type: ignore[index]
+    assert len(measured.lines(svg, "data-leader")) <= 6  # of 33, and 12 at the usual size

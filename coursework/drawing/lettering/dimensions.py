@@ -34,6 +34,7 @@ LEVELS = (0.0, 5.0, 7.0, 9.5, 12.0, 15.0, 19.0)  # mm beside its points
 CLEAR = 5.0  # mm beyond all points: there a dimension crosses no link
 AWAY = 0.5  # mm of lines that a dimension rather covers than standing 1 mm farther off
 LEADS = 0.9  # of what its extension lines cover: they cross links as in any drawing
+THROUGH = 250.0  # mm of lines that it rather covers than crossing a link
 HIDDEN = 60.0  # mm of lines that it rather covers than a place in the ground of a hinge, or than an arrow that ends there
 SAMPLE = 1.5  # mm between the places at which a line is looked at
 PAST, OFF = 1.0, 1.8  # mm: an extension line ends that much past the arrow, and begins that far from its point
@@ -143,7 +144,7 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
         unit = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
         heads = (HEAD * unit, -HEAD * unit) if abs(ends[1] - ends[0]) > TIGHT else (-HEAD * unit, HEAD * unit)
         hidden = sum(painter.in_ground(end + head) for end, head in zip(ends, heads, strict=True))
-        cost += away[level] + HIDDEN * hidden
+        cost += away[level] + HIDDEN * hidden + THROUGH * _crossed(painter, whole[0])
         if cost < best - 1e-6:
             best, chosen = cost, (ends, lines)
     if chosen is None:
@@ -181,6 +182,11 @@ def _radius(painter: Painter, one: Dimension, rims: set[frozenset[str]]) -> Segm
     line = (at + OFF * unit, at + long * unit)
     painter.sheet.arrow(*line, PEN, f' data-dimension="{"".join(one.word)}"', head=HEAD)
     return line
+
+
+def _crossed(painter: Painter, line: Segment) -> int:
+    begin, step = (np.array([[at.real, at.imag]]) for at in (line[0], line[1] - line[0]))
+    return int(painter.sheet.taken.lines("heavy").crossed(begin, step)[0])
 
 
 def _ends(begin: complex, end: complex) -> Segment:

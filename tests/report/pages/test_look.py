@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ import pytest
 from coursework.words.data_folders import folder
 from coursework.words.templates import _look
 from tests.axe import ASKED, AXE
+from tests.report.made import model_of, page_of, solved
 from tests.report.pages.all_kinds import KINDS, make
 from tests.report.pages.pictures import SEEN, VIEWS, take
 
@@ -34,6 +36,12 @@ TOP = "(which) => document.querySelector(which).getBoundingClientRect().top + sc
 STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live, button)')].filter(
   (one) => (document.querySelector("script") || !one.matches(".drawing > div")) &&
     one.scrollWidth <= one.clientWidth + 1 && one.scrollHeight <= one.clientHeight + 1).map((one) => one.className)"""
+# Words of a drawing with their boxes and the height of their letters on the screen.
+SEEN_WORDS = """(which) => { const svg = document.querySelector(which), unit = svg.clientWidth / svg.viewBox.baseVal.width;
+  return [...svg.querySelectorAll("text")].filter((one) => one.getClientRects().length).map((one) => {
+    const box = one.getBoundingClientRect(), down = box.height / 5;
+    return [one.textContent, box.left, box.top + down, box.right, box.bottom - down,
+      unit * parseFloat(getComputedStyle(one).fontSize)]; }); }"""
 SMALL = """(least) => [...document.querySelectorAll('#live :is(button, select, input)')].filter((one) => one.offsetParent).filter(
   (one) => one.getBoundingClientRect().height < least).map((one) => one.id)"""
 
@@ -54,6 +62,10 @@ def page(browser: Any) -> Iterator[Any]:
 def sized(page: Any, width: int) -> None:
     page.set_viewport_size({"width": width, "height": 900})
     page.evaluate("new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))")
+
+
+def meet(one: Any, two: Any) -> bool:
+    return bool(one[1] < two[3] - 1 and two[1] < one[3] - 1 and one[2] < two[4] and two[2] < one[4])
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -120,6 +132,9 @@ def test_a_drawing_too_small_to_be_read_on_a_phone_is_seen_whole_and_enlarged_wh
     assert page.evaluate(wide) <= 390
     told = "getComputedStyle(document.querySelector('#graph_check .drawing > div'), '::after').content"
     assert page.evaluate(told) == '"⤢ Touch to enlarge"'
+    words = page.evaluate(SEEN_WORDS, "#graph_check .drawing svg")
+    assert len(words) > 15 and min(high for *_, high in words) >= 9.5
+    assert [(one[0], two[0]) for one, two in combinations(words, 2) if meet(one, two)] == []
     page.locator("#graph_check .drawing > div").click()
     assert page.evaluate(told) == "none"
     assert page.evaluate(wide) > 600
@@ -161,11 +176,23 @@ def test_a_printed_report_has_the_readings_of_the_check_beside_its_drawing(place
     page.goto(places["report"].as_uri())
     page.emulate_media(media="print", color_scheme="light")
     with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
-        assert len(document) <= 10  # 8 of the tool's own
+        assert len(document) <= 9  # 8 of the tool's own
         (lying,) = (sheet for sheet in document if sheet.rect.width > sheet.rect.height)
         told = lying.get_text()
     page.emulate_media(media="screen")
     assert all(words in told for words in ("8 Graph-analytical check", "Figure 4", "100 mm", "Table 4", "Link 1 turns about D."))
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("language", ["ru", "uk", "zh"])
+def test_longer_words_take_no_more_sheets_of_paper(language: str, page: Any, tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(page_of(model_of(solved("31"), language)), encoding="utf-8")
+    page.goto(path.as_uri())
+    page.emulate_media(media="print", color_scheme="light")
+    with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
+        assert len(document) <= 9
+    page.emulate_media(media="screen")
 
 
 def test_a_key_and_a_feedback_page_take_two_sheets_of_paper(places: dict[str, Path], page: Any) -> None:
