@@ -11,6 +11,7 @@ from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.misconceptions import Found, explanations, looked_for
 from coursework.grading.marking.table.points import ENOUGH_ROWS, FOLLOWING, table_points
+from coursework.grading.marking.table.ways import own_ways
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import spelled
@@ -130,6 +131,40 @@ def test_a_start_put_right_in_print_only_is_still_another_start():
         other, same = earned(desk, table)[0], earned(desk, printed)[0]
         assert same.share >= other.share
         assert (same.rule, same.cause) in {(other.rule, other.cause), ("cells", "")}
+
+
+def test_a_start_put_right_where_the_next_row_is_spoiled_is_still_another_start():
+    for desk in variants():
+        start, place = desk.machine.start.copy(), desk.machine.m - 1
+        start[place] += 0.1
+        table = desk.machine.table(start=start)
+        table[1, place] += 0.37
+        printed = table.copy()
+        printed[0, place] = desk.machine.start[place]
+        assert earned(desk, printed)[0].share >= earned(desk, table)[0].share
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_an_angle_put_right_below_a_misprint_takes_nothing_of_what_both_rows_were_made_from(number):
+    """The value behind the misprint is told by the next row no more, but by the velocities of its own."""
+    desk = variants()[number]
+    made_from_it = desk.machine.table(slip=(6, 0, 0.02))
+    for row in range(8, desk.machine.rows - 2, 3):
+        table = made_from_it.copy()
+        table[row, 0] -= 2.7
+        before = earned(desk, table)[0].share
+        table[row + 1, 0] = desk.key.table[row + 1, 0]
+        assert earned(desk, table)[0].share >= before - 1e-9, row
+
+
+def test_the_tolerance_of_usual_print_is_that_of_its_digits_whatever_is_spoiled():
+    chance, desk = np.random.default_rng(4), variants()[0]
+    floors = set()
+    for count in (0, 0, 3, 8, 15):
+        table = desk.machine.table()
+        table[chance.integers(len(table), size=count), chance.integers(table.shape[1], size=count)] += 0.4
+        floors.add(own_ways(desk.key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4))).coarse)
+    assert len(floors) == 1
 
 
 def lines(desk, wrong):

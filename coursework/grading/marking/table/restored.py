@@ -106,45 +106,18 @@ def _made_from(cells: Flags, m: int) -> Counts:
 
 
 def _guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> Iterator[tuple[StudentTable, Counts]]:
-    """Yield what rows may have been, and how many cells (n,) each of them was fitted to; as many prove nothing."""
+    """Yield what rows may have been, and how many cells (n,) each of them was fitted to; as many prove nothing.
+
+    In each row it is one of the cells that were `other`, as most of the wrong ones made from it, and the row above, have it;
+    or several, as the next row has them.
+    """
     m = len(key.coordinates)
-    if 0 < wrong[:, m:].any(axis=1).sum() <= _FEW * len(wrong):
-        yield from _by_next_row(key, was, wrong)
-        yield from _by_one_cell(key, was, own, wrong, other)
-
-
-def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> Iterator[tuple[StudentTable, Counts]]:
-    """Yield all coordinates of a row, and its velocities, that the steps to the next row were made from."""
-    m, h = len(key.coordinates), key.stride
-    q, w, after = was.values[:-1, :m], was.values[:-1, m : 2 * m], was.values[1:, :m]
-    true = q
-    for _ in range(_ROUNDS):
-        true = after - h * key.velocities_at(key.t[:-1], true)[:, :m]
-    digits, finer, next_digits = was.units[:-1, :m], was.units[:-1, m : 2 * m], was.units[1:, :m]
-    with np.errstate(invalid="ignore"):
-        here = np.abs(after - q - h * w) > HALF * (digits + next_digits + h * finer)
-    fitted = np.full(len(was.values), wrong.size)
-    fitted[:-1][here.any(axis=1)] = (here & wrong[1:, :m]).sum(axis=1)[here.any(axis=1)]
-    for first, made, units in (
-        (0, after - h * w, next_digits + h * finer),
-        (0, true, next_digits),
-        (m, (after - q) / h, (digits + next_digits) / h),
-    ):
-        part = slice(first, first + m)
-        guess = replace(was, values=was.values.copy(), units=was.units.copy())
-        guess.values[:-1, part] = np.where(here, made, guess.values[:-1, part])
-        guess.units[:-1, part] = np.where(here, units, guess.units[:-1, part])
-        yield guess, fitted
-
-
-def _by_one_cell(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> Iterator[tuple[StudentTable, Counts]]:
-    """Yield each cell as most of the wrong ones that are made from it, and what it is made from itself, have it."""
-    m = len(key.coordinates)
-    apart = np.zeros(len(wrong), dtype=bool)
+    spoiled, apart = wrong[:, m:].any(axis=1), np.zeros(len(wrong), dtype=bool)
     apart[1:] = ~_held((own.step, own.step_true), was)[1:, :m].all(axis=1)
-    rows = np.flatnonzero(wrong[:, m:].any(axis=1) & (apart | (_made_from(wrong, m) >= _AGREE)))
-    if not len(rows):
+    rows = np.flatnonzero(spoiled & (apart | (_made_from(wrong, m) >= _AGREE)))
+    if not len(rows) or spoiled.sum() > _FEW * len(wrong):
         return
+    yield _by_next_row(key, was, wrong)
     later = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
     places = np.array([*dict.fromkeys([*range(2 * m), *later])])
     found, agree = _agreed(key, was, own, wrong, rows, places)
@@ -158,6 +131,19 @@ def _by_one_cell(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other:
         fitted = np.full(len(wrong), wrong.size)
         fitted[rows] = np.where(_beside(key, guess, was)[at], 1 - _held(own.tried, guess)[at], wrong.size)
         yield guess, fitted
+
+
+def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> tuple[StudentTable, Counts]:
+    """Return the coordinates that broken steps to the next row were made from: several of a row may be misprints."""
+    m, h, guess = len(key.coordinates), key.stride, replace(was, values=was.values.copy(), units=was.units.copy())
+    q, digits = guess.values[:-1, :m], guess.units[:-1, :m]
+    made, doubt = was.values[1:, :m] - h * was.values[:-1, m : 2 * m], was.units[1:, :m] + h * was.units[:-1, m : 2 * m]
+    with np.errstate(invalid="ignore"):
+        broken = np.abs(q - made) > HALF * (digits + doubt)
+    q[broken], digits[broken] = made[broken], doubt[broken]
+    fitted = np.full(len(wrong), wrong.size)
+    fitted[:-1][broken.any(axis=1)] = (broken & wrong[1:, :m]).sum(axis=1)[broken.any(axis=1)]
+    return guess, fitted
 
 
 def _beside(key: Key, guess: StudentTable, printed: StudentTable) -> Flags:
@@ -178,19 +164,20 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Place
     m, r = len(key.coordinates), len(key.velocities)
     after = np.minimum(rows + 1, len(was.values) - 1)
 
-    def of(velocities: Sequence[Array], steps: Sequence[Array]) -> Array:
-        return np.hstack([*(table[rows, m:] for table in velocities), *(table[after, :m] for table in steps)]).T
+    def of(tables: Sequence[Array]) -> Array:
+        """Return what is made from the rows, each cell in two ways, by the tables of the ways."""
+        return np.hstack([table[rows, m:] for table in tables[:2]] + [table[after, :m] for table in tables[2:]]).T
 
-    tolerance = of((own.angles.tolerance, own.earlier.tolerance), (own.step.tolerance, own.step_true.tolerance))
-    speaks = of((wrong, wrong), (wrong, wrong)) & np.isfinite(tolerance)
-    speaks[2 * r :, after == rows] = False
-    used = np.flatnonzero(speaks.any(axis=1))
+    tolerance = of([np.where(wrong, way.tolerance, np.nan) for way in own.tried])
+    tolerance[2 * r :, after == rows] = np.nan
+    used = np.flatnonzero(np.isfinite(tolerance).any(axis=1))
     shape = (len(places), len(used), len(rows))
-    printed, tolerance, speaks = of((was.values,) * 2, (was.values,) * 2)[used], tolerance[used], speaks[used]
+    printed, tolerance = of([was.values] * len(own.tried))[used], tolerance[used]
     one, at = np.indices(shape)[1].ravel(), (np.arange(np.prod(shape)), np.repeat(places, shape[1] * shape[2]))
     times, moved = np.tile(key.t[rows], shape[0] * shape[1]), np.tile(was.values[rows], (shape[0] * shape[1], 1))
-    beside = np.pad(was.values, ((1, 1), (0, 0)), mode="edge")
+    beside = np.pad(was.values, ((1, 1), (0, 0)), mode="reflect")
     middle = np.median([beside[rows + by] for by in range(3)], axis=0)  # a misprint leads astray
+    middle = np.where(np.isfinite(middle), middle, was.values[rows])
     moved[at] = np.repeat(middle.T[places], shape[1], axis=0).ravel()
     with np.errstate(divide="ignore", invalid="ignore"):
         for last in range(_ROUNDS + 1):
@@ -201,7 +188,7 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Place
             off = printed - found.reshape(shape)
             if last < _ROUNDS:
                 moved[at] += np.nan_to_num(off / slopes, posinf=0.0, neginf=0.0).ravel()
-        half = np.where(speaks & (np.abs(off) <= tolerance), tolerance / np.abs(slopes), np.nan)
+        half = np.where(np.abs(off) <= tolerance, tolerance / np.abs(slopes), np.nan)
     low, high = (moved[at].reshape(shape) + side * half for side in (-1, 1))
     for way in own.tried:
         made, by = way.expected[rows].T[places, None], way.tolerance[rows].T[places, None]
@@ -239,10 +226,7 @@ def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> St
 
 
 def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velocities: Array) -> tuple[Array, Array]:
-    """Return coordinates (n, m) and digits; what is `right` or a misprint, and no step from above, is that step.
-
-    A misprint is what follows from nothing, and from which nothing follows, between cells that do follow.
-    """
+    """Return coordinates (n, m) and digits; what is `right`, and no step from above, is that step."""
     m, h = len(key.coordinates), key.stride
     q, units = student.values[:, :m].copy(), student.units.copy()
     for place in range(m):

@@ -11,7 +11,7 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
-from coursework.grading.marking.table.ways import KEY
+from coursework.grading.marking.table.ways import HALF, KEY
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -32,17 +32,15 @@ def begins_elsewhere(key: Key, cells: Cells) -> bool:
 def own_start(key: Key, cells: Cells) -> OwnStart | None:
     """Return the table marked from its own start; None where that is the task's or row 1 does not follow from it.
 
-    The start is what row 1 prints, or what stood there before that was put right.
+    The start is what row 1 prints, or what stood there before that was put right or misprinted.
     """
-    m, values = len(key.coordinates), cells.student.values
-    printed = np.where(np.isfinite(values[0, :m]), values[0, :m], key.table[0, :m])
-    starts = [(printed, cells.wrong[0, :m])]
-    if cells.before is not None:
-        was = np.where(cells.marks[0, :m] == GIVEN, cells.before.values[0, :m], printed)
-        starts.append((was, cells.wrong[0, :m] | (was != printed)))
-    for start, other in starts:
-        if other.any() and (found := _marked_from(key, cells, start)):
-            return OwnStart(found, tuple(key.coordinates[place] for place in np.flatnonzero(other).tolist()))
+    m, values, task = len(key.coordinates), cells.student.values[0], key.table[0, : len(key.coordinates)]
+    for table in (cells.before, cells.student):
+        if table is not None:
+            start, units = table.values[0, :m], table.units[0, :m]
+            other = np.abs(start - task) > np.where(start == values[:m], HALF, 1.0) * units
+            if other.any() and (found := _marked_from(key, cells, np.where(other, start, task))):
+                return OwnStart(found, tuple(key.coordinates[place] for place in np.flatnonzero(other).tolist()))
     return None
 
 
@@ -51,7 +49,7 @@ def _marked_from(key: Key, cells: Cells, start: Array) -> Cells | None:
     made = mark_cells(key, cells.student, march(key, start, key.velocities_at))
     made.marks[:1, :m][cells.marks[:1, :m] == GIVEN] = GIVEN
     made.marks[made.wrong & (cells.marks == KEY)] = KEY
-    return None if made.wrong[0].any() else made
+    return None if made.wrong[0, m:].any() else made
 
 
 def march(

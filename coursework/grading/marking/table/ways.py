@@ -24,7 +24,7 @@ LEAST = 0.05
 _VAGUE = 0.5
 # Work computed coarser than it is printed: how much larger the step errors may be, and up to where it is believed.
 _COARSE = 4.2
-_COARSE_FROM, _COARSE_NOTED = 0.2, 0.45
+_USUAL_PRINT, _COARSE_NOTED = 1 / 3, 0.45  # parts of what the digits allow
 _COARSE_ROWS = 0.75  # so many steps it must explain: among broken ones the median is chance
 _COARSE_MOST, _COARSE_GAP = 3e-4, 21.0
 _RUNG, _ROUND_OFF = 1.25, 1e-6
@@ -108,22 +108,34 @@ class OwnWays:
 def own_ways(key: Key, student: StudentTable, coarse: float | None = None) -> OwnWays:
     """Return what each cell should be by the cells that it was made from; `coarse` the floor of coarse work if known."""
     step = _steps(key, student)
-    off = np.abs(student.values - step.expected)
-    off = off[np.isfinite(off)]
-    usual = step.tolerance[np.isfinite(step.tolerance)]
-    allowed = float(np.median(usual)) if len(usual) else 0.0
+    computed_to = None
     if coarse is None:
-        middle = float(np.median(off)) if len(off) else 0.0
-        coarse = _COARSE * middle if _COARSE_FROM * allowed < middle <= min(_COARSE_MOST, key.gap / _COARSE_GAP) else 0.0
-        if coarse and np.mean(off <= coarse) < _COARSE_ROWS:
-            coarse = 0.0
-    middle = coarse / _COARSE
-    computed_to = math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
-    # In rungs: with any cell put right the middle is a little another, and no other cell may be wrong for that.
-    coarse = _RUNG ** math.ceil(math.log(coarse, _RUNG) - _ROUND_OFF) if coarse else 0.0
+        coarse, computed_to = _coarse(key, student, step)
     angles = _own_angles(key, student, coarse)
     step = replace(step, tolerance=np.maximum(step.tolerance, coarse))
     return OwnWays(angles, _own_velocities(key, student, coarse), step, _true_steps(key, student, angles), computed_to, coarse)
+
+
+def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | None]:
+    """Return the floor of the tolerances, and to how many decimals the work was done where that is coarser than its print.
+
+    The floor of usual print depends on its digits only, that of coarser work goes in rungs, and broken steps say nothing of
+    either: with any cell put right no other may be wrong for a slightly narrower tolerance.
+    """
+    m, units, most = len(key.coordinates), student.units, min(_COARSE_MOST, key.gap / _COARSE_GAP)
+    digits = HALF * (units[1:, :m] + units[:-1, :m] + key.stride * units[:-1, m : 2 * m])
+    off = np.abs(student.values - step.expected)
+    off, digits = off[np.isfinite(off)], digits[np.isfinite(digits)]
+    whole = off[off <= _COARSE * most]
+    if not len(whole) or not len(digits):
+        return 0.0, None
+    allowed = float(np.median(digits))
+    usual = _USUAL_PRINT * allowed
+    middle = max(float(np.median(whole)), usual)
+    coarse = _COARSE * usual * _RUNG ** math.ceil(math.log(middle / usual, _RUNG) - _ROUND_OFF)
+    if middle > most or np.mean(off <= coarse) < _COARSE_ROWS:
+        return 0.0, None
+    return coarse, math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
 
 
 def _steps(key: Key, student: StudentTable) -> Way:
