@@ -8,16 +8,14 @@ line show whatever is found.  To add one: write its judging function, put a `Che
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
 from coursework.results.checks import advice
 from coursework.results.checks.close_to_motion import closeness, continuity, drift, long_run, period, rows, sinusoid
 from coursework.results.checks.computed_right import beginning, conditioning, digits, equations, quotes
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.needs import CLOSURE, DIGITS, EXACT, RESOLVED, ROW, SOLVED, WHOLE, Need
-from coursework.results.checks.result import Finding, Group, skipped
+from coursework.results.checks.result import Finding, Group, judged
 from coursework.system.frozen import frozen
-from coursework.words.sentences import say
 
 
 @frozen
@@ -57,10 +55,7 @@ CHECKS: tuple[Check, ...] = (
 
 
 def check_motion(evidence: Evidence) -> tuple[Finding, ...]:
-    """Return what every check finds, with the step advised where a finer one would do.
-
-    A fault inside a check is an ERROR of the tool, never of the student, and the other checks go on.
-    """
+    """Return what every check finds, with the step advised where a finer one would do."""
     found = [_judged(check, evidence) for check in CHECKS]
     return tuple(advice.with_advice(evidence, found, motion_findings))
 
@@ -72,11 +67,5 @@ def motion_findings(evidence: Evidence) -> Sequence[Finding]:
 
 def _judged(check: Check, evidence: Evidence) -> Finding:
     lacking = next((need for need in check.needs if not need.met(evidence)), None)
-    try:
-        if lacking is None:
-            found = check.judge(evidence)
-        else:
-            found = replace(skipped(lacking.otherwise(evidence)), headline=lacking.headline(evidence))
-    except Exception as error:
-        found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
-    return replace(found, code=check.code, group=check.group, is_least=check.is_least)
+    judge = check.judge if lacking is None else lacking.skipped
+    return judged(judge, evidence, code=check.code, group=check.group, is_least=check.is_least)

@@ -13,7 +13,7 @@ from coursework.motion.geometry.drive import resolution
 from coursework.results.checks.close_to_motion.stiffness import stiff
 from coursework.results.checks.computed_right.conditioning import condition
 from coursework.results.checks.evidence import LIMIT, Evidence
-from coursework.results.checks.result import floored
+from coursework.results.checks.result import Finding, floored
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -26,6 +26,10 @@ class Need:
     met: Callable[[Evidence], bool]
     otherwise: Callable[[Evidence], Sentence]
     headline: Callable[[Evidence], str] = lambda evidence: ""
+
+    def skipped(self, evidence: Evidence) -> Finding:
+        """Return the finding of a check that lacks it."""
+        return Finding("SKIP", self.otherwise(evidence), headline=self.headline(evidence))
 
 
 def _open_integral(evidence: Evidence) -> Sentence:
