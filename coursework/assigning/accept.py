@@ -10,6 +10,7 @@ import statistics
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field
+from typing import TypeVar
 
 from coursework.assigning.draw import PILOT, Lots
 from coursework.assigning.judge import Verdict, judge
@@ -21,6 +22,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
+T = TypeVar("T")
 PILOTS = 25  # feasible draws whose median is the centre of difficulty
 # A draw that is not possible costs most.  The pilot stops where fewer than one in so many is, looked at from so many draws on.
 ONE_IN, SURELY, BATCH = 20, 100, 50
@@ -69,12 +71,12 @@ class Acceptance:
         found: dict[str, Accepted] = {}
         waiting, tries = [*dict.fromkeys(listed)], self.ranges.limits.tries
         refused: dict[str, Counter[str]] = {student: Counter() for student in waiting}
-        for attempts in _rounds(0, min(_IN_COMPANY, tries), _AT_ONCE):
+        for attempts in _parts(range(min(_IN_COMPANY, tries)), _AT_ONCE):
             for some in _parts(waiting, _TOGETHER // _AT_ONCE):
                 done(self._tried(some, attempts, found, refused))
             waiting = [student for student in waiting if student not in found]
         for student in waiting:
-            for attempts in _rounds(_IN_COMPANY, tries, _ALONE):
+            for attempts in _parts(range(_IN_COMPANY, tries), _ALONE):
                 if self._tried([student], attempts, found, refused):
                     done(1)
                     break
@@ -83,7 +85,7 @@ class Acceptance:
         return [found[student] for student in listed]
 
     def _tried(
-        self, students: Sequence[str], attempts: range, found: dict[str, Accepted], refused: Mapping[str, Counter[str]]
+        self, students: Sequence[str], attempts: Sequence[int], found: dict[str, Accepted], refused: Mapping[str, Counter[str]]
     ) -> int:
         """Find what students are given among some attempts, or count why not; return for how many it was found."""
         before = len(found)
@@ -142,9 +144,5 @@ class Acceptance:
         return say(key, file=self.ranges.file, reasons=joined(counts, "assign.refused.join"), **values)
 
 
-def _rounds(first: int, end: int, size: int) -> Iterable[range]:
-    return (range(start, min(start + size, end)) for start in range(first, end, size))
-
-
-def _parts(listed: Sequence[str], size: int) -> Iterable[Sequence[str]]:
+def _parts(listed: Sequence[T], size: int) -> Iterable[Sequence[T]]:
     return (listed[first : first + size] for first in range(0, len(listed), size))

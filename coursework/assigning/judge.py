@@ -56,7 +56,7 @@ def judge(model: Model, data: Data, limits: Limits) -> list[Verdict]:
             time = variants[index].time
             groups.setdefault((time.step, time.end), []).append(index)
     for members in groups.values():
-        judged = _judge_alike(model, _some(data, members), [variants[index] for index in members], limits)
+        judged = _judge_alike(model, data.part(members), [variants[index] for index in members], limits)
         for index, verdict in zip(members, judged, strict=True):
             verdicts[index] = verdict
     return verdicts
@@ -72,10 +72,6 @@ def _refused_at_sight(template: Variant, data: Data, index: int, variant: Varian
     step, end = variant.time.step, variant.time.end
     sound = step > 0 and math.isfinite(end) and step * (1 - 1e-9) <= end <= MAX_ROWS * step
     return Verdict("" if sound else "refused")
-
-
-def _some(data: Data, places: list[int]) -> Data:
-    return Data(len(places), {name: column[places] for name, column in data.given.items()}, data.start[places], data.changed)
 
 
 def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limits) -> list[Verdict]:

@@ -13,12 +13,11 @@ from typing import Any
 import click
 
 from coursework.commands.screen import in_language, tell, tell_own_file
-from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
+from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, class_tables, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import PAGES, Options, grade_class
 from coursework.grading.batch.journal import Journal
 from coursework.grading.batch.single import autograder_results
-from coursework.grading.batch.tables_of_class import class_tables
 from coursework.grading.batch.work import Setup, Task
 from coursework.grading.batch.workers import trade_of
 from coursework.grading.batch.written import write_gradebook

@@ -7,7 +7,6 @@ Used by `scene/motion_results.py`.  Words stand under [check.CODE]; to add one: 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 
@@ -15,7 +14,7 @@ from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import Action
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
-from coursework.results.checks.result import Finding, Group, floored, skipped
+from coursework.results.checks.result import Finding, Group, floored, judged, skipped
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
@@ -227,12 +226,7 @@ FORCE_CHECKS: tuple[ForceCheck, ...] = (
 
 
 def check_forces(own: ForceAnalysis, exact: ForceAnalysis | None) -> tuple[Finding, ...]:
-    """Return what every check of forces finds.  A fault inside a check is an ERROR of the tool, and the others go on."""
-    found = []
-    for check in FORCE_CHECKS:
-        try:
-            finding = check.judge(own, exact)
-        except Exception as error:
-            finding = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
-        found.append(replace(finding, code=check.code, group=check.group, is_least=check.is_least))
-    return tuple(found)
+    """Return what every check of forces finds."""
+    return tuple(
+        judged(check.judge, own, exact, code=check.code, group=check.group, is_least=check.is_least) for check in FORCE_CHECKS
+    )

@@ -9,14 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from contextlib import nullcontext
-from dataclasses import replace
 
 import numpy as np
 
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.equations_of_motion import EquationsOfMotion
 from coursework.motion.schemes import Scheme
-from coursework.results.checks.result import Finding, percent, skipped
+from coursework.results.checks.result import Finding, judged, percent, skipped
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
@@ -41,15 +40,9 @@ class Evidence:
 def check_dynamics(
     own: ForceAnalysis, exact: ForceAnalysis, dynamics: EquationsOfMotion, scheme: Scheme | None, step: float
 ) -> tuple[Finding, ...]:
-    """Return what every check finds.  A fault inside a check is an ERROR of the tool, and the others go on."""
-    evidence, found = Evidence(own, exact, dynamics, scheme, step), []
-    for code, judge in CHECKS:
-        try:
-            finding = judge(evidence)
-        except Exception as error:
-            finding = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
-        found.append(replace(finding, code=code, group="motion"))
-    return tuple(found)
+    """Return what every check finds."""
+    evidence = Evidence(own, exact, dynamics, scheme, step)
+    return tuple(judged(judge, evidence, code=code, group="motion") for code, judge in CHECKS)
 
 
 def remainder(found: ForceAnalysis) -> tuple[Array, float]:

@@ -14,7 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursework.desk.answering import completion, derived, drag, library, pieces, takeaway, variant_page
+from coursework.desk.answering import completion, derived, drag, pieces, takeaway, variant_page
 from coursework.desk.answering.typed import Desk, faults_of
 from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
 from coursework.system.budget import MIB, Budget, watched
@@ -28,7 +28,7 @@ KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
     "check": variant_page.check,
     "take": takeaway.take,
     "table": takeaway.table,
-    "catalogue": library.catalogue,
+    "catalogue": completion.catalogue,
     "keys": completion.keys,
     "equations": derived.equations,
     "drag": drag.drag,

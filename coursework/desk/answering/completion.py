@@ -1,4 +1,5 @@
-"""What may stand in a text, each word with one line of meaning: sections and keys of the schema, units, functions, quantities.
+"""What may stand in a text, each word with one line of meaning: sections and keys of the schema, units, functions, quantities;
+and what can be started from: the catalogue with its pictures.
 
 Enters: a `Desk`, for its language.  Leaves: plain data.  Used by `bench.py`.
 """
@@ -8,14 +9,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from coursework.api import solve
+from coursework.desk.answering.pictures import picture
 from coursework.desk.answering.typed import Desk
+from coursework.desk.job import OK, Answer, plain
+from coursework.mechanism.structure import read_structure
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.scene.quantities import known_quantities
+from coursework.variant.catalogue import entries, load
 from coursework.variant.formula.tree import FUNCTIONS
 from coursework.variant.formula.units import UNITS
 from coursework.variant.reading.models import json_schema
 from coursework.variant.record.roles import title
 from coursework.variant.record.vocabulary import EXACT, GROUP_SHAPES
+from coursework.words.data_folders import folder
 from coursework.words.sentences import say
 
 _LISTED = "$defs"
@@ -64,3 +71,18 @@ def _heading(quantity: str, desk: Desk) -> str:
 
 def _pairs(named: dict[str, str]) -> list[dict[str, str]]:
     return [{"name": name, "means": means} for name, means in named.items()]
+
+
+def catalogue(desk: Desk) -> Answer:
+    """Return name, title, what each variant teaches, its links and groups, and its picture."""
+    return plain(OK, [
+        {"name": one.name, "title": one.title, "teaches": one.teaches, **_drawn(one.name)} for one in entries(desk.language)
+    ])  # fmt: skip
+
+
+def _drawn(name: str) -> dict[str, Any]:
+    scene = solve(load(folder("variants") / f"{name}.toml")).scene
+    structure = read_structure(scene.mechanism)
+    groups = [one.kind or one.group_class for one in structure.groups] if structure else []
+    groups = groups or [one.kind for one in scene.variant.groups]
+    return {"links": len(structure.links) + 1 if structure else 0, "groups": groups, "svg": picture(scene)}

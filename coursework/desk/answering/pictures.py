@@ -1,6 +1,6 @@
 """A mechanism as a small picture that moves: its bars, wheels, pivots and guides, in the ink of whoever shows it.
 
-Enters: a `Scene`.  Leaves: SVG, whose animation stands until it is started.  Used by `library.py`.
+Enters: a `Scene`.  Leaves: SVG, whose animation stands until it is started.  Used by `completion.py`.
 """
 
 from __future__ import annotations

@@ -7,9 +7,7 @@ from __future__ import annotations
 
 import base64
 import binascii
-import io
 import mimetypes
-import zipfile
 from typing import Any
 
 from coursework.desk.answering.typed import Desk
@@ -19,9 +17,9 @@ from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.report.text.symbols import with_symbols
+from coursework.system.zipped import zipped
 
 NO_DATA = 422
-_EPOCH = (1980, 1, 1, 0, 0, 0)  # the same text gives the same bytes
 
 
 def take(desk: Desk) -> Answer:
@@ -38,16 +36,7 @@ def take(desk: Desk) -> Answer:
         suffix = name.rpartition(".")[2]
         kind = mimetypes.guess_type(name)[0] or "application/octet-stream"
         return Answer(OK, kind, content, f"{desk.name}.{suffix}")
-    return Answer(OK, "application/zip", zipped(dict(files)), f"{desk.name}-{wanted.suffix}.zip")
-
-
-def zipped(files: dict[str, bytes]) -> bytes:
-    """Return files as one zip, the same bytes for the same files."""
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            archive.writestr(zipfile.ZipInfo(name, _EPOCH), content, zipfile.ZIP_DEFLATED)
-    return packed.getvalue()
+    return Answer(OK, "application/zip", zipped(files), f"{desk.name}-{wanted.suffix}.zip")
 
 
 def table(desk: Desk) -> dict[str, Any] | Answer:

@@ -1,4 +1,4 @@
-"""The routes of files, for a desk on one's own machine.
+"""The routes of files, for a desk on one's own machine; what other programs change in the folder is told as it happens.
 
 Enters: requests.  Leaves: the text of a variant and its version, or what is written.  Used by `application.py`.
 """
@@ -7,19 +7,46 @@ from __future__ import annotations
 
 import asyncio
 import json
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
 from starlette.routing import Route
+from watchfiles import awatch
 
 from coursework.desk.job import OK, Answer, plain
 from coursework.desk.serving.bodies import MOST_TABLE_BYTES, NO_JSON, OTHER_SHAPE, Refused, bytes_of
-from coursework.desk.serving.changes import events
-from coursework.desk.serving.folder import CONFLICT, NOT_THERE, Folder, Stale, etag_of
+from coursework.desk.serving.folder import CONFLICT, NOT_THERE, SUFFIX, Folder, Stale, etag_of
 from coursework.desk.serving.replies import language_of, reply
 from coursework.desk.serving.zips import packed, unpacked
 from coursework.words.sentences import load_phrases, say
+
+ALIVE = 15_000  # ms after which a browser hears that the line still stands
+_SETTLED = 100  # ms in which changes are told together
+
+
+async def events(folder: Folder) -> AsyncIterator[str]:
+    """Yield the list of files now, and after each change of one."""
+    yield "retry: 1000\n\n"
+    told = ""
+    watching = awatch(
+        folder.path, watch_filter=lambda _, path: path.endswith((SUFFIX, ".csv")), debounce=_SETTLED, step=_SETTLED // 2,
+        rust_timeout=ALIVE, yield_on_timeout=True, recursive=False,
+    )  # fmt: skip
+    change = None
+    try:
+        while True:
+            change = asyncio.ensure_future(anext(watching))
+            await asyncio.sleep(0)  # from here on nothing is missed
+            files = json.dumps(await asyncio.to_thread(folder.listed))
+            yield ":\n\n" if files == told else f"event: files\ndata: {files}\n\n"
+            told = files
+            await change
+    finally:
+        if change is not None:
+            change.cancel()
+
 
 NEW, NO_VERSION, NO_CONTENT = 201, 428, 204
 TEXT = "text/plain; charset=utf-8"

@@ -14,6 +14,7 @@ from coursework.desk.inside import is_name, read_inside
 from coursework.desk.serving.bodies import MOST_BYTES, Refused
 from coursework.desk.serving.folder import SUFFIX, Folder, Stale, tables_named
 from coursework.system.whole_files import write_bytes
+from coursework.system.zipped import zipped
 from coursework.words.sentences import Phrases, say
 
 MOST_FILES = 500
@@ -22,11 +23,7 @@ NO_ZIP = 422
 
 def packed(folder: Folder) -> bytes:
     """Return every variant of a folder with the tables that it names."""
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, file in _work(folder):
-            archive.writestr(name, file)
-    return content.getvalue()
+    return zipped(_work(folder))
 
 
 def _work(folder: Folder) -> Iterator[tuple[str, bytes]]:

@@ -163,3 +163,15 @@ def _is_variant(path: Path) -> bool:
 
 def _by_id(places: Sequence[Place]) -> tuple[Place, ...]:
     return tuple(sorted(places, key=lambda place: place.id))
+
+
+MOST = 500  # variants; beyond these a class is a university, and looking through all of them helps nobody
+
+
+def class_tables(variants: Mapping[str, Variant]) -> dict[str, list[list[float]]]:
+    """Return the tables, nothing where everybody has the same variant."""
+    if not 1 < len(variants) <= MOST:
+        return {}
+    from coursework.grading.marking.key import tables_of
+
+    return {name: rows.tolist() for name, rows in tables_of(variants).items()}

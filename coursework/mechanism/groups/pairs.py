@@ -73,7 +73,7 @@ class Pair:
     @property
     def rows(self) -> int:
         """Return the number of rows; 1 for a pair given once."""
-        known = {"position": self.position, "velocity": self.velocity, "acceleration": self.acceleration}
+        known = {name: getattr(self, name) for name in ("position", "velocity", "acceleration")}
         return count_rows("pair", **{name: part.size // 2 for name, part in known.items() if part is not None})
 
     def motion(self, owner: str) -> tuple[Vectors, Vectors]:
@@ -123,13 +123,8 @@ class Guide:
     @property
     def rows(self) -> int:
         """Return the number of rows; 1 for a guide given once."""
-        turning = {
-            "angle": self.angle,
-            "rate": self.rate,
-            "acceleration": self.acceleration,
-            "offset": self.offset,
-        }
-        return count_rows("guide", **{name: len(part) for name, part in turning.items()}, K=self.through.rows)
+        turning = ("angle", "rate", "acceleration", "offset")
+        return count_rows("guide", **{name: len(getattr(self, name)) for name in turning}, K=self.through.rows)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

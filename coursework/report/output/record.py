@@ -50,7 +50,7 @@ def record(run: SceneRun) -> dict[str, Any]:
         "quantities": list(run.asked),
         "columns": run.units,
         "contents": [_content(quantity) for quantity in quantities_for(run.asked).values()],
-        "stop": _stop(run),
+        "stop": None if run.stop is None else asdict(run.stop),
         "remarks": [
             {"code": remark.code, "line": remark.line, "sentence": str(remark.sentence)} for remark in run.variant.plausibility
         ],
@@ -83,34 +83,16 @@ def _content(quantity: Quantity[Any]) -> dict[str, Any]:
 
 def _graph(graph: GraphCheck) -> dict[str, Any]:
     """Return what was read off the drawing: magnitudes in SI, lengths in mm of paper, centres by link (none: translation)."""
-    rows = [
-        {
-            "name": one.name,
-            "found": one.found,
-            "read": one.read,
-            "table": one.table if isfinite(one.table) else None,
-            "unit": one.unit,
-        }
-        for one in graph.readings
-    ]
+    told = [{name: getattr(one, name) for name in ("name", "found", "read", "table", "unit")} for one in graph.readings]
+    rows = [row | {"table": row["table"] if isfinite(row["table"]) else None} for row in told]
     centres = {link: None if at is None else {"x": at.real, "y": at.imag} for link, at in graph.centres.items()}
     return {"row": graph.row, "time": graph.time, "scale": graph.scale, "rows": rows, "centres": centres}
 
 
 def _finding(finding: Finding) -> dict[str, Any]:
-    found: dict[str, Any] = {
-        "code": finding.code,
-        "group": finding.group,
-        "verdict": finding.verdict,
-        "value": finding.value,
-        "unit": finding.unit,
-        "limit": finding.limit,
-        "column": finding.column,
-        "row": finding.row,
-        "sentence": finding.sentence,
-    }
-    more = {name: getattr(finding, name) for name in ("step", "first", "last")}
-    return found | {name: value for name, value in more.items() if value is not None}
+    kept = ("code", "group", "verdict", "value", "unit", "limit", "column", "row", "sentence")
+    more = [name for name in ("step", "first", "last") if getattr(finding, name) is not None]
+    return {name: getattr(finding, name) for name in (*kept, *more)}
 
 
 def study_record(run: SceneRun) -> dict[str, Any]:
@@ -131,19 +113,3 @@ def _lines(value: Any) -> str:
 
 
 _written = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
-
-
-def _stop(run: SceneRun) -> dict[str, Any] | None:
-    stop = run.stop
-    if stop is None:
-        return None
-    return {
-        "kind": stop.kind,
-        "time": stop.time,
-        "row": stop.row,
-        "block": list(stop.block),
-        "coordinates": stop.coordinates,
-        "cause": stop.cause,
-        "meaning": stop.meaning,
-        "branches": list(stop.branches),
-    }

@@ -52,21 +52,9 @@ class ReportModel:
 
     def plain(self) -> dict[str, Any]:
         """Return the model as dicts, lists and strings: what JSON holds and what a golden file compares."""
-        return {
-            "language": self.language,
-            "kind": self.kind,
-            "heading": self.heading,
-            "author": self.author,
-            "running": self.running,
-            "footer": self.footer,
-            "contents": self.contents,
-            "skip": self.skip,
-            "copy": self.copy,
-            "copied": self.copied,
-            "enlarge": self.enlarge,
-            "sections": [section.plain() for section in self.sections],
-            **({} if self.title_language == self.language else {"title_language": self.title_language}),
-        }
+        names = ("language", "kind", "heading", "author", "running", "footer", "contents", "skip", "copy", "copied", "enlarge")
+        found = {name: getattr(self, name) for name in names} | {"sections": [section.plain() for section in self.sections]}
+        return found if self.title_language == self.language else found | {"title_language": self.title_language}
 
 
 def _shortened(text: str, longest: int) -> str:

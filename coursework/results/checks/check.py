@@ -1,4 +1,4 @@
-"""Every kind of check as one record, in the order of the page.
+"""Every kind of check as one record, in the order of the page, with what it must have before it can judge.
 
 Enters: `Evidence` about any motion.  Leaves: a `Finding` of each kind.  Used by `motion_results.py`; page, run.json and command
 line show whatever is found.  To add one: write its judging function, put a `Check` here, and its words under
@@ -8,16 +8,81 @@ line show whatever is found.  To add one: write its judging function, put a `Che
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
+import numpy as np
+
+from coursework.motion.geometry.drive import resolution
 from coursework.results.checks import advice
-from coursework.results.checks.close_to_motion import closeness, continuity, drift, long_run, period, rows, sinusoid
+from coursework.results.checks.close_to_motion import closeness, continuity, drift, period, rows, sinusoid
+from coursework.results.checks.close_to_motion.stiffness import stiff
 from coursework.results.checks.computed_right import beginning, conditioning, digits, equations, quotes
-from coursework.results.checks.evidence import Evidence
-from coursework.results.checks.needs import CLOSURE, DIGITS, EXACT, RESOLVED, ROW, SOLVED, WHOLE, Need
-from coursework.results.checks.result import Finding, Group, skipped
+from coursework.results.checks.computed_right.conditioning import condition
+from coursework.results.checks.evidence import LIMIT, Evidence
+from coursework.results.checks.result import Finding, Group, floored, judged
 from coursework.system.frozen import frozen
-from coursework.words.sentences import say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+
+@frozen
+class Need:
+    """`met` by the evidence, or skipped with the sentence `otherwise`; `headline` then begins the summary."""
+
+    met: Callable[[Evidence], bool]
+    otherwise: Callable[[Evidence], Sentence]
+    headline: Callable[[Evidence], str] = lambda evidence: ""
+
+    def skipped(self, evidence: Evidence) -> Finding:
+        """Return the finding of a check that lacks it."""
+        return Finding("SKIP", self.otherwise(evidence), headline=self.headline(evidence))
+
+
+def _open_integral(evidence: Evidence) -> Sentence:
+    found = resolution(evidence.equations)
+    return say("check.unresolved", time=found.place)
+
+
+def _not_known(evidence: Evidence) -> Sentence:
+    if evidence.stop is not None:
+        return say("check.unknown")
+    found = stiff(evidence)
+    return say("check.out_of_reach") if found is None else joined([say("check.too_stiff"), found.sentence])
+
+
+def _why_not_known(evidence: Evidence) -> Sentence | str:
+    """Return what a summary begins with: a motion that ends early is told there anyhow."""
+    if (found := stiff(evidence)) is not None:
+        return found.sentence
+    return _not_known(evidence) if evidence.stop is None else ""
+
+
+def _too_few(evidence: Evidence) -> float | None:
+    """Return the digits that the equations leave where the exact motion itself is not known to 5 % with them, else None."""
+    if evidence.restricted:
+        return None
+    digits = condition(evidence).value
+    exact, names = evidence.exact, evidence.names
+    if digits is None or exact is None:
+        return None
+    way = [float(np.ptp(exact.column(name)) / evidence.scale[name]) for name in names if name in exact.coordinate_names]
+    return digits if max(way, default=0.0) * 10.0**-digits > LIMIT else None
+
+
+ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_row"))
+WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
+# A crank alone has its motion given.
+SOLVED = Need(lambda evidence: bool(evidence.equations.equations), lambda _: say("check.CONDITION.nothing"))
+EXACT = Need(
+    lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0,
+    lambda evidence: _not_known(evidence),
+    _why_not_known,
+)
+CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
+RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)
+DIGITS = Need(
+    lambda evidence: _too_few(evidence) is None,
+    lambda evidence: say("check.ACCURACY.few_digits", digits=floored(_too_few(evidence) or 0.0, 1)),
+)
 
 
 @frozen
@@ -52,15 +117,12 @@ CHECKS: tuple[Check, ...] = (
     Check("STEP", "motion", rows.enough, is_least=True),
     Check("PEAK", "motion", conditioning.peak, (ROW, RESOLVED, SOLVED)),
     Check("DRIFT", "motion", drift.drift, (ROW, RESOLVED, CLOSURE, WHOLE)),
-    Check("DRIFT-PER-PERIOD", "motion", long_run.per_period, (ROW, RESOLVED, EXACT)),
+    Check("DRIFT-PER-PERIOD", "motion", drift.per_period, (ROW, RESOLVED, EXACT)),
 )
 
 
 def check_motion(evidence: Evidence) -> tuple[Finding, ...]:
-    """Return what every check finds, with the step advised where a finer one would do.
-
-    A fault inside a check is an ERROR of the tool, never of the student, and the other checks go on.
-    """
+    """Return what every check finds, with the step advised where a finer one would do."""
     found = [_judged(check, evidence) for check in CHECKS]
     return tuple(advice.with_advice(evidence, found, motion_findings))
 
@@ -72,11 +134,5 @@ def motion_findings(evidence: Evidence) -> Sequence[Finding]:
 
 def _judged(check: Check, evidence: Evidence) -> Finding:
     lacking = next((need for need in check.needs if not need.met(evidence)), None)
-    try:
-        if lacking is None:
-            found = check.judge(evidence)
-        else:
-            found = replace(skipped(lacking.otherwise(evidence)), headline=lacking.headline(evidence))
-    except Exception as error:
-        found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
-    return replace(found, code=check.code, group=check.group, is_least=check.is_least)
+    judge = check.judge if lacking is None else lacking.skipped
+    return judged(judge, evidence, code=check.code, group=check.group, is_least=check.is_least)

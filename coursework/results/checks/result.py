@@ -7,7 +7,9 @@ Used by run, output, report and the command line.
 from __future__ import annotations
 
 import math
-from typing import Literal
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, Literal
 
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
@@ -77,6 +79,15 @@ class Finding:
 def skipped(sentence: str) -> Finding:
     """Return the finding of a check that has nothing to judge; the sentence says what is therefore not known."""
     return Finding("SKIP", sentence)
+
+
+def judged(judge: Callable[..., Finding], *evidence: Any, code: str, group: Group, is_least: bool = False) -> Finding:
+    """Return what a check finds.  A fault inside it is an ERROR of the tool, never of the student, and other checks go on."""
+    try:
+        found = judge(*evidence)
+    except Exception as error:
+        found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
+    return replace(found, code=code, group=group, is_least=is_least)
 
 
 def floored(share: float, decimals: int = 4) -> float:

@@ -38,7 +38,7 @@ class Data:
     start: Array
     changed: tuple[str, ...]
 
-    def part(self, rows: slice) -> Data:
+    def part(self, rows: slice | list[int]) -> Data:
         """Return some of the sets."""
         start = self.start[rows]
         return Data(len(start), {name: column[rows] for name, column in self.given.items()}, start, self.changed)

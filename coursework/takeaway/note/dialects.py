@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
-from typing import Protocol
 
 from coursework.takeaway.note.tree import Node, image, lowered, math, paragraph, raw, raw_block, styled, text
 from coursework.takeaway.note.tree import emphasized as slanted
@@ -16,32 +15,19 @@ FIRST_MARK = 90_000  # ids of Word's bookmarks: pandoc counts its own from 1
 UPRIGHT, TURNED = "<w:sectPr/><!--upright-->", "<w:sectPr/><!--turned-->"  # what `word.py` puts the section's own into
 
 
-class Dialect(Protocol):
-    """One format."""
-
-    suffix: str
-    writer: str
+class _Office:
+    """What Word and OpenDocument write alike."""
 
     def letter(self, letter: str, low: str) -> list[Node]:
         """Return a symbol in a sentence."""
-
-    def caption(self, kind: str, label: tuple[str, str, str], mark: str, said: Sequence[Node]) -> list[Node]:
-        """Return the caption of a "figure" or "table": its word, number and what stands behind it, then what it says."""
-
-    def numbered(self, latex: str, name: str, mark: str) -> Node:
-        """Return a formula with its number at the margin; a `mark` to refer to it by, "" for none."""
-
-    def reference(self, mark: str, said: str) -> Node:
-        """Return what leads to a mark."""
+        return [slanted(letter), *([lowered(low)] if low else [])]
 
     def picture(self, path: str, alt: str, size: tuple[float, float]) -> Node:
         """Return a picture of a size in mm."""
-
-    def turned(self, blocks: list[Node]) -> list[Node]:
-        """Return blocks on a page that lies on its side."""
+        return image(path, alt, *size)
 
 
-class Word:
+class Word(_Office):
     """Word: SEQ and REF fields, bookmarks, tabs."""
 
     suffix = writer = "docx"
@@ -49,28 +35,27 @@ class Word:
     def __init__(self) -> None:
         self.marks = FIRST_MARK
 
-    def letter(self, letter: str, low: str) -> list[Node]:
-        return _letter(letter, low)
-
     def caption(self, kind: str, label: tuple[str, str, str], mark: str, said: Sequence[Node]) -> list[Node]:
+        """Return the caption of a "figure" or "table": its word, number and what stands behind it, then what it says."""
         word, number, behind = label
         field = _field(f"SEQ {word.strip().replace(' ', '_')} \\* ARABIC", number)
         inlines = [*text(word), raw("openxml", self._marked(mark, field)), *text(behind), *said]
         return [styled(CAPTIONS[kind], [paragraph(inlines)])]
 
     def numbered(self, latex: str, name: str, mark: str) -> Node:
+        """Return a formula with its number at the margin; a `mark` to refer to it by, "" for none."""
         number = f"<w:r><w:t>({escape(name)})</w:t></w:r>"
         tab = "<w:r><w:tab/></w:r>"
         behind = self._marked(mark, number) if mark else number
         return styled("Equation", [paragraph([raw("openxml", tab), math(latex), raw("openxml", tab + behind)])])
 
     def reference(self, mark: str, said: str) -> Node:
+        """Return what leads to a mark."""
         return raw("openxml", _field(f"REF {mark} \\h", said))
 
-    def picture(self, path: str, alt: str, size: tuple[float, float]) -> Node:
-        return image(path, alt, *size)
-
     def turned(self, blocks: list[Node]) -> list[Node]:
+        """Return blocks on a page that lies on its side."""
+
         def ends(section: str) -> Node:
             return raw_block("openxml", f"<w:p><w:pPr>{section}</w:pPr></w:p>")
 
@@ -82,13 +67,10 @@ class Word:
         return f'{begin}{inside}<w:bookmarkEnd w:id="{self.marks}"/>'
 
 
-class OpenDocument:
+class OpenDocument(_Office):
     """OpenDocument: sequences, bookmarks, tabs."""
 
     suffix = writer = "odt"
-
-    def letter(self, letter: str, low: str) -> list[Node]:
-        return _letter(letter, low)
 
     def caption(self, kind: str, label: tuple[str, str, str], mark: str, said: Sequence[Node]) -> list[Node]:
         word, number, behind = label
@@ -110,9 +92,6 @@ class OpenDocument:
     def reference(self, mark: str, said: str) -> Node:
         field = f'<text:bookmark-ref text:reference-format="text" text:ref-name="{mark}">{escape(said)}</text:bookmark-ref>'
         return raw("opendocument", field)
-
-    def picture(self, path: str, alt: str, size: tuple[float, float]) -> Node:
-        return image(path, alt, *size)
 
     def turned(self, blocks: list[Node]) -> list[Node]:
         first, *others = blocks
@@ -149,15 +128,12 @@ class Tex:
 
 CAPTIONS = {"figure": "Image Caption", "table": "Table Caption"}
 SEQUENCES = {"figure": "Figure", "table": "Table"}
+Dialect = Word | OpenDocument | Tex
 DIALECTS: dict[str, type[Dialect]] = {"docx": Word, "odt": OpenDocument, "tex": Tex}
 _TEX = {
     "\\": "\\textbackslash{}", "{": "\\{", "}": "\\}", "$": "\\$", "&": "\\&", "#": "\\#", "_": "\\_", "%": "\\%",
     "~": "\\textasciitilde{}", "^": "\\textasciicircum{}",
 }  # fmt: skip
-
-
-def _letter(letter: str, low: str) -> list[Node]:
-    return [slanted(letter), *([lowered(low)] if low else [])]
 
 
 def _field(instruction: str, shown: str) -> str:

@@ -9,8 +9,9 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 
+from coursework.system.zipped import zipped
 from coursework.takeaway.figures.drawings import Picture
-from coursework.takeaway.note.archive import packed, unpacked
+from coursework.takeaway.note.archive import unpacked
 from coursework.takeaway.note.dialects import SEQUENCES
 from coursework.takeaway.note.sections import STRUCTURAL
 from coursework.takeaway.note.styles import PAGE, House, open_document_styles
@@ -73,7 +74,7 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
                 f'{_HEADING}<text:bookmark-start text:name="{name}"', f'{_SET}<text:bookmark-start text:name="{name}"'
             )
     files[CONTENT] = _with_drawings(files, text, drawings).encode()
-    return packed(files)
+    return zipped(files.items())
 
 
 def _with_pages(styles: str, house: House) -> str:

@@ -9,8 +9,9 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 
+from coursework.system.zipped import zipped
 from coursework.takeaway.figures.drawings import Picture
-from coursework.takeaway.note.archive import packed, unpacked
+from coursework.takeaway.note.archive import unpacked
 from coursework.takeaway.note.dialects import TURNED, UPRIGHT
 from coursework.takeaway.note.sections import STRUCTURAL
 from coursework.takeaway.note.styles import PAGE, TWIPS, House, word_styles
@@ -65,7 +66,7 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
     own = _SECTION.findall(document)[-1]
     document = document.replace(UPRIGHT, own).replace(TURNED, _turned(own))
     files[DOCUMENT] = _with_drawings(files, document, drawings).encode()
-    return packed(files)
+    return zipped(files.items())
 
 
 def _lettered(found: re.Match[str]) -> str:

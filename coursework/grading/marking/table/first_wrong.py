@@ -6,6 +6,7 @@ Enters: `Cells`, the table as it was read.  Leaves: `FirstWrong` or None.  Used 
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -41,10 +42,7 @@ class FirstWrong:
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
-        return {
-            "t": self.t, "row": self.row, "column": self.column, "found": self.found, "expected": self.expected,
-            "tolerance": self.tolerance, "way": self.way, "sentence": self.sentence,
-        }  # fmt: skip
+        return asdict(self)
 
 
 @frozen

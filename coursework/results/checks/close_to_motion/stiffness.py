@@ -1,6 +1,6 @@
 """Stiff equations: a deviation dies out far faster than the motion changes, and an explicit step must be as short as that.
 
-Enters: `Evidence`.  Leaves: `Stiff`, None where they are not, or the scheme bears it.  Used by `advice.py` and `needs.py`.
+Enters: `Evidence`.  Leaves: `Stiff`, None where they are not, or the scheme bears it.  Used by `advice.py` and `check.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest angle.
 
-Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py` and `needs.py`.
+Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
 """
 
 from __future__ import annotations
