@@ -28,7 +28,7 @@ def test_boxes_and_comments_have_the_same_numbers(name):
     numbers = [int(text.text) for text in drawn(name).iter(f"{SPACE}text") if text.get("font-size") == "10"]
     assert numbers == list(range(1, len(numbers) + 1))
     run = solved(name, scheme="euler", quantities=["table"])
-    told = {int(one) for one in re.findall(r"^ *# (\d+) ", written(run, "python"), re.MULTILINE)}
+    told = {int(one) for one in re.findall(r"(?:^ *|  )# (\d+) ", written(run, "python"), re.MULTILINE)}
     assert told == {*numbers}
 
 
