@@ -24,6 +24,8 @@ _NO_LETTERS = re.compile(r"[\\{}_^&\s]")
 _WORD = re.compile(r"_\{\\text\{([^{}]*?) \}\}")  # pandoc leaves a space behind a word that stands lower
 _BEGINS = re.compile(r"^= ")  # a sign between two sides looks for the left one
 _OPENING, _CLOSING = "\\begin{aligned}", "\\end{aligned}"
+_BRACKET = re.compile(r"(?<!\\left)(?<!\\right)[()]")
+_OPENED, _CLOSED, _NO_LEFT, _NO_RIGHT = "\\left( ", " \\right)", " \\left. ", " \\right."
 _QUAD = "\\quad"
 _LEAD = re.compile(r"&?\s*(?:\\quad)*\s*[=+-]*\s*")
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
@@ -66,7 +68,7 @@ def _broken(latex: str) -> str:
     if letters_wide(latex) <= WIDE or "\\begin" in body:
         return latex
     body = body if body != latex else f"& {latex}"
-    lines = [piece for line in body.split("\\\\") for piece in _pieces(line.strip())]
+    lines = [_balanced(piece) for line in body.split("\\\\") for piece in _pieces(line.strip())]
     return "\n".join((_OPENING, " \\\\\n".join(lines), _CLOSING)) if len(lines) > 1 else latex
 
 
@@ -77,6 +79,22 @@ def _pieces(line: str) -> list[str]:
     least = min(depth for depth, _ in places)
     place = max(place for depth, place in places if depth == least)
     return [line[:place].rstrip(), *_pieces(f"& {_QUAD * (1 + (least > 0))} {line[place:].strip()}")]
+
+
+def _balanced(line: str) -> str:
+    """Return a line whose brackets that are closed, or opened, in another line have nothing on their other side."""
+    opened, closed = list[int](), list[int]()
+    for found in _BRACKET.finditer(line):
+        if found[0] == "(":
+            opened.append(found.start())
+        elif opened:
+            opened.pop()
+        else:
+            closed.append(found.start())
+    begin = len(_LEAD.match(line)[0].rstrip("=+- ")) if closed else 0  # type: ignore[index]
+    for place in sorted((*opened, *closed), reverse=True):
+        line = f"{line[:place]}{_OPENED if place in opened else _CLOSED}{line[place + 1 :]}"
+    return f"{line[:begin]}{_NO_LEFT * len(closed)}{line[begin:]}{_NO_RIGHT * len(opened)}"
 
 
 def _places(line: str) -> list[tuple[int, int]]:
