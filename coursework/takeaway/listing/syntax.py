@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 import keyword
+import re
 from collections.abc import Collection, Mapping
 
 from coursework.equations.codegen.names import public
@@ -30,9 +31,13 @@ endwhile for function global if otherwise persistent return switch try until unw
 merge error e i j I J Inf NaN eps ans min max floor abs zeros numel e1 det inv"""
 
 
+# Shares of free rates in velocities, masses, inertias, what positions keep, corrections, the matrix of the equations of motion.
+_OF_FORCES = re.compile(r"_(?:u\d+_\w+|(?:m|j|jf|kept|step|near|mass|force)\d*(?:_n)?)")
+
+
 @frozen
 class Syntax:
-    """How a language writes what differs: functions by name (others alike), the choice of two values, comments, assignment."""
+    """How a language writes what differs: functions by name (others alike), the choice of two values, comments, loops."""
 
     name: str
     suffix: str
@@ -40,6 +45,7 @@ class Syntax:
     calls: Mapping[str, str]
     choice: str
     comment: str
+    loop: tuple[str, str]
     assign: str = " = "
     end: str = ";"
     knows_case: bool = True
@@ -52,18 +58,24 @@ def _words(text: str) -> frozenset[str]:
 
 PYTHON = Syntax(
     "python", "py", frozenset((*keyword.kwlist, *_MATH, "print", "range", "min", "max", "int")), {"pow": "pow"},
-    "({yes} if {holds} else {no})", "# ", end="",
+    "({yes} if {holds} else {no})", "# ", ("for {j} in range({times}):", ""), end="",
 )  # fmt: skip
-OCTAVE = Syntax("octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ", wrap=" ...")
-C = Syntax("c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ")
+OCTAVE = Syntax(
+    "octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ",
+    ("for {j} = 1:{times}", "end"), wrap=" ...",
+)  # fmt: skip
+C = Syntax(
+    "c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ",
+    ("for (int {j} = 0; {j} < {times}; {j}++) {{", "}"),
+)  # fmt: skip
 PASCAL = Syntax(
     "pascal", "pas", _words(_PASCAL) | {*_MATH},
     {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "log": "ln", "pow": "power"},
-    "ifthen({holds}, {yes}, {no})", "// ", assign=" := ", knows_case=False,
+    "ifthen({holds}, {yes}, {no})", "// ", ("for {j} := 1 to {times} do begin", "end;"), assign=" := ", knows_case=False,
 )  # fmt: skip
 JAVASCRIPT = Syntax(
     "javascript", "js", _words(_JAVASCRIPT) | {*_MATH}, {name: f"Math.{name}" for name in _MATH},
-    "({holds} ? {yes} : {no})", "// ",
+    "({holds} ? {yes} : {no})", "// ", ("for (let {j} = 0; {j} < {times}; {j}++) {{", "}"),
 )  # fmt: skip
 SYNTAXES = {one.name: one for one in (PYTHON, OCTAVE, C, PASCAL, JAVASCRIPT)}
 
@@ -108,6 +120,13 @@ class Names:
     def _shown(self, name: str) -> str:
         if name.startswith("_det"):
             return f"D{int(name[4:]) + 1}"
+        if name.startswith("_acc"):
+            return f"acc{int(name[4:]) + 1}"
+        if name.startswith(("_rate_", "_closed_")):
+            kind, _, coordinate = name[1:].partition("_")
+            return f"{'d' if kind == 'rate' else ''}{coordinate}{'_closed' * (kind == 'closed')}"
+        if _OF_FORCES.fullmatch(name):
+            return name[1:].replace("v_", "").removesuffix("_n")
         if name.startswith("_end"):
             number, _, law = name[4:].partition("_")
             return f"{law}_end{int(number) + 1}"
