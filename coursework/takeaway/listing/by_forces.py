@@ -1,24 +1,29 @@
 """A motion under forces as the parts of a program: closed positions, velocities block by block, accelerations.
 
-Enters: a `PageContext` of a run with [motor].  Leaves: `Moving`: lines and names for `program.py`.  Used by it alone.
+Enters: a run with [motor].  Leaves: `Moving`: lines and names for `program.py` and the workbook, which use it.
 The states are all coordinates and the free rates; the other coordinates are closed by Newton's corrections at each slope.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from coursework.effects.closed_positions import newton_statements
 from coursework.effects.equations_of_motion import MotionWriter
 from coursework.effects.scheme import read_scheme
+from coursework.equations.algebra.calculus import replaced
+from coursework.equations.algebra.expression import ZERO, Expression
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Program, Statement, program, renamed
 from coursework.equations.codegen.straight_line import Line
 from coursework.equations.reduction.symbolic import constants, local, symbol
-from coursework.report.live.by_forces import given_once
-from coursework.report.text.page_context import PageContext
+from coursework.report.live.by_forces import given_once, with_weights
+from coursework.scene.exact_scene import scene_of
+from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
+from coursework.variant.record.variant import Variant
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 CORRECTIONS = 8  # of a position that the step before has left near: the error of each is of the size of the last one's square
@@ -26,8 +31,12 @@ CORRECTIONS = 8  # of a position that the step before has left near: the error o
 
 @frozen
 class Moving:
-    """`numbers` are masses and inertias, `states` stand beside the coordinates, `outs` are what gives their rates, in order."""
+    """`variant` has masses and loads as data, `states` stand beside the coordinates, `outs` are what gives the rates, in order.
 
+    `numbers` are the data, and what positions keep.
+    """
+
+    variant: Variant
     numbers: dict[str, float]
     known: tuple[Line, ...]
     closing: tuple[Line, ...]
@@ -39,14 +48,15 @@ class Moving:
     closed: tuple[tuple[str, str], ...]
 
 
-def moving(context: PageContext) -> Moving:
+def moving(run: SceneRun) -> Moving:
     """Return the motion of a run that forces move."""
-    run, scene = context.run, context.run.scene
-    variant, equations = scene.variant, scene.equations
+    variant = with_weights(run.variant)
+    scene = scene_of(variant, run.settings)
+    equations = scene.equations
     assert variant.motor is not None
     own = MotionWriter(equations, scene.reduction, read_scheme(scene.mechanism), tuple(scene.start))
-    statements = [*given_once([*own.statements()])]
-    own.made()  # which gives masses and inertias their numbers
+    moved = own.statements()
+    statements = [*given_once([*(Assign(local(name), value) for name, value in own.weights.items()), *moved])]
     names = [c.name for c in variant.coordinates]
     free = {names[place] for place in own.free}
     outs = [f"_rate_{name}" if name in free else private(c.rate) for name, c in zip(names, variant.coordinates, strict=True)]
@@ -55,8 +65,9 @@ def moving(context: PageContext) -> Moving:
     closed = tuple((private(names[place]), f"_closed_{names[place]}") for place in own.others)
     statements += [Assign(local(f"_rate_{names[place]}"), symbol(rate)) for place, rate in zip(own.free, own.rates, strict=True)]
     corrections, kept, _ = newton_statements(equations, scene.start, own.others)
-    numbers = own.numbers | {f"_kept{k}": value for k, value in enumerate(kept)}
-    known = {**constants(run.variant), **numbers}
+    zeros = {local(f"_kept{k}"): ZERO for k, value in enumerate(kept) if not value}
+    corrections = [_with(one, zeros) for one in corrections]
+    known = {**constants(variant), **{f"_kept{k}": value for k, value in enumerate(kept) if value}}
 
     def written(wanted: Sequence[Statement]) -> Program:
         definitions = equations.symbols.definitions.without({symbol(rate) for rate in own.rates})
@@ -68,11 +79,18 @@ def moving(context: PageContext) -> Moving:
     after = [Line((name,), f"{name} = {name} + _step{place}") for place, (name, _) in zip(own.others, closed, strict=True)]
     start = dict(variant.motor.start)
     return Moving(
-        numbers, (*main.known, *_renamed(closing.known, taken)), (*_renamed(closing.lines, taken), *after),
+        variant, known, (*main.known, *_renamed(closing.known, taken)), (*_renamed(closing.lines, taken), *after),
         _needed(main.lines, outs),
         tuple(name for name in known if name in (*main.data, *closing.data)), tuple(map(private, own.rates)),
         tuple(start.get(rate, 0.0) for rate in own.rates), tuple(outs) + tuple(name for _, name in closed), closed,
     )  # fmt: skip
+
+
+def _with(one: Statement, values: Mapping[Expression, Expression]) -> Statement:
+    """Return a statement with expressions for symbols."""
+    if isinstance(one, Assign):
+        return replace(one, value=replaced(one.value, values))
+    return replace(one, entries=tuple(replaced(entry, values) for entry in one.entries))
 
 
 def _renamed(lines: Sequence[Line], names: dict[str, str]) -> Iterator[Line]:

@@ -29,8 +29,6 @@ from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
-_WEIGHTS = {"m": "kg", "j": "kg*m^2"}  # units of masses and inertias, by the letter of their name
-
 
 @frozen
 class Box:
@@ -125,11 +123,11 @@ def program_of(context: PageContext) -> Program:
     run, motion = context.run, rows_of(context.run)
     scene, variant = run.scene, run.variant
     scheme = scheme_of(motion.scheme, (SEMI_IMPLICIT.name,))
-    forced = moving(context) if variant.motor is not None else None
+    forced = moving(run) if variant.motor is not None else None
     velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
     shown = tuple(map(private, (*(c.name for c in variant.coordinates), *velocities)))
     boxes = _boxes(context)
-    numbers = constants(variant) | (forced.numbers if forced else {})
+    numbers = forced.numbers if forced else constants(variant)
     coordinates = [(private(one.name), one.unit) for one in variant.coordinates]
     if forced:
         known, lines, data, tables = forced.known, forced.lines, forced.data, scene.equations.tables
@@ -144,8 +142,7 @@ def program_of(context: PageContext) -> Program:
         written = {f"_{private(name)}" for name in velocities}
         lines = tuple(line for line in found.lines if not written & set(line.targets))
         start, outs = [*zip(coordinates, scene.start, strict=True)], tuple(map(private, velocities))
-    units = {private(one.name): one.si for one in variant.given}
-    units |= {name: _WEIGHTS.get(name[1], "") for name in forced.numbers} if forced else {}
+    units = {private(one.name): one.si for one in (forced.variant if forced else variant).given}
     limits = tuple(
         Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in velocities))
         for one in scene.search.passages
@@ -157,7 +154,8 @@ def program_of(context: PageContext) -> Program:
         tuple(Datum(name, numbers[name], context.words.unit(units.get(name, "s"))) for name in data),
         tuple(Datum(name, value, context.words.unit(unit)) for (name, unit), value in start),
         motion.step, len(motion.t), known, blocks, outs, tables,
-        scene.rates.breaks if scheme.slopes > 1 and not forced else (), limits, boxes, variant.names, shown,
+        scene.rates.breaks if scheme.slopes > 1 and not forced else (), limits, boxes,
+        (forced.variant if forced else variant).names, shown,
         forced.closed if forced else (),
     )  # fmt: skip
 

@@ -146,22 +146,24 @@ def expression(text: str, syntax: Syntax, names: Names) -> str:
     >>> expression("-v_r*pow(v_R, 3.0)", PASCAL, names)
     '-r*power(R_, 3.0)'
     """
-    return _written(ast.parse(text, mode="eval").body, syntax, names)
+    return written(ast.parse(text, mode="eval").body, syntax, names)
 
 
 def parts(text: str, syntax: Syntax, names: Names) -> list[str]:
     """Return the expressions of a call such as `_solve((a, b))`, one by one."""
     call = ast.parse(text, mode="eval").body
     assert isinstance(call, ast.Call) and isinstance(call.args[0], ast.Tuple)
-    return [_written(one, syntax, names) for one in call.args[0].elts]
+    return [written(one, syntax, names) for one in call.args[0].elts]
 
 
 _SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Gt: ">"}
 
 
-def _written(node: ast.expr, syntax: Syntax, names: Names) -> str:
+def written(node: ast.expr, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
+    """Return an expression that the tool printed, parsed, in a language or as cells compute it."""
+
     def inner(one: ast.expr) -> str:
-        return _written(one, syntax, names)
+        return written(one, syntax, names)
 
     match node:
         case ast.Constant():
