@@ -1,6 +1,6 @@
 """A motion under forces as the parts of a program: closed positions, velocities block by block, accelerations.
 
-Enters: a run with [motor].  Leaves: `Moving`: lines and names for `program.py` and the workbook, which use it.
+Enters: a run with [motor].  Leaves: `Moving`: lines and names for programs and workbooks.  Used by `program.py` and the workbook.
 The states are all coordinates and the free rates; the other coordinates are closed by Newton's corrections at each slope.
 """
 
