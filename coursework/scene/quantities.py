@@ -237,10 +237,6 @@ def _refuse_no_motor(variant: Variant) -> Sentence | None:
     return say("fault.V743") if variant.motor is None else None
 
 
-def _refuse_forces(variant: Variant) -> Sentence | None:
-    return say("fault.C091") if variant.motor is not None else None
-
-
 _POINT_COLUMNS = Columns(_point_columns, _moving)
 TABLE = Quantity(table, OwnSection(), restrictable=True, usual=True)
 PLOTS = Quantity(plots, OwnSection(), restrictable=True, usual=True, only_pages=True)
@@ -266,8 +262,8 @@ DYNAMICS = Quantity(MotionResults.dynamics, OwnSection(lambda _, found: found), 
 ENERGY = Quantity(
     MotionResults.energy, OwnSection(lambda results, found: found.as_table(results.motion.t)), order=2, refuses=_refuse_no_forces
 )
-LISTING = Quantity(listing, OwnSection(), refuses=_refuse_forces, only_pages=True)
-FLOWCHART = Quantity(flowchart, OwnSection(), refuses=_refuse_forces, only_pages=True)
+LISTING = Quantity(listing, OwnSection(), only_pages=True)
+FLOWCHART = Quantity(flowchart, OwnSection(), only_pages=True)
 HODOGRAPHS = Quantity(hodographs, _SYMBOLS_ONLY, refuses=_refuse_no_points, only_pages=True)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (

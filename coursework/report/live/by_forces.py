@@ -49,7 +49,7 @@ class Moved:
         return [first, *begin, *others, "acting", "forces", *end, last]
 
 
-def _once(statements: Sequence[Statement]) -> Iterator[Statement]:
+def given_once(statements: Sequence[Statement]) -> Iterator[Statement]:
     """Yield statements that give each name its value once: a block that is solved for several sides has one determinant.
 
     Those of the energies are left out: `acting` has them.
@@ -102,7 +102,7 @@ def _by_motor(scene: Scene, scheme: str, places: Sequence[Any]) -> Moved:
     assert variant.motor is not None
     motor = MotionWriter(equations, scene.reduction, forces, tuple(scene.start))
     statements = motor.statements()
-    before = [*_once([*(Assign(local(name), value) for name, value in motor.weights.items()), *statements])]
+    before = [*given_once([*(Assign(local(name), value) for name, value in motor.weights.items()), *statements])]
     acting = acting_on(equations, forces)
     free, v = [symbol(rate) for rate in motor.rates], {"v": [private(rate) for rate in motor.rates]}
     unknowns = [name for name, _ in variant.unknowns]

@@ -25,6 +25,7 @@ class Group:
     lengths: tuple[float, ...]
     mode: int
     slider: Slider | None = None
+    ratio: float = 1.0
 
 
 @frozen
@@ -47,10 +48,18 @@ class Chain:
         self.placed: set[int] = set()
         self.steps: list[Group | Carried] = []
         pin = next(name for name in scheme.links[scheme.crank] if name not in self.known)
+        self.lines: dict[int, tuple[str, complex]] = {}  # from which joint the angle of a link is counted, and which way it goes
         self._add(Group("crank", (scheme.pivot,), pin, (scheme.crank,), (self._apart(scheme.pivot, pin),), 0))
+        for one in scheme.turned:
+            pins = [name for name in scheme.links[one.link] if name not in self.known]
+            if pins and one.link not in self.placed:
+                lengths = (self._apart(one.pivot, pins[0]),)
+                self._add(Group("crank", (one.pivot,), pins[0], (one.link,), lengths, 0, ratio=one.ratio))
         while (found := next(self._dyads(), None)) is not None:
             self._add(found)
         self.lost = [name for name in scheme.joints if name not in self.known]
+        used_slots = {group.slider for group in self.steps if isinstance(group, Group)}
+        self.lost += [name for name, one in scheme.sliders.items() if one not in used_slots and name not in self.lost]
         used = {name for step in self.steps if isinstance(step, Group) for name in step.start}
         self.hinges = [name for name in scheme.joints if name in scheme.fixed and name in used]
 
@@ -69,7 +78,8 @@ class Chain:
             ]  # fmt: skip
             one_each = dict(reversed(hung))
             links, bases = tuple(one_each)[::-1], tuple(one_each.values())[::-1]
-            if (slider := self.scheme.sliders.get(meets)) is not None and links:
+            slider = self.scheme.sliders.get(meets)
+            if slider is not None and links and (slider.link is None or slider.link in self.placed):
                 ahead = ((at[meets] - at[bases[0]]) * cmath.exp(-1j * slider.angle)).real
                 length = (self._apart(bases[0], meets),)
                 yield Group("RRP", bases[:1], meets, links[:1], length, 1 if ahead >= 0 else -1, slider)
@@ -78,13 +88,28 @@ class Chain:
                 lengths = tuple(self._apart(base, meets) for base in bases[:2])
                 yield Group("RRR", bases[:2], meets, links[:2], lengths, 1 if (way.conjugate() * reach).imag >= 0 else -1)
 
+        yield from self._levers()
+
+    def _levers(self) -> Iterator[Group]:
+        """Yield links with a slot in which a known joint slides, and that turn about another known one."""
+        at = self.scheme.joints
+        for pin, slider in self.scheme.sliders.items():
+            if pin not in self.known or slider.link is None or slider.link in self.placed:
+                continue
+            for base in self.scheme.links[slider.link]:
+                way = (at[pin] - at[base]) * cmath.exp(-1j * slider.angle)
+                if base in self.known and abs(way.real) > SHORTEST:
+                    yield Group("RPR", (pin, base), "", (slider.link,), (way.imag,), 1 if way.real > 0 else -1, slider)
+
     def _add(self, group: Group) -> None:
         self.steps.append(group)
         self.known.add(group.meets)
-        for link, base in zip(group.links, group.start, strict=True):
+        slot = group.kind == "RPR" and group.slider
+        for link, base in zip(group.links, group.start[1:] if slot else group.start, strict=True):
             self.placed.add(link)
             at = self.scheme.joints
-            along = at[group.meets] - at[base]
+            along = cmath.exp(1j * slot.angle) if slot else at[group.meets] - at[base]
+            self.lines[link] = base, along
             for joint in self.scheme.links[link]:
                 if joint not in self.known:
                     turned = (at[joint] - at[base]) / along

@@ -10,7 +10,18 @@ import cmath
 import math
 from xml.parsers import expat
 
-from coursework.takeaway.foreign.scheme import MOST_JOINTS, Scheme, Slider, driven_link, left_out, no_crank, number, refused
+from coursework.takeaway.foreign.scheme import (
+    MOST_JOINTS,
+    Scheme,
+    Slider,
+    Turned,
+    driven_link,
+    left_out,
+    link_of,
+    no_crank,
+    number,
+    refused,
+)
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -90,19 +101,26 @@ class _Elements:
             raise refused(PROGRAM, "Link")
         if not self.inputs:
             raise no_crank(PROGRAM)
-        self.remarks += [left_out(f"input (connector {name})") for name, _ in self.inputs[1:]]
         if self.scale != 1.0:
             self.remarks.append(left_out(f"scalefactor {self.scale:g}"))
+        links = tuple(tuple(dict.fromkeys(link)) for link in self.links if not fixed.issuperset(link))
         sliders = {}
         for name, limits in self.limits.items():
-            if len(limits) == 2 and fixed.issuperset(limits):
+            slot = None if fixed.issuperset(limits) else link_of(links, *limits)
+            if len(limits) == 2 and all(one in self.places for one in limits) and (slot is not None or fixed.issuperset(limits)):
                 ends = [self.places[one] for one in limits]
-                sliders[name] = Slider(ends[0], cmath.phase(ends[1] - ends[0]))
+                sliders[name] = Slider(ends[0], cmath.phase(ends[1] - ends[0]), slot)
             else:
                 self.remarks.append(left_out(f"slider (connector {name})"))
-        links = tuple(tuple(dict.fromkeys(link)) for link in self.links if not fixed.issuperset(link))
         pivot, rpm = self.inputs[0]
+        turned = []
+        for name, further in self.inputs[1:]:
+            driven = next((place for place, link in enumerate(links) if name in link and name in fixed), None)
+            if driven is None or not rpm:
+                self.remarks.append(left_out(f"input (connector {name})"))
+            else:
+                turned.append(Turned(name, driven, further / rpm))
         speed = rpm * math.tau / 60
         self.remarks.append(say("foreign.sense"))
         crank = driven_link(PROGRAM, links, pivot, fixed)
-        return Scheme(PROGRAM, "", self.places, fixed, links, sliders, pivot, crank, speed, tuple(self.remarks))
+        return Scheme(PROGRAM, "", self.places, fixed, links, sliders, pivot, crank, speed, tuple(self.remarks), tuple(turned))

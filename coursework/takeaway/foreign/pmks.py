@@ -9,13 +9,25 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from urllib.parse import unquote
 
-from coursework.takeaway.foreign.scheme import MOST_JOINTS, Scheme, Slider, driven_link, left_out, no_crank, number, refused
+from coursework.takeaway.foreign.scheme import (
+    MOST_JOINTS,
+    Scheme,
+    Slider,
+    Turned,
+    driven_link,
+    left_out,
+    no_crank,
+    number,
+    refused,
+)
 from coursework.words.sentences import say
 
 PROGRAM = "PMKS"
 KINDS = ("R", "P", "RP", "G")
+STRAIGHT = 1e-6  # how far teeth may meet beside the line of the two pivots
 GROUND, INPUT = "ground", "input"
 _FLAGS = re.compile("[tf]{4}")
 
@@ -40,6 +52,7 @@ class _Rows:
         self.sliders: dict[str, Slider] = {}
         self.blocks: dict[str, float] = {}  # links that slide on the frame, at an angle
         self.fixed: set[str] = set()
+        self.gears: list[tuple[str, str, complex]] = []  # two links and where their teeth meet
         self.driven = ""
         self.remarks = [say("foreign.unit"), say("foreign.speed")]
         for place, row in enumerate(rows, start=1):
@@ -55,6 +68,9 @@ class _Rows:
         point = complex(number(rest[0], PROGRAM, place), number(rest[1], PROGRAM, place))
         angle = math.radians(number(rest[2], PROGRAM, place)) if len(rest) > 2 else 0.0
         others = [one for one in links if one != GROUND]
+        if kind == "G" and len(others) == 2 == len(links):
+            self.gears.append((others[0], others[1], point))
+            return
         if kind == "G" or (kind != "R" and (GROUND not in links or len(others) != 1)):
             self.remarks.append(left_out(", ".join(words)))
             return
@@ -77,9 +93,27 @@ class _Rows:
             for name in joints[:1]:
                 self.sliders[name] = Slider(self.places[name], angle)
             self.remarks += [left_out(f"{block}, {name}") for name in joints[1:]]
-        links = tuple(tuple(joints) for joints in self.links.values() if not self.fixed.issuperset(joints))
+        moving = {name: tuple(joints) for name, joints in self.links.items() if not self.fixed.issuperset(joints)}
+        links = tuple(moving.values())
         if not self.driven:
             raise no_crank(PROGRAM)
         fixed = frozenset(self.fixed)
         crank = driven_link(PROGRAM, links, self.driven, fixed)
-        return Scheme(PROGRAM, "", self.places, fixed, links, self.sliders, self.driven, crank, None, tuple(self.remarks))
+        turned = tuple(self._geared(list(moving), crank))
+        return Scheme(PROGRAM, "", self.places, fixed, links, self.sliders, self.driven, crank, None, tuple(self.remarks), turned)
+
+    def _geared(self, names: list[str], crank: int) -> Iterator[Turned]:
+        """Yield the links that gears on fixed pivots turn; the others are remarks."""
+        ratios, waiting = {names[crank]: 1.0}, list(self.gears)
+        while found := next((one for one in waiting if (one[0] in ratios) != (one[1] in ratios)), None):
+            waiting.remove(found)
+            first, second, teeth = found if found[0] in ratios else (found[1], found[0], found[2])
+            pivots = [next((joint for joint in self.links.get(link, ()) if joint in self.fixed), "") for link in (first, second)]
+            if second in names and all(pivots):
+                near, far = (teeth - self.places[pivot] for pivot in pivots)
+                if abs(far) > 0 and abs((near * far.conjugate()).imag) <= STRAIGHT * abs(near) * abs(far):
+                    ratios[second] = ratios[first] * (near / far).real
+                    yield Turned(pivots[1], names.index(second), ratios[second])
+                    continue
+            self.remarks.append(left_out(f"{first}, {second}, G"))
+        self.remarks += [left_out(f"{first}, {second}, G") for first, second, _ in waiting]

@@ -1,12 +1,12 @@
 """What a file of another program says of a mechanism, as far as it has a counterpart here.
 
-Leaves: `Scheme`, `Slider`, `Lost`.  Used by the readers of this folder, `groups.py` and `text.py`.
+Leaves: `Scheme`, `Slider`, `Turned`.  Used by the readers of this folder, `groups.py` and `text.py`.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
@@ -20,10 +20,20 @@ LARGEST = 1e9  # of a coordinate
 
 @frozen
 class Slider:
-    """A joint that slides on a line of the frame: through a place, at an angle (rad)."""
+    """A joint that slides on a line through a place, at an angle (rad): of the frame, or of a moving link by its number."""
 
     through: complex
     angle: float
+    link: int | None = None
+
+
+@frozen
+class Turned:
+    """A further link that turns about a fixed joint: so many times as fast as the crank."""
+
+    pivot: str
+    link: int
+    ratio: float
 
 
 @frozen
@@ -44,6 +54,7 @@ class Scheme:
     crank: int
     speed: float | None
     remarks: tuple[Sentence, ...]
+    turned: tuple[Turned, ...] = ()
 
 
 def refused(program: str, place: object) -> InputError:
@@ -70,6 +81,11 @@ def left_out(what: str) -> Sentence:
 def no_crank(program: str) -> InputError:
     """Return what is told where nothing turns about a fixed joint."""
     return InputError(say("fault.C095", program=program))
+
+
+def link_of(links: Sequence[Sequence[str]], *joints: str) -> int | None:
+    """Return the number of the link that has some joints, None where none has."""
+    return next((place for place, own in enumerate(links) if set(joints) <= set(own)), None)
 
 
 def driven_link(program: str, links: tuple[tuple[str, ...], ...], pivot: str, fixed: frozenset[str]) -> int:

@@ -33,13 +33,13 @@ def c(one: Writer) -> Lines:
         looks += [f"    const double b[] = {{{break_times(one)}}};"]
         looks += [f"    for (int j = 0; j < {len(one.program.breaks)}; j++)"]
         looks += ["        if (fabs(after - b[j]) <= 1e-13*b[j]) t = fmin(t, after*(1 - 1e-13));", "    return t;", "}"]
-    values = ", ".join([one.t, *one.coordinates, *(out(0, rate) for rate in outs)])
+    values = ", ".join([one.t, *one.shown(out)])
     form = ",".join(["%.15g"] * len(one.program.heads))
     further = further_slopes(one, lambda stage: f"{kind} {slope[stage]} = {one.rates}({', '.join(one.slope(stage, out))});")
     loop = [
         one.box("time"), f"double {one.t} = {one.row}*{one.h};",
         one.box("rates"), f"{kind} {slope[0]} = {one.rates}({', '.join([one.t, *one.coordinates])});",
-        one.box("row"), *one.wrapped(f'printf("{form}\\n", {values});'),
+        *one.closed(out), one.box("row"), *one.wrapped(f'printf("{form}\\n", {values});'),
         one.box("more"), f"if ({one.row} < {one.steps}) {{", *indented([*further, one.box("step"), *one.steps_on(out)]), "}",
     ]  # fmt: skip
     known = [one.names[name] for name in one.targets(one.program.known)]
@@ -55,7 +55,8 @@ def c(one: Writer) -> Lines:
         one.box("data"), *data, *([f"static double {', '.join(known)};"] if known else []), *work,
         f"typedef struct {{ double {', '.join(outs)}; }} {kind};", *functions(one), *sign, *looks, "",
         one.of_velocities, f"static {kind} {one.rates}({arguments}) {{",
-        *indented([f"double {inside};", *limits, *one.blocks(stop), f"return ({kind}) {{{', '.join(outs)}}};"]), "}", "",
+        *indented([*one.wrapped(f"double {inside};"), *limits, *one.blocks(stop), f"return ({kind}) {{{', '.join(outs)}}};"]),
+        "}", "",
         one.box("start"), "int main(void) {",
         *indented([
             *one.known(), f'printf("{",".join(one.program.heads)}\\n");', one.box("loop"),
@@ -94,13 +95,13 @@ def pascal(one: Writer) -> Lines:
     further = further_slopes(
         one, lambda stage: f"{one.rates}({', '.join([*one.slope(stage, out), *(out(stage, rate) for rate in outs)])});"
     )
-    values = [one.t, *one.coordinates, *outs]
+    values = [one.t, *one.shown(out)]
     text = one.names.own("_text", "shown")
     shown = ", ',', ".join(f"{text}({value})" for value in values)
     loop = [
         one.box("time"), f"{one.t} := {one.row}*{one.h};",
         one.box("rates"), f"{one.rates}({', '.join([one.t, *one.coordinates, *outs])});",
-        one.box("row"), *one.wrapped(f"writeln({shown});"),
+        *one.closed(out), one.box("row"), *one.wrapped(f"writeln({shown});"),
         one.box("more"), f"if {one.row} < {one.steps} then begin",
         *indented([*further, one.box("step"), *one.steps_on(out)]), "end;",
     ]  # fmt: skip
@@ -120,7 +121,8 @@ def pascal(one: Writer) -> Lines:
         one.box("data"), "var", *data, *([f"  {', '.join(known)}: double;"] if known else []), *work,
         f"  {one.row}: integer;", f"  {', '.join([one.t, *outs, *further_names])}: double;", *functions(one), *looks, "",
         one.of_velocities, f"procedure {one.rates}({arguments});",
-        *([f"var {', '.join(one.locals)}: double;"] if one.locals else []), "begin",
+        *(one.wrapped(f"var {', '.join(one.locals)}: double;") if one.locals else []),
+        *([f"    {one.count}: integer;"] if one.repeats else []), "begin",
         *indented([*limits, *one.blocks(stop)]), "end;", "",
         f"function {text}(x: double): string;", f"begin {text} := FloatToStrF(x, ffGeneral, 15, 0) end;", "",
         one.box("start"), "begin",

@@ -33,8 +33,13 @@ def python(one: Writer) -> Lines:
         looks += [f"    for b in ({break_times(one)},):", "        if abs(after - b) <= 1e-13*b:"]
         looks += ["            t = min(t, after*(1 - 1e-13))", "    return t"]
     loop = [one.box("time"), f"{one.t} = {one.row}*{one.h}", one.box("rates"), f"{several(outs)} = {one.rates}({arguments})"]
-    values = ", ".join([one.t, *one.coordinates, *outs])
-    loop += [one.box("row"), *one.wrapped(f'print(",".join(f"{{x:.15g}}" for x in [{values}]))'), one.box("more")]
+    values = ", ".join([one.t, *one.shown(numbered)])
+    loop += [
+        *one.closed(numbered),
+        one.box("row"),
+        *one.wrapped(f'print(",".join(f"{{x:.15g}}" for x in [{values}]))'),
+        one.box("more"),
+    ]
     further = further_slopes(
         one,
         lambda stage: (
@@ -75,14 +80,15 @@ def javascript(one: Writer) -> Lines:
             f"const [{', '.join(numbered(stage, rate) for rate in outs)}] = {one.rates}({', '.join(one.slope(stage, numbered))});"
         ),
     )
-    values = ", ".join([one.t, *one.coordinates, *outs])
+    values = ", ".join([one.t, *one.shown(numbered)])
     loop = [
         one.box("time"), f"const {one.t} = {one.row}*{one.h};",
         one.box("rates"), f"const [{', '.join(outs)}] = {one.rates}({arguments});",
-        one.box("row"), *one.wrapped(f'console.log([{values}].map((x) => Number(x.toPrecision(15))).join(","));'),
+        *one.closed(numbered), one.box("row"),
+        *one.wrapped(f'console.log([{values}].map((x) => Number(x.toPrecision(15))).join(","));'),
         one.box("more"), f"if ({one.row} < {one.steps}) {{", *indented([*further, one.box("step"), *one.steps_on(numbered)]), "}",
     ]  # fmt: skip
-    inside = [*([f"let {', '.join([*one.locals, *outs])};"]), *limits, *one.blocks(stop), f"return [{', '.join(outs)}];"]
+    inside = [*one.wrapped(f"let {', '.join([*one.locals, *outs])};"), *limits, *one.blocks(stop), f"return [{', '.join(outs)}];"]
     return [
         *one.head(), "", one.box("data"), *data_lines(one, lambda name, value: f"let {name} = {value};"),
         *(f"const {line}" for line in one.known()), *functions(one), *looks, "",
@@ -121,12 +127,12 @@ def octave(one: Writer) -> Lines:
             f"[{', '.join(numbered(stage, rate) for rate in outs)}] = {one.rates}({', '.join(one.slope(stage, numbered))});"
         ),
     )
-    values = ", ".join([one.t, *one.coordinates, *outs])
+    values = ", ".join([one.t, *one.shown(numbered)])
     form = ",".join(["%.15g"] * len(one.program.heads))
     loop = [
         one.box("time"), f"{one.t} = {one.row}*{one.h};",
         one.box("rates"), f"[{', '.join(outs)}] = {one.rates}({arguments});",
-        one.box("row"), *one.wrapped(f'printf("{form}\\n", {values});'),
+        *one.closed(numbered), one.box("row"), *one.wrapped(f'printf("{form}\\n", {values});'),
         one.box("more"), f"if {one.row} < {one.steps}", *indented([*further, one.box("step"), *one.steps_on(numbered)]), "end",
     ]  # fmt: skip
     shared = f"global {' '.join(one.data)};" if one.data else ""

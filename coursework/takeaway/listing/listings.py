@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from coursework.report.text.words import Words
 from coursework.takeaway.listing.compiled import c, pascal
+from coursework.takeaway.listing.dense import dense
 from coursework.takeaway.listing.interpreted import javascript, octave, python
 from coursework.takeaway.listing.program import Program
 from coursework.takeaway.listing.syntax import SYNTAXES
@@ -22,5 +23,6 @@ _LANGUAGES: dict[str, Callable[[Writer], list[str]]] = {
 
 def listing(program: Program, language: str, words: Words) -> str:
     """Return the listing of a program."""
-    lines = _LANGUAGES[language](Writer(program, SYNTAXES[language], words))
-    return "\n".join(line.rstrip() for line in lines) + "\n"
+    syntax = SYNTAXES[language]
+    lines = [line.rstrip() for line in _LANGUAGES[language](Writer(program, syntax, words))]
+    return "\n".join(dense(lines, syntax)) + "\n"

@@ -1,7 +1,7 @@
 """A run as a program that a student types in: data, start, velocities block by block, the loop of a scheme, its boxes.
 
 Enters: a `SceneRun`.  Leaves: `Program`, whose boxes have the numbers of comments and diagram.
-Raises `InputError` for what no tableau makes: the exact motion, projection, Baumgarte's term, a motion under forces.
+Raises `InputError` for what no tableau makes: the exact motion, projection, Baumgarte's term.
 Used by `writer.py`, `chart.py` and `commands/listing.py`.
 """
 
@@ -12,18 +12,19 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from coursework.equations.codegen.names import private, public
 from coursework.equations.codegen.programs import Assign, Statement
+from coursework.equations.codegen.programs import Program as Lines
 from coursework.equations.codegen.straight_line import Line
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
 from coursework.motion.integration.motion import AT_EVENT, Motion
-from coursework.motion.schemes import Scheme, scheme_of, title_of
+from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, scheme_of, title_of
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import Words
-from coursework.scene.quantities import LISTING
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
+from coursework.takeaway.listing.by_forces import CORRECTIONS, Moving, moving
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -49,11 +50,15 @@ class Datum:
 
 @frozen
 class BlockOf:
-    """The lines of one block of velocities; `checked` is its determinant where that can vanish, "" where it cannot."""
+    """The lines of one block of velocities; `checked` is its determinant where that can vanish, "" where it cannot.
+
+    Lines that come nearer to what they give are done so often as `repeats` says, 0 for once.
+    """
 
     box: Box
     lines: tuple[Line, ...]
     checked: str
+    repeats: int = 0
 
 
 @frozen
@@ -67,7 +72,11 @@ class Limit:
 
 @frozen
 class Program:
-    """What the listings of all languages have in common; names are private ones."""
+    """What the listings of all languages have in common; names are private ones.
+
+    `start` are the states, of which `velocities` begin with the slopes; `shown` is printed beside the time, and `closed` pairs
+    coordinates with what the velocities give for them.
+    """
 
     title: str
     scheme: Scheme
@@ -84,16 +93,18 @@ class Program:
     limits: tuple[Limit, ...]
     boxes: Mapping[str, Box]
     declared: tuple[str, ...]
+    shown: tuple[str, ...]
+    closed: tuple[tuple[str, str], ...] = ()
 
     @property
     def coordinates(self) -> tuple[str, ...]:
-        """Return the private names of the coordinates."""
+        """Return the private names of the states: the coordinates, and under forces the free rates."""
         return tuple(one.name for one in self.start)
 
     @property
     def heads(self) -> tuple[str, ...]:
         """Return the head line of the table."""
-        return ("t", *(public(name, self.declared) for name in (*self.coordinates, *self.velocities)))
+        return ("t", *(public(name, self.declared) for name in self.shown))
 
     def returned(self, words: Words) -> Box:
         """Return the last box of the velocities."""
@@ -111,44 +122,61 @@ def program_of(context: PageContext) -> Program:
     """Return the program of a run whose words are those of a page."""
     run, motion = context.run, rows_of(context.run)
     scene, variant = run.scene, run.variant
-    scheme = scheme_of(motion.scheme)
-    statements: list[Statement] = [
-        one for index, block in enumerate(run.reduction.blocks) for one in block_statements(block, index)
-    ]
+    scheme = scheme_of(motion.scheme, (SEMI_IMPLICIT.name,))
+    forced = moving(run) if variant.motor is not None else None
     velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
-    statements += [Assign(local(f"_{private(name)}"), symbol(name)) for name in velocities]
-    found = scene_program(scene.equations, statements)
-    numbers = constants(variant)
+    shown = tuple(map(private, (*(c.name for c in variant.coordinates), *velocities)))
     boxes = _boxes(context)
-    units = {private(one.name): one.si for one in variant.given}
-    data = tuple(Datum(name, numbers[name], context.words.unit(units.get(name, "s"))) for name in found.data)
-    start = tuple(
-        Datum(private(one.name), value, context.words.unit(one.unit))
-        for one, value in zip(variant.coordinates, scene.start, strict=True)
-    )
+    numbers = forced.numbers if forced else constants(variant)
+    coordinates = [(private(one.name), one.unit) for one in variant.coordinates]
+    if forced:
+        known, lines, data, tables = forced.known, forced.lines, forced.data, scene.equations.tables
+        start = [*zip(coordinates, scene.start, strict=True)]
+        start += [
+            ((name, variant.unit_of(public(name, ()))), value) for name, value in zip(forced.states, forced.start, strict=True)
+        ]
+        outs = forced.outs
+    else:
+        found = _by_laws(run, velocities)
+        known, data, tables = found.known, found.data, found.tables
+        written = {f"_{private(name)}" for name in velocities}
+        lines = tuple(line for line in found.lines if not written & set(line.targets))
+        start, outs = [*zip(coordinates, scene.start, strict=True)], tuple(map(private, velocities))
+    units = {private(one.name): one.si for one in (forced.variant if forced else variant).given}
     limits = tuple(
         Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in velocities))
         for one in scene.search.passages
     )
-    outputs = {f"_{private(name)}" for name in velocities}
-    lines = tuple(line for line in found.lines if not outputs & set(line.targets))
-    blocks = tuple(_blocks(context, lines, {name for line in found.known for name in line.targets}, len(boxes)))
+    blocks = tuple(_blocks(context, lines, {name for line in known for name in line.targets}, len(boxes), forced))
     title = context.words("listing.title", name=variant.name, title=context.variant.title)
     return Program(
-        title, scheme, context.words.written(title_of(scheme)), data, start,
-        motion.step, len(motion.t), found.known, blocks, tuple(map(private, velocities)), found.tables,
-        scene.rates.breaks if scheme.slopes > 1 else (), limits, boxes, variant.names,
+        title, scheme, context.words.written(title_of(scheme)),
+        tuple(Datum(name, numbers[name], context.words.unit(units.get(name, "s"))) for name in data),
+        tuple(Datum(name, value, context.words.unit(unit)) for (name, unit), value in start),
+        motion.step, len(motion.t), known, blocks, outs, tables,
+        scene.rates.breaks if scheme.slopes > 1 and not forced else (), limits, boxes,
+        (forced.variant if forced else variant).names, shown,
+        forced.closed if forced else (),
     )  # fmt: skip
+
+
+def _by_laws(run: SceneRun, velocities: Sequence[str]) -> Lines:
+    """Return the lines of a motion that the drive prescribes."""
+    statements: list[Statement] = [
+        one for index, block in enumerate(run.reduction.blocks) for one in block_statements(block, index)
+    ]
+    statements += [Assign(local(f"_{private(name)}"), symbol(name)) for name in velocities]
+    return scene_program(run.scene.equations, statements)
 
 
 def rows_of(run: SceneRun) -> Motion:
     """Return the rows that a listing prints: those of its scheme, Euler's where the run's own table is the exact motion."""
-    if (refused := LISTING.refuses(run.variant)) is not None:
-        raise InputError(refused)
     if run.settings.project or run.settings.gain:
         raise InputError(say("fault.C092"))
     beside = run.scene.scheme_rows
-    return run.motion if beside is None else beside
+    motion = run.motion if beside is None else beside
+    refuse_exact(motion.scheme)
+    return motion
 
 
 def refuse_exact(scheme: str | None) -> None:
@@ -166,13 +194,19 @@ def _boxes(context: PageContext) -> dict[str, Box]:
     return {key: Box(number, kind, context.words(f"listing.box.{key}")) for number, (key, kind) in enumerate(kinds.items(), 1)}
 
 
-def _blocks(context: PageContext, lines: Sequence[Line], known: set[str], taken: int) -> Iterator[BlockOf]:
+def _blocks(
+    context: PageContext, lines: Sequence[Line], known: set[str], taken: int, forced: Moving | None
+) -> Iterator[BlockOf]:  # fmt: skip
     """Yield the blocks of velocities with the lines that each of them needs first."""
     blocks = context.run.reduction.blocks
     number, waiting = taken + 2, list(lines)  # behind the terminator of the velocities
+    if forced and forced.closed:
+        names = ", ".join(public(name, ()) for name, _ in forced.closed)
+        yield BlockOf(Box(number, "process", context.words("listing.closing", names=names)), forced.closing, "", CORRECTIONS)
+        number += 1
     for index, block in enumerate(blocks):
         left, own = set(map(private, block.unknowns)), list[Line]()
-        while waiting and (left or index == len(blocks) - 1):
+        while waiting and (left or (index == len(blocks) - 1 and forced is None)):
             line = waiting.pop(0)
             own.append(line)
             left -= set(line.targets)
@@ -185,3 +219,6 @@ def _blocks(context: PageContext, lines: Sequence[Line], known: set[str], taken:
         )  # fmt: skip
         yield BlockOf(Box(number, "process", told), tuple(own), "" if fixed else determinant)
         number += 1 if fixed else 2
+    if forced:
+        closed = tuple(Line((after,), f"{after} = {name}") for name, after in forced.closed)
+        yield BlockOf(Box(number, "process", context.words("listing.forces")), (*waiting, *closed), "")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from coursework.takeaway.listing.program import Datum
 from coursework.takeaway.listing.writer import Writer, indented
 
 Lines = list[str]
@@ -15,8 +16,12 @@ Lines = list[str]
 def data_lines(one: Writer, written: Callable[[str, str], str]) -> Lines:
     """Return data, step, number of steps and start, each with its unit."""
     program = one.program
-    data = [f"{written(one.names[datum.name], repr(datum.value))}  {one.comment(datum.told)}" for datum in program.data]
-    start = [f"{written(one.names[datum.name], repr(datum.value))}  {one.comment(datum.told)}" for datum in program.start]
+
+    def line(datum: Datum) -> str:
+        told = f"  {one.comment(datum.told)}" if datum.told else ""
+        return f"{written(one.names[datum.name], repr(datum.value))}{told}"
+
+    data, start = [*map(line, program.data)], [*map(line, program.start)]
     step = [written(one.h, repr(program.step)), f"{written(one.steps, str(one.last))}  {one.say('rows')}"]
     return [*data, *step, *start]
 

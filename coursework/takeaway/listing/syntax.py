@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 import keyword
+import re
 from collections.abc import Collection, Mapping
 
 from coursework.equations.codegen.names import public
@@ -30,9 +31,13 @@ endwhile for function global if otherwise persistent return switch try until unw
 merge error e i j I J Inf NaN eps ans min max floor abs zeros numel e1 det inv"""
 
 
+# Shares of free rates in velocities, masses, inertias, what positions keep, corrections, the matrix of the equations of motion.
+_OF_FORCES = re.compile(r"_(?:u\d+_\w+|(?:m|j|jf|kept|step|near|mass|force)\d*(?:_n)?)")
+
+
 @frozen
 class Syntax:
-    """How a language writes what differs: functions by name (others alike), the choice of two values, comments, assignment."""
+    """How a language writes what differs: functions by name (others alike), the choice of two values, comments, loops."""
 
     name: str
     suffix: str
@@ -40,6 +45,7 @@ class Syntax:
     calls: Mapping[str, str]
     choice: str
     comment: str
+    loop: tuple[str, str]
     assign: str = " = "
     end: str = ";"
     knows_case: bool = True
@@ -55,20 +61,24 @@ def _words(text: str) -> frozenset[str]:
 
 PYTHON = Syntax(
     "python", "py", frozenset((*keyword.kwlist, *_MATH, "print", "range", "min", "max", "int")), {"pow": "pow"},
-    "({yes} if {holds} else {no})", "# ", end="", around=("(", ")"), unpacks="{names} = ",
+    "({yes} if {holds} else {no})", "# ", ("for {j} in range({times}):", ""), end="", around=("(", ")"), unpacks="{names} = ",
 )  # fmt: skip
 OCTAVE = Syntax(
-    "octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ", wrap=" ...", divides=True,
+    "octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ",
+    ("for {j} = 1:{times}", "end"), wrap=" ...", divides=True,
 )  # fmt: skip
-C = Syntax("c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ")
+C = Syntax(
+    "c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ",
+    ("for (int {j} = 0; {j} < {times}; {j}++) {{", "}"),
+)  # fmt: skip
 PASCAL = Syntax(
     "pascal", "pas", _words(_PASCAL) | {*_MATH},
     {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "log": "ln", "pow": "power"},
-    "ifthen({holds}, {yes}, {no})", "// ", assign=" := ", knows_case=False,
+    "ifthen({holds}, {yes}, {no})", "// ", ("for {j} := 1 to {times} do begin", "end;"), assign=" := ", knows_case=False,
 )  # fmt: skip
 JAVASCRIPT = Syntax(
     "javascript", "js", _words(_JAVASCRIPT) | {*_MATH}, {name: f"Math.{name}" for name in _MATH},
-    "({holds} ? {yes} : {no})", "// ", unpacks="[{names}] = ",
+    "({holds} ? {yes} : {no})", "// ", ("for (let {j} = 0; {j} < {times}; {j}++) {{", "}"), unpacks="[{names}] = ",
 )  # fmt: skip
 SYNTAXES = {one.name: one for one in (PYTHON, OCTAVE, C, PASCAL, JAVASCRIPT)}
 
@@ -113,6 +123,13 @@ class Names:
     def _shown(self, name: str) -> str:
         if name.startswith("_det"):
             return f"D{int(name[4:]) + 1}"
+        if name.startswith("_acc"):
+            return f"acc{int(name[4:]) + 1}"
+        if name.startswith(("_rate_", "_closed_")):
+            kind, _, coordinate = name[1:].partition("_")
+            return f"{'d' if kind == 'rate' else ''}{coordinate}{'_closed' * (kind == 'closed')}"
+        if _OF_FORCES.fullmatch(name):
+            return name[1:].replace("v_", "").removesuffix("_n")
         if name.startswith("_end"):
             number, _, law = name[4:].partition("_")
             return f"{law}_end{int(number) + 1}"
@@ -132,22 +149,24 @@ def expression(text: str, syntax: Syntax, names: Names) -> str:
     >>> expression("-v_r*pow(v_R, 3.0)", PASCAL, names)
     '-r*power(R_, 3.0)'
     """
-    return _written(ast.parse(text, mode="eval").body, syntax, names)
+    return written(ast.parse(text, mode="eval").body, syntax, names)
 
 
 def parts(text: str, syntax: Syntax, names: Names) -> list[str]:
     """Return the expressions of a call such as `_solve((a, b))`, one by one."""
     call = ast.parse(text, mode="eval").body
     assert isinstance(call, ast.Call) and isinstance(call.args[0], ast.Tuple)
-    return [_written(one, syntax, names) for one in call.args[0].elts]
+    return [written(one, syntax, names) for one in call.args[0].elts]
 
 
 _SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Gt: ">"}
 
 
-def _written(node: ast.expr, syntax: Syntax, names: Names) -> str:
+def written(node: ast.expr, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
+    """Return an expression that the tool printed, parsed, in a language or as cells compute it."""
+
     def inner(one: ast.expr) -> str:
-        return _written(one, syntax, names)
+        return written(one, syntax, names)
 
     match node:
         case ast.Constant():

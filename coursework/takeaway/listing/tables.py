@@ -7,6 +7,7 @@ A law from a table is the quartic through five nodes, or of a spline the cubic o
 
 from __future__ import annotations
 
+from textwrap import fill
 from typing import TYPE_CHECKING
 
 from coursework.equations.codegen.tabulated import TableLaw
@@ -15,17 +16,20 @@ if TYPE_CHECKING:
     from coursework.takeaway.listing.writer import Writer
 
 
+_WIDEST, _BEFORE = 120, 40  # letters of a line of numbers, and before the first of them
+
+
 def levels(law: TableLaw) -> tuple[list[float], list[float]]:
     """Return what a law and its slope are made of at the nodes: values, and derivatives or slopes of the spline."""
     first, second, *_ = (level.tolist() for level in law.levels)
     return first, second
 
 
-def numbers(values: list[float], open_: str, close: str, wrap: str = "") -> list[str]:
-    """Return numbers in lines of six."""
-    texts = [repr(value) for value in values]
-    rows = [", ".join(texts[place : place + 6]) for place in range(0, len(texts), 6)]
-    return [open_, *(f"    {row}{',' if row is not rows[-1] else ''}{wrap}" for row in rows), close]
+def numbers(values: list[float], open_: str, close: str, wrap: str = "") -> str:
+    """Return numbers in lines that are filled."""
+    told = ", ".join(f"{value:.15g}" for value in values)
+    rows = fill(told, _WIDEST, initial_indent=" " * _BEFORE, subsequent_indent=" " * 4).lstrip().split("\n")
+    return f"{wrap}\n".join([f"{open_}{rows[0]}", *rows[1:]]) + close
 
 
 ELIMINATION = {
@@ -96,12 +100,11 @@ end;
 """,
 }
 
-# The quartic of Lagrange through five nodes; `y` are the numbers at the nodes.
+# The quartic of Lagrange through five nodes, a function of all such laws; `y` are the numbers at the nodes.
 FIVE = {
-    "python": """def {name}(x):
-    y = {values}
-    u = (x - {first})/{step}
-    s = min(max(min(max(int(u), 0), {last}) - 1, 0), {nodes} - 5)
+    "python": """def {five}(x, y, first, step):
+    u = (x - first)/step
+    s = min(max(min(max(int(u), 0), len(y) - 2) - 1, 0), len(y) - 5)
     total = 0.0
     for a in range(5):
         part = y[s + a]
@@ -111,9 +114,9 @@ FIVE = {
         total = total + part
     return total
 """,
-    "javascript": """function {name}(x) {
-    const y = {values}, u = (x - {first})/{step};
-    const s = Math.min(Math.max(Math.min(Math.max(Math.trunc(u), 0), {last}) - 1, 0), {nodes} - 5);
+    "javascript": """function {five}(x, y, first, step) {
+    const u = (x - first)/step;
+    const s = Math.min(Math.max(Math.min(Math.max(Math.trunc(u), 0), y.length - 2) - 1, 0), y.length - 5);
     let total = 0.0;
     for (let a = 0; a < 5; a++) {
         let part = y[s + a];
@@ -123,12 +126,11 @@ FIVE = {
     return total;
 }
 """,
-    "c": """static double {name}(double x) {
-    static const double y[] = {values};
-    double u = (x - {first})/{step}, total = 0.0;
+    "c": """static double {five}(double x, const double y[], int nodes, double first, double step) {
+    double u = (x - first)/step, total = 0.0;
     int s = (int) u;
-    s = (s < 0 ? 0 : s > {last} ? {last} : s) - 1;
-    s = s < 0 ? 0 : s > {nodes} - 5 ? {nodes} - 5 : s;
+    s = (s < 0 ? 0 : s > nodes - 2 ? nodes - 2 : s) - 1;
+    s = s < 0 ? 0 : s > nodes - 5 ? nodes - 5 : s;
     for (int a = 0; a < 5; a++) {
         double part = y[s + a];
         for (int b = 0; b < 5; b++) if (b != a) part = part*(u - s - b)/(a - b);
@@ -137,10 +139,9 @@ FIVE = {
     return total;
 }
 """,
-    "octave": """function total = {name}(x)
-    y = {values};
-    u = (x - {first})/{step};
-    s = min(max(min(max(fix(u), 0), {last}) - 1, 0), {nodes} - 5);
+    "octave": """function total = {five}(x, y, first, step)
+    u = (x - first)/step;
+    s = min(max(min(max(fix(u), 0), numel(y) - 2) - 1, 0), numel(y) - 5);
     total = 0.0;
     for a = 0:4
         part = y(s + a + 1);
@@ -151,19 +152,42 @@ FIVE = {
     end
 end
 """,
-    "pascal": """function {name}(x: double): double;
-const y: array[0..{last} + 1] of double = {values};
-var u, part, total: double; a, b, s: integer;
+    "pascal": """function {five}(x: double; const y: array of double; first, step: double): double;
+var u, part: double; a, b, s: integer;
 begin
-  u := (x - {first})/{step}; total := 0.0;
-  s := min(max(min(max(trunc(u), 0), {last}) - 1, 0), {nodes} - 5);
+  u := (x - first)/step; result := 0.0;
+  s := min(max(min(max(trunc(u), 0), high(y) - 1) - 1, 0), high(y) - 4);
   for a := 0 to 4 do begin
     part := y[s + a];
     for b := 0 to 4 do if b <> a then part := part*(u - s - b)/(a - b);
-    total := total + part;
+    result := result + part;
   end;
-  {name} := total;
 end;
+""",
+}
+LAW = {
+    "python": """def {name}(x):
+    y = {values}
+    return {five}(x, y, {first}, {step})
+""",
+    "javascript": """function {name}(x) {
+    const y = {values};
+    return {five}(x, y, {first}, {step});
+}
+""",
+    "c": """static double {name}(double x) {
+    static const double y[] = {values};
+    return {five}(x, y, {nodes}, {first}, {step});
+}
+""",
+    "octave": """function value = {name}(x)
+    y = {values};
+    value = {five}(x, y, {first}, {step});
+end
+""",
+    "pascal": """function {name}(x: double): double;
+const y: array[0..{top}] of double = {values};
+begin {name} := {five}(x, y, {first}, {step}) end;
 """,
 }
 # The cubic of a spline, `form` in u from the two values and the two slopes at the ends of an interval.
@@ -209,8 +233,8 @@ SPLINE = {
 end
 """,
     "pascal": """function {name}(x: double): double;
-const y: array[0..{last} + 1] of double = {values};
-const m: array[0..{last} + 1] of double = {slopes};
+const y: array[0..{top}] of double = {values};
+const m: array[0..{top}] of double = {slopes};
 var u, a, b: double; s: integer;
 begin
   u := (x - {first})/{step};
@@ -228,10 +252,14 @@ def functions(writer: Writer) -> list[str]:
     """Return the functions that the lines of a listing call, no line where they call none."""
     lines: list[str] = []
     language = writer.syntax.name
+    laws = {one[len("_table_") : -2] for one in writer.tables}
+    if any(writer.program.tables[name].method != "spline" for name in laws):
+        lines += ["", *FIVE[language].replace("{five}", writer.names.own("_five", "five")).splitlines()]
     for called in writer.tables:
         name, order = called[len("_table_") : -2], int(called[-1])
-        lines += ["", writer.say("table", name=name, file=law_file(writer, name))]
-        lines += _law(language, writer.names[called], writer.program.tables[name], order)
+        told = writer.say("table", name=name, file=law_file(writer, name))
+        lines += ["", *([told] if told not in lines else [])]
+        lines += _law(writer, writer.names[called], writer.program.tables[name], order)
     if writer.needs_gauss and language in ELIMINATION:
         work = writer.names.own("_work", "work")
         lines += ["", writer.say("gauss")]
@@ -244,7 +272,8 @@ def law_file(writer: Writer, name: str) -> str:
     return writer.words(f"listing.method.{'spline' if writer.program.tables[name].method == 'spline' else 'five'}")
 
 
-def _law(language: str, name: str, law: TableLaw, order: int) -> list[str]:
+def _law(writer: Writer, name: str, law: TableLaw, order: int) -> list[str]:
+    language = writer.syntax.name
     values, slopes = levels(law)
     open_, close = _BRACKETS[language]
     wrap = " ..." if language == "octave" else ""
@@ -252,12 +281,12 @@ def _law(language: str, name: str, law: TableLaw, order: int) -> list[str]:
     form = "y[s] + u*(m[s] + u*(b + u*a))" if order == 0 else f"(m[s] + u*(2*b + 3*u*a))/{law.step!r}"
     if language == "octave":
         form = form.replace("[s]", "(s)")
-    text = (SPLINE if is_spline else FIVE)[language]
+    text = (SPLINE if is_spline else LAW)[language]
     shown = {
         "{name}": name, "{first}": f"({law.first!r})", "{step}": repr(law.step), "{last}": str(law.intervals - 1),
-        "{nodes}": str(law.intervals + 1), "{form}": form,
-        "{values}": "\n".join(numbers(values if is_spline or order == 0 else slopes, open_ + wrap, close, wrap)),
-        "{slopes}": "\n".join(numbers(slopes, open_ + wrap, close, wrap)),
+        "{nodes}": str(law.intervals + 1), "{top}": str(law.intervals), "{form}": form,
+        "{values}": numbers(values if is_spline or order == 0 else slopes, open_, close, wrap),
+        "{slopes}": numbers(slopes, open_, close, wrap), "{five}": writer.names.own("_five", "five"),
     }  # fmt: skip
     for mark, value in shown.items():
         text = text.replace(mark, value)

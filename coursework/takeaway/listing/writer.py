@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 
 from coursework.equations.codegen.straight_line import Line
-from coursework.motion.schemes import Sum
+from coursework.motion.schemes import SEMI_IMPLICIT, Sum
 from coursework.report.text.words import Words
 from coursework.takeaway.listing.program import BlockOf, Box, Program
 from coursework.takeaway.listing.syntax import Names, Syntax, expression, parts
@@ -32,14 +32,29 @@ class Writer:
         self.t, self.h, self.row = self.names["t"], own("_step", "h", "step"), own("_row", "i", "k", "row")
         self.rates, self.steps = own("_rates", "rates", "velocities"), own("_steps", "n", "steps")
         self.gauss, self.look = own("_gauss", "gauss"), own("_look", "before_break")
+        self.count = own("_count", "j", "turn")
         self.tables = [name for name in sorted(program.calls) if name.startswith("_table_")]
         self.needs_gauss = any("_solve" in line.text for block in program.blocks for line in block.lines)
         self.needs_sign = "sign" in program.calls
 
     @property
     def coordinates(self) -> list[str]:
-        """Return the names of the coordinates."""
+        """Return the names of the coordinates, and under forces of the free rates."""
         return [self.names[name] for name in self.program.coordinates]
+
+    def shown(self, out: Callable[[int, str], str]) -> list[str]:
+        """Return what is printed beside the time; `out` names what the velocities give."""
+        states = self.program.coordinates
+        return [self.names[one] if one in states else out(0, self.names[one]) for one in self.program.shown]
+
+    def closed(self, out: Callable[[int, str], str]) -> list[str]:
+        """Return the lines that take over the closed positions."""
+        return [self.sets(self.names[name], out(0, self.names[after])) for name, after in self.program.closed]
+
+    @property
+    def repeats(self) -> bool:
+        """Return whether a block is repeated."""
+        return any(block.repeats for block in self.program.blocks)
 
     @property
     def velocities(self) -> list[str]:
@@ -59,7 +74,8 @@ class Writer:
     def locals(self) -> list[str]:
         """Return what is computed inside the velocities beside them."""
         found = self.targets(line for block in self.program.blocks for line in block.lines)
-        return [self.names[name] for name in dict.fromkeys(found) if name not in self.program.velocities]
+        taken = (*self.program.velocities, *self.program.coordinates)
+        return [self.names[name] for name in dict.fromkeys(found) if name not in taken]
 
     def comment(self, text: str) -> str:
         """Return a line of comment; no word of a file ends it or begins another."""
@@ -127,6 +143,11 @@ class Writer:
         lines: list[str] = []
         for block in self.program.blocks:
             lines.append(self.of(block.box))
+            if block.repeats:
+                begin, end = self.syntax.loop
+                inside = indented(line for one in block.lines for line in self.assigned(one))
+                lines += [begin.format(j=self.count, times=block.repeats), *inside, *([end] if end else [])]
+                continue
             for one in block.lines:
                 lines += self.assigned(one)
                 if block.checked and block.checked in one.targets:
@@ -168,11 +189,18 @@ class Writer:
     def steps_on(self, out: Callable[[int, str], str]) -> list[str]:
         """Return the new coordinates as assignments."""
         scheme = self.program.scheme
-        return [
-            line
-            for name, rates in self.rates_of(out, scheme.slopes)
-            for line in self.wrapped(self.sets(name, self.moved(name, scheme.outer, rates)))
-        ]
+        moved = [(name, self.moved(name, scheme.outer, rates)) for name, rates in self.rates_of(out, scheme.slopes)]
+        if scheme is SEMI_IMPLICIT:  # the free rates first, which then move their coordinates
+            count = len(self.program.coordinates) - len(self.free)
+            moved = [*moved[count:], *((name, f"{name} + {self.h}*{self.free.get(name, rates[0])}")
+                     for name, rates in self.rates_of(out, 1)[:count])]  # fmt: skip
+        return [line for name, value in moved for line in self.wrapped(self.sets(name, value))]
+
+    @property
+    def free(self) -> dict[str, str]:
+        """Return the free rate of each coordinate that forces move."""
+        free = [name for name, out in zip(self.coordinates, self.program.velocities, strict=False) if out.startswith("_rate_")]
+        return dict(zip(free, self.coordinates[len(self.coordinates) - len(free) :], strict=True))
 
     @property
     def last(self) -> int:

@@ -54,6 +54,7 @@ class Blocks:
     width: float
     named: set[str] = field(default_factory=set)  # numbers of formulas that the page has
     marks: dict[str, str] = field(default_factory=dict)  # marks of formulas by their number, and of parts by their label
+    led: set[str] = field(default_factory=set)  # marks of drawings and tables that the text has led to
 
     # sentences
 
@@ -86,6 +87,12 @@ class Blocks:
     def mark_of(self, name: str) -> str:
         """Return the mark of the formula of a number."""
         return f"eq_{sorted(self.named).index(name) + 1}"
+
+    def numbered(self, part: Part) -> tuple[str, str]:
+        """Return the mark of a drawing or a table, and its number."""
+        assert isinstance(part, (Figure, Panels, Table))
+        number = _NUMBER.findall(part.label)[0]
+        return f"{kind_of(part)}_{number}", number
 
     # parts
 
@@ -210,6 +217,13 @@ class Blocks:
         self.marks[label] = mark
         behind = label[found.end() :] + ("" if label.endswith("\u3000") else " ")
         return self.dialect.caption(kind, (label[: found.start()], found[0], behind), mark, self.inlines(caption))
+
+
+def kind_of(part: Part) -> str:
+    """Return what a part with a number is, "" for any other."""
+    if not isinstance(part, (Figure, Panels, Table)) or not part.caption or not _NUMBER.search(part.label):
+        return ""
+    return "table" if isinstance(part, Table) else "figure"
 
 
 BREAK: Node = {"t": "LineBreak"}

@@ -23,6 +23,11 @@ _NAMES = re.compile(r"\\(?!(?:arc)?(?:sin|cos|tan))[A-Za-z]+")
 _NO_LETTERS = re.compile(r"[\\{}_^&\s]")
 _WORD = re.compile(r"_\{\\text\{([^{}]*?) \}\}")  # pandoc leaves a space behind a word that stands lower
 _BEGINS = re.compile(r"^= ")  # a sign between two sides looks for the left one
+_OPENING, _CLOSING = "\\begin{aligned}", "\\end{aligned}"
+_BRACKET = re.compile(r"(?<!\\left)(?<!\\right)[()]")
+_OPENED, _CLOSED, _NO_LEFT, _NO_RIGHT = "\\left( ", " \\right)", " \\left. ", " \\right."
+_QUAD = "\\quad"
+_LEAD = re.compile(r"&?\s*(?:\\quad)*\s*[=+-]*\s*")
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 
 
@@ -37,7 +42,7 @@ def latex_of(sources: Iterable[str], mark: str, *, aligned: bool) -> dict[str, s
     text = "\n\n".join(f"$ {_bare(one, mark)} $" for one in listed)
     tree = json.loads(called(["-f", "typst", "-t", "json"], text.encode()))
     made = [math for block in tree["blocks"] for math in _maths(block)]
-    made = [_result_below(_WORD.sub(r"_{\\text{\1}}", one)) for one in made]
+    made = [_broken(_result_below(_WORD.sub(r"_{\\text{\1}}", one))) for one in made]
     if mark != POINT:
         made = [_DECIMAL.sub(f"{{{mark}}}", one) for one in made]
     return dict(zip(listed, made if aligned else map(_in_a_column, made), strict=True))
@@ -57,11 +62,60 @@ def _result_below(latex: str) -> str:
     return f"{above} \\\\\n & = {result}"
 
 
-def _in_a_column(latex: str) -> str:
-    opening, closing = "\\begin{aligned}", "\\end{aligned}"
-    if not (latex.startswith(opening) and latex.endswith(closing)):
+def _broken(latex: str) -> str:
+    """Return a formula whose lines, where they are too long, go on below before a + or −, of the outermost sum if they can."""
+    body = latex.removeprefix(_OPENING).removesuffix(_CLOSING)
+    if letters_wide(latex) <= WIDE or "\\begin" in body:
         return latex
-    lines = latex[len(opening) : -len(closing)].split("\\\\")
+    body = body if body != latex else f"& {latex}"
+    lines = [_balanced(piece) for line in body.split("\\\\") for piece in _pieces(line.strip())]
+    return "\n".join((_OPENING, " \\\\\n".join(lines), _CLOSING)) if len(lines) > 1 else latex
+
+
+def _pieces(line: str) -> list[str]:
+    """Return a line in lines that fit, as far as it has places to break."""
+    if letters_wide(line) <= WIDE or not (places := _places(line)):
+        return [line]
+    least = min(depth for depth, _ in places)
+    place = max(place for depth, place in places if depth == least)
+    return [line[:place].rstrip(), *_pieces(f"& {_QUAD * (1 + (least > 0))} {line[place:].strip()}")]
+
+
+def _balanced(line: str) -> str:
+    """Return a line whose brackets that are closed, or opened, in another line have nothing on their other side."""
+    opened, closed = list[int](), list[int]()
+    for found in _BRACKET.finditer(line):
+        if found[0] == "(":
+            opened.append(found.start())
+        elif opened:
+            opened.pop()
+        else:
+            closed.append(found.start())
+    begin = len(_LEAD.match(line)[0].rstrip("=+- ")) if closed else 0  # type: ignore[index]
+    for place in sorted((*opened, *closed), reverse=True):
+        line = f"{line[:place]}{_OPENED if place in opened else _CLOSED}{line[place + 1 :]}"
+    return f"{line[:begin]}{_NO_LEFT * len(closed)}{line[begin:]}{_NO_RIGHT * len(opened)}"
+
+
+def _places(line: str) -> list[tuple[int, int]]:
+    """Return where a sign stands between two terms such that what is before it fits, each with the brackets open there."""
+    found, braces, brackets = list[tuple[int, int]](), 0, 0
+    lead = _LEAD.match(line)
+    begin = lead.end() if lead else 0
+    for place, sign in enumerate(line):
+        braces += (sign == "{") - (sign == "}") + line.startswith("\\left", place) - line.startswith("\\right", place)
+        brackets += (sign == "(") - (sign == ")")
+        before = line[:place]
+        between = place > begin and line.startswith((" + ", " - "), place) and not before.endswith(("(", "="))
+        if between and braces == 0 and letters_wide(before) <= WIDE:
+            found.append((brackets, place))
+    return found
+
+
+def _in_a_column(latex: str) -> str:
+    if not (latex.startswith(_OPENING) and latex.endswith(_CLOSING)):
+        return latex
+    lines = latex[len(_OPENING) : -len(_CLOSING)].split("\\\\")
     inside = "\\\\\n".join(_BEGINS.sub(r"\\quad\\text{=} ", line.strip().removeprefix("&").strip()) for line in lines)
     return f"\\begin{{array}}{{l}}\n{inside}\n\\end{{array}}"
 

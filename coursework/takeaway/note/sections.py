@@ -5,20 +5,22 @@ Enters: `Results` and a dialect.  Leaves: blocks of pandoc's tree.  Used by `wri
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 from coursework.report.output.results import Results
 from coursework.report.pages.model import ReportModel
 from coursework.report.sections.sections import APPENDIX
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Section, Table, TitleBlock
-from coursework.report.text.words import load_words
+from coursework.report.text.parts import Part, Section, Table, TitleBlock
+from coursework.report.text.words import Words, load_words
 from coursework.takeaway.note import tree
-from coursework.takeaway.note.blocks import Blocks
+from coursework.takeaway.note.blocks import Blocks, kind_of
 from coursework.takeaway.note.tree import Node
 
 CONCLUSION, INTRODUCTION, LITERATURE = "conclusion", "introduction", "literature"
 STRUCTURAL = (INTRODUCTION, CONCLUSION, LITERATURE)  # headings without a number, which the standards set in the middle
+PLACE = "\0"  # of numbers in a sentence
 DIGITS = 3  # of the largest error and of the step that would do, as the page's conclusion has them
 
 
@@ -56,13 +58,26 @@ def section_blocks(results: Results, blocks: Blocks) -> Iterator[Node]:
             yield tree.styled("To Write", [tree.paragraph(tree.text(words(f"note.{name}_hint")))])
         if name == CONCLUSION:
             yield from _numbers(results, blocks)
-            for part in sections[name].parts if name in sections else ():
-                if isinstance(part, Table):
-                    yield from blocks.of(part)
+            own = sections[name].parts if name in sections else []
+            yield from _referred([part for part in own if isinstance(part, Table)], blocks, words)
         elif name in sections:
-            for part in sections[name].parts:
-                if not isinstance(part, TitleBlock):
-                    yield from blocks.of(part)
+            yield from _referred([part for part in sections[name].parts if not isinstance(part, TitleBlock)], blocks, words)
+
+
+def _referred(parts: Sequence[Part], blocks: Blocks, words: Words) -> Iterator[Node]:
+    """Yield the blocks of parts; what has a number is referred to before it stands, neighbours of a kind in one sentence."""
+    for kind, group in groupby(parts, kind_of):
+        together = list(group)
+        numbered = dict(map(blocks.numbered, together)) if kind else {}
+        marks = {mark: number for mark, number in numbered.items() if mark not in blocks.led}
+        if marks:
+            blocks.led |= set(marks)
+            before, behind = words(f"note.see.{kind}{'s' * (len(marks) > 1)}", number=PLACE).split(PLACE)
+            comma = tree.text(", ")
+            links = [node for mark, number in marks.items() for node in (*comma, blocks.dialect.reference(mark, number))]
+            yield tree.paragraph([*tree.text(before), *links[len(comma) :], *tree.text(behind)])
+        for part in together:
+            yield from blocks.of(part)
 
 
 def _numbers(results: Results, blocks: Blocks) -> Iterator[Node]:
@@ -83,6 +98,7 @@ def _numbers(results: Results, blocks: Blocks) -> Iterator[Node]:
             if isinstance(part, Table) and part.id in ("first-last", "extremes") and part.label:
                 number = "".join(filter(str.isdigit, part.label))
                 led = blocks.dialect.reference(f"table_{number}", number)
+                blocks.led.add(f"table_{number}")
                 label = part.label.partition(number)[0]
                 listed.append([*tree.text(label), led, *tree.text(": "), *blocks.inlines(part.caption)])
     if listed:

@@ -16,6 +16,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.takeaway.missing import require
+from coursework.takeaway.workbook.by_forces import forced_columns
 from coursework.takeaway.workbook.cells import SHEET
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
 from coursework.takeaway.workbook.columns import step_columns
@@ -45,7 +46,7 @@ def workbook_of(run: SceneRun, language: str) -> bytes:
     _refuse(run)
     book, content = _begun(run, language)
     tables = Tables(run.scene.equations.tables, TABLES)
-    table = step_columns(run, tables)
+    table = forced_columns(run, tables) if run.variant.motor is not None else step_columns(run, tables)
     residuals = list(residuals_of(book, table))
     sheets = _sheets(book, (DATA, SHEET, EXACT, "Checks", "Graphs", "Read me"))
     sheets["Graphs"].set_portrait()
@@ -67,7 +68,7 @@ def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
     _refuse(run)
     book, content = _begun(run, language)
     tables = Tables(run.scene.equations.tables, TABLES)
-    table = step_columns(run, tables)
+    table = forced_columns(run, tables) if run.variant.motor is not None else step_columns(run, tables)
     sheets = _sheets(book, (DATA, SHEET))
     write_data(book, sheets[DATA], table.names, tables, solved=help_level > 0)
     write_first_row(book, sheets[SHEET], table, help_level)
@@ -78,8 +79,6 @@ def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
 def _refuse(run: SceneRun) -> None:
     """Raise `NotToBeHad` for what has no workbook, and without XlsxWriter."""
     require("xlsxwriter", "xlsx", "workbook")
-    if run.variant.motor is not None:
-        raise NotToBeHad(say("fault.W044"))
     if run.settings.project or run.settings.gain:
         raise NotToBeHad(say("fault.W045"))
 

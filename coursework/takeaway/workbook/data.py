@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from coursework.report.live.by_forces import with_weights
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.system.frozen import frozen
 from coursework.takeaway.workbook.dyads import Work, start_formulas
@@ -48,7 +49,12 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
     work = Work(tables.end + 1)
     sheet.write_string(HEAD, VALUE, book.say("head.value"), book.right)
     sheet.write_string(HEAD, VALUE + 1, book.say("head.unit"), book.unit_head)
-    lines = [*_data(book, names), *_starts(book, names, start_formulas(book.run, names, tables, work)), *_times(book, names)]
+    lines = [
+        *_data(book, names),
+        *_weights(book, names),
+        *_starts(book, names, start_formulas(book.run, names, tables, work)),
+        *_times(book, names),
+    ]
     for row, line in enumerate(lines, start=HEAD + 1):
         for column, text in ((0, line.symbol), (1, line.meaning), (3, line.unit), (4, line.written), (5, line.name)):
             sheet.write_string(row, column, plain(text), book.unit if COLUMNS[column] == "unit" else None)
@@ -98,6 +104,23 @@ def _starts(book: Book, names: Mapping[str, str], formulas: dict[str, tuple[str,
             written = f"{coordinate.text} {coordinate.written or coordinate.unit}".strip()
         name = names[start_of(coordinate.name)]
         yield _Line(_symbol(book, coordinate.name), meaning, value, _unit(book, coordinate.unit), written, name, formula, True)
+
+
+def _weights(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
+    """Yield masses and loads of a motion under forces, then its rates at the start."""
+    variant = book.run.variant
+    if variant.motor is None:
+        return
+    for given in with_weights(variant).given[len(variant.given) :]:
+        key = "mass" if given.si == "kg" else "load"
+        meaning = book.say(key, name=given.name.removeprefix("m_") if key == "mass" else given.name)
+        unit = _unit(book, given.si)
+        yield _Line(given.name, meaning, given.value, unit, f"{given.value:g} {unit}".strip(), names[given.name])
+    start = dict(variant.motor.start)
+    for rate in variant.motor.rates:
+        symbol, unit, value = _symbol(book, rate), _unit(book, variant.unit_of(rate)), start.get(rate, 0.0)
+        meaning = book.say("start", symbol=symbol)
+        yield _Line(symbol, meaning, value, unit, f"{value:g} {unit}", names[start_of(rate)], is_start=True)
 
 
 def _times(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:

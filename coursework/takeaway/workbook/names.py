@@ -41,6 +41,7 @@ def defined_names(variant: Variant) -> dict[str, str]:
     ('_r1', '_phi1_0')
     """
     listed = [*variant.values, *(start_of(c.name) for c in variant.coordinates)]
+    listed += [start_of(rate) for rate in (variant.motor.rates if variant.motor else ())]
     listed += [break_of(law, place) for law, place, _ in break_times(variant)]
     taken, found = set[str](), dict[str, str]()
     for name in listed:

@@ -16,7 +16,9 @@ def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
     for place, column in enumerate(table.columns):
         sheet.write_string(0, place, plain(column.head), book.right)
         look = GREY if column.formula is None else {}
-        sheet.set_column(place, place, WIDTH, book.shown(column.values, **look) if place else book.times(table.motion.step))
+        hidden = {} if column.shown else {"hidden": True}
+        shown = book.shown(column.values, **look) if place else book.times(table.motion.step)
+        sheet.set_column(place, place, WIDTH, shown, hidden)
         if place in table.solved:
             continue
         if column.formula is None:

@@ -27,7 +27,17 @@ SLIDER = (
     "%7C3,ground,RP,1.500,0.200,10.000,tfff%7C2,9,G,0.100,0.100,0.000,ffff%7C"
 )
 
-# Joints and links; the tracker and the second motor have no counterpart.
+# Two cranks whose gears meet at x = 1 carry a dyad between them.
+GEARED = """\
+ground,input,R,0,0
+input,left,R,0,1
+ground,wheel,R,3,0
+wheel,right,R,3,2
+left,right,R,2,4
+wheel,input,G,1,0
+"""
+
+# Joints and links; the motor that swings has no counterpart.
 MECHANISM = json.dumps({
     "name": "Crank and rocker", "ground": "G",
     "joints": [
@@ -61,6 +71,19 @@ LINKAGE = json.dumps({
 })  # fmt: skip
 
 
+# A joint that slides on a line of the coupler.
+MOVING_LINE = json.dumps({
+    "name": "A line of the coupler",
+    "joints": [
+        *json.loads(LINKAGE)["joints"][:3],
+        {"type": "Crank", "name": "G", "x": 6.0, "y": 1.0, "distance": 1.0, "angle": -0.62,
+         "joint0": {"inline": True, "type": "Static", "x": 6.0, "y": 0.0, "name": "H"}},
+        {"type": "Linear", "name": "J", "x": 2.0, "y": 5.0,
+         "joint0": {"ref": "G"}, "joint1": {"ref": "B"}, "joint2": {"ref": "E"}},
+    ],
+})  # fmt: skip
+
+
 def linkage2(connectors, links, more=""):
     """A file of Linkage."""
     lines = [f"\t<connector {attributes}/>" if not inside else f"\t<connector {attributes}>{inside}</connector>"
@@ -83,6 +106,14 @@ PISTON = linkage2(
      ('id="6" x="288" y="0" slider="true"', '<slidelimit id="3"/><slidelimit id="4"/>')],
     [((1, 2), ""), ((3, 4), ""), ((6, 2), ""), ((6, 4), ' actuator="true" throw="10"')],
     more='\t<connector id="9" x="0" y="0" anchor="true"><fastenedto/></connector>',
+)  # fmt: skip
+# The pin of the crank slides in the slot of a lever, and a second crank turns three times as fast.
+SLOTTED = linkage2(
+    [('id="1" x="0" y="0" anchor="true" input="true" rpm="10.000000"', ""),
+     ('id="2" x="96" y="0" slider="true"', '<slidelimit id="3"/><slidelimit id="4"/>'),
+     ('id="3" x="0" y="-192" anchor="true"', ""), ('id="4" x="192" y="192"', ""),
+     ('id="5" x="960" y="0" anchor="true" input="true" rpm="-30.000000"', ""), ('id="6" x="960" y="96"', "")],
+    [((1, 2), ""), ((3, 4), ""), ((5, 6), "")],
 )  # fmt: skip
 FILES = {
     "four.pmks.csv": FOUR_BAR.encode(), "mechanism.json": MECHANISM.encode(), "linkage.json": LINKAGE.encode(),

@@ -14,13 +14,16 @@ from tests.command import call
 from tests.takeaway.foreign.files import (
     FILES,
     FOUR_BAR,
+    GEARED,
     LINKAGE,
     MECHANISM,
+    MOVING_LINE,
     PISTON,
     ROCKER,
     SHARED,
     SHARED_SLIDER,
     SLIDER,
+    SLOTTED,
     linkage2,
 )
 
@@ -102,8 +105,49 @@ def test_both_files_of_pylinkage(folder, name, speed):
     place = four_bar(1.0, math.pi / 2, speed, 0j, math.sqrt(10), 2.0, 3 + 0j, 1)
     t = run.motion.t[4]
     assert of(run, run.variant.groups[1].meets, "velocity")[4] == pytest.approx(velocities(place, t), abs=1e-7)
-    lost = {"mechanism.json": ("tracker T", "arc_driver cam"), "linkage.json": ()}[name]
+    lost = {"mechanism.json": ("arc_driver cam",), "linkage.json": ()}[name]
     assert all(any(one in remark for remark in run.variant.remarks) for one in lost)
+    if name == "mechanism.json":  # the tracker goes with the rod
+        assert abs(of(run, "T") - of(run, "B"))[7] == pytest.approx(1.0) and len(run.variant.remarks) == 3
+
+
+def test_gears_of_pmks_turn_a_second_crank(folder):
+    run = taken(folder, "geared.pmks.csv", GEARED.encode())
+    assert [group.kind for group in run.variant.groups] == ["crank", "crank", "RRR"]
+    assert not any("G" in remark for remark in run.variant.remarks)
+    t = run.motion.t[5]
+    left, right = np.exp(1j * (math.pi / 2 + t)), 3 + 2 * np.exp(1j * (math.pi / 2 - t / 2))
+    assert of(run, "D")[5] == pytest.approx(right)
+    assert of(run, "E")[5] == pytest.approx(meeting(left, abs(2 + 3j), right, abs(-1 + 2j), 1))
+
+
+def test_a_lever_of_linkage_slides_on_the_pin_of_the_crank(folder):
+    run = taken(folder, "slotted.linkage2", SLOTTED)
+    assert [group.kind for group in run.variant.groups] == ["crank", "crank", "RPR"]
+    t, names = run.motion.t[6], sorted(run.points.columns.get_level_values(0).unique())
+    pin, pivot = INCH * np.exp(1j * math.tau / 6 * t), -2j * INCH
+    start = INCH - pivot
+    lever = pivot + abs(2 + 4j) * INCH * np.exp(1j * (np.angle((2 + 4j) / start) + np.angle(pin - pivot)))
+    far = 10 * INCH + INCH * np.exp(1j * (math.pi / 2 - 3 * math.tau / 6 * t))
+    for place in (pin, lever, far):
+        assert min(abs(of(run, name)[6] - place) for name in names) < 1e-12
+
+
+def test_a_slot_of_a_moving_link_may_begin_anywhere(folder):
+    told = json.loads(MOVING_LINE)
+    told["joints"][-1] |= {"x": 5.0, "y": 1.0, "joint1": {"ref": "E"}, "joint2": {"ref": "C"}}
+    run = taken(folder, "line.json", json.dumps(told).encode())
+    tracer, rod, slides = (of(run, name) for name in ("E", "C", run.variant.groups[3].meets))
+    assert len(rod) > 1 and np.abs(((slides - tracer) / (rod - tracer)).imag).max() < 1e-12
+
+
+def test_a_joint_slides_on_a_line_of_a_moving_link(folder):
+    run = taken(folder, "line.json", MOVING_LINE.encode())
+    assert [group.kind for group in run.variant.groups] == ["crank", "crank", "RRR", "RRP"]
+    first, rod, slides = (of(run, run.variant.groups[k].meets) for k in (0, 2, 3))
+    crank = of(run, run.variant.groups[1].meets)
+    assert abs(slides - crank) == pytest.approx(np.full(len(first), abs(-4 + 4j)))
+    assert np.angle((slides - first) / (rod - first)) == pytest.approx(np.full(len(first), np.angle((2 + 4j) / (3 + 1j))))
 
 
 def test_a_second_dyad_hangs_on_a_point_of_the_coupler(folder):

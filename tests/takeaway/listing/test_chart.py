@@ -13,7 +13,7 @@ from coursework.takeaway.listing.chart import block_diagram
 from coursework.takeaway.listing.program import program_of
 from tests.sample import sampled
 from tests.solved import solved
-from tests.takeaway.listing.test_listing import DRIVEN, written
+from tests.takeaway.listing.test_listing import FILES, written
 
 SPACE = "{http://www.w3.org/2000/svg}"
 
@@ -23,12 +23,12 @@ def drawn(name, words="en"):
     return ElementTree.fromstring(block_diagram(program_of(PageContext(run, load_words(words))), load_words(words)))
 
 
-@pytest.mark.parametrize("name", sampled(DRIVEN))
+@pytest.mark.parametrize("name", sampled(FILES))
 def test_boxes_and_comments_have_the_same_numbers(name):
     numbers = [int(text.text) for text in drawn(name).iter(f"{SPACE}text") if text.get("font-size") == "10"]
     assert numbers == list(range(1, len(numbers) + 1))
     run = solved(name, scheme="euler", quantities=["table"])
-    told = {int(one) for one in re.findall(r"^ *# (\d+) ", written(run, "python"), re.MULTILINE)}
+    told = {int(one) for one in re.findall(r"(?:^ *|  )# (\d+) ", written(run, "python"), re.MULTILINE)}
     assert told == {*numbers}
 
 

@@ -175,6 +175,15 @@ def test_references_of_word_lead_to_what_is_there(name, language):
         assert target and (f"word/{target[1]}" in names or "://" in target[1])
 
 
+@pytest.mark.parametrize(("name", "language"), sampled_pairs(names(), LANGUAGES, {("31", "ru"), ("v107", "zh")}))
+def test_the_text_leads_to_each_drawing_and_each_table_before_it_stands(name, language):
+    with zipfile.ZipFile(io.BytesIO(note(name, "docx", language))) as archive:
+        text = archive.read("word/document.xml").decode()
+    stands = {mark: text.index(f'w:name="{mark}"') for mark in re.findall(r'w:name="((?:figure|table)_\d+)"', text)}
+    assert len(stands) == len([part for part in parts_of(name, language, Table, Figure, Panels) if part.label])
+    assert [mark for mark, place in stands.items() if not 0 <= text.find(f"REF {mark} ") < place] == []
+
+
 def test_styles_are_those_of_the_standard():
     read = docx.Document(io.BytesIO(note("31", "docx", "ru")))
     section = read.sections[0]
@@ -230,11 +239,14 @@ def test_a_program_in_the_appendix_is_typed_line_by_line(suffix, tmp_path):
     assert {" ".join(line.split()) for line in program if line} <= {*lines}
 
 
-def test_a_worked_formula_that_is_too_long_has_its_result_below_and_small_letters():
+def test_a_worked_formula_that_is_too_long_is_broken_before_a_sign_and_has_its_result_below():
     long = "x = 1.5 \\ & quad + " + " + ".join(["0.0415 dot cos(0.0401)"] * 6) + ' = "0.5"'
     for aligned, below in ((True, r"& = 0.5"), (False, r"\quad\text{=} 0.5")):
         (made,) = latex_of([f"& {long}"], ".", aligned=aligned).values()
-        assert below in made and made.count("\\\\") == 2 and letters_wide(made) > WIDE
+        assert below in made and made.count("\\\\") == 3 and letters_wide(made) <= WIDE
+    inner = "0.0415 slash 0.0401 + " * 6
+    (made,) = latex_of([f"y = 2 + a cos(1.5 + arccos({inner} 1))"], ".", aligned=False).values()
+    assert letters_wide(made) <= WIDE and made.count("\\\\") == 3 and "2\\\\\n\\quad + a\\cos" in made
     (short,) = latex_of(['& x = 1.5 \\ & quad + 0.0415 dot cos(0.0401) = "0.5"'], ".", aligned=True).values()
     assert short.count("\\\\") == 1 and letters_wide(short) < 30
 

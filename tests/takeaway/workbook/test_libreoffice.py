@@ -12,7 +12,7 @@ import coursework
 from coursework.takeaway.workbook.book import workbook_of
 from coursework.takeaway.workbook.names import defined_names, start_of
 from coursework.words.errors import CourseworkError
-from tests.takeaway.workbook.test_workbook import DRIVEN, off, table
+from tests.takeaway.workbook.test_workbook import FILES, off, table
 
 pytestmark = [
     pytest.mark.long,
@@ -46,7 +46,7 @@ def changes(variant, run):
 def test_every_file_recalculates_to_the_run_with_its_changes(tmp_path):
     made, cases = tmp_path / "made", []
     made.mkdir()
-    for name in DRIVEN:
+    for name in FILES:
         variant = coursework.load(name)
         run = coursework.solve(name, scheme="euler")
         content, cells = workbook_of(run, "en"), defined_names(variant)

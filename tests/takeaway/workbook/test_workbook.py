@@ -21,7 +21,7 @@ from tests.takeaway.taken import taken
 from tests.takeaway.workbook.evaluated import Evaluated, cached
 
 SHEETS = ["Data", "Euler", "Exact", "Checks", "Graphs", "Read me"]
-DRIVEN = [name for name in names() if coursework.load(name).motor is None]
+FILES = names()
 
 
 def book(name, language="en"):
@@ -38,7 +38,7 @@ def off(found, rows):
     return np.max(np.abs(found - rows) / np.maximum(1.0, np.abs(rows)), initial=0.0)
 
 
-@pytest.mark.parametrize("name", sampled(DRIVEN))
+@pytest.mark.parametrize("name", sampled(FILES))
 def test_cached_cells_and_formulas_are_eulers_table(name):
     heads, rows = table(solved(name))
     content = book(name)
@@ -80,6 +80,30 @@ def test_every_formula_of_every_sheet_gives_its_cached_number(name):
                         cell.coordinate,
                     )
     assert count > 500
+
+
+@pytest.mark.parametrize(
+    ("name", "change"), [("example-2-motor", {"step": 0.009, "r1": 0.39, "k": 40.0}), ("falling-arm", {"r1": 0.45, "phi2": 0.3})]
+)
+def test_rows_that_forces_move_are_formulas_over_named_masses(name, change):
+    run = coursework.solve(name, end=0.06, quantities=["table"])
+    heads, rows = table(run)
+    content = workbook_of(run, "en")
+    computed = Evaluated(content)
+    assert off(cached(content, "Euler", *rows.shape), rows) < 1e-12 and off(computed.rows("Euler", *rows.shape), rows) < 1e-9
+    sheet = computed.book["Euler"]
+    given = {name: value for name, value in change.items() if name != "step"}
+    other = coursework.solve(
+        coursework.load(name).with_data(given=given, step=change.get("step")), end=0.06, quantities=["table"]
+    )
+    changed = Evaluated(content)
+    for datum, value in change.items():
+        changed.set({"step": "step", "phi2": "_phi2_0"}.get(datum, f"_{datum}"), value)
+    others = table(other)[1][: len(rows)]
+    assert off(changed.rows("Euler", *others.shape), others) < 1e-9
+    assert all(cell.data_type == "f" for row in sheet.iter_rows(2, len(rows) + 1, 1, len(heads)) for cell in row)
+    named = {mass.body for mass in solved(name).variant.forces.masses}
+    assert {f"_m_{body}" for body in named} <= {*computed.book.defined_names}
 
 
 CHANGES = {
@@ -197,7 +221,7 @@ def coursework_files(folder):
 
 @pytest.mark.usefixtures("folder")
 def test_what_has_no_workbook_is_told_and_the_rest_written(folder, monkeypatch):
-    told = call("run", "example-2-motor", "--quantities", "table", "--format", "csv,xlsx", "--out", "motor")
+    told = call("run", "example-2-motor", "--scheme", "rk4", "--quantities", "table", "--format", "csv,xlsx", "--out", "motor")
     assert told.exit_code == 2 and "W044" in told.stderr and (folder / "motor/table.csv").is_file()
     told = call("run", "example-1", "--scheme", "euler", "--project", "--format", "csv,xlsx", "--out", "projected")
     assert told.exit_code == 2 and "W045" in told.stderr

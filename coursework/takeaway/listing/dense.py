@@ -1,0 +1,73 @@
+"""A listing that is longer than a page holds: short assignments stand in one line, numbers of boxes behind what they name.
+
+Enters: lines.  Leaves: fewer lines that say the same.  Used by `listings.py`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from coursework.takeaway.listing.syntax import Syntax
+
+MOST = 80  # lines
+WIDEST = 100  # letters of a line
+WIDER = 120  # and no empty lines, where nothing else helps
+_SET = re.compile(r"(?:static double )?\w+(?:: double)? :?= [^;=\"']*;?")
+
+
+def dense(lines: list[str], syntax: Syntax) -> list[str]:
+    """Return lines, closer to each other where they are too many.
+
+    >>> from coursework.takeaway.listing.syntax import C
+    >>> closer(["a = b;", "c = d;"], C, WIDEST), behind(["// 4 t = i·h", "t = i*h;"], C)
+    (['a = b; c = d;'], ['t = i*h;  // 4 t = i·h'])
+    """
+    if len(lines) > MOST:
+        lines = closer(lines, syntax, WIDEST)
+    if len(lines) > MOST:
+        lines = behind(lines, syntax)
+    return lines if len(lines) <= MOST else [line for line in closer(lines, syntax, WIDER) if line]
+
+
+def closer(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
+    """Return lines in which assignments of one kind follow each other in one line; those of data have the same unit."""
+    found: list[str] = []
+    for line in lines:
+        text, said = _parts(line, syntax)
+        before, told = _parts(found[-1], syntax) if found else ("", "")
+        joined = f"{before}{'' if before.endswith(';') else ';'} {text.lstrip()}{said}"
+        if said == told and _is_set(text) and _is_set(before) and _margin(text) == _margin(before) and len(joined) <= widest:
+            found[-1] = joined
+        else:
+            found.append(line)
+    return found
+
+
+def behind(lines: list[str], syntax: Syntax) -> list[str]:
+    """Return lines in which a comment stands behind the line below it where both fit."""
+    found: list[str] = []
+    for line in lines:
+        above = found[-1] if found else ""
+        joined = f"{line}  {above.lstrip()}"
+        named = re.match(rf" *{re.escape(syntax.comment)}\d+ ", above)
+        is_free = line.strip() and not line.lstrip().startswith(syntax.comment) and not _parts(line, syntax)[1]
+        if named and is_free and len(joined) <= WIDEST and _margin(above) == _margin(line):
+            found[-1] = joined
+        else:
+            found.append(line)
+    return found
+
+
+def _parts(line: str, syntax: Syntax) -> tuple[str, str]:
+    """Return a line and the comment behind it."""
+    text, mark, said = line.partition(f"  {syntax.comment}")
+    return (text, mark + said) if text.strip() else (line, "")
+
+
+def _margin(line: str) -> int:
+    return len(line) - len(line.lstrip())
+
+
+def _is_set(line: str) -> bool:
+    """Return whether a line is made of whole assignments."""
+    return all(_SET.fullmatch(one.strip()) and one.count("(") == one.count(")") for one in line.rstrip(";").split(";"))
