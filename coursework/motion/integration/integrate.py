@@ -118,7 +118,7 @@ def _followed(
         wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
         if wide:
             turned = float(moved[wide[0]] - q[wide[0]])
-            stop = _first_stop(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q))
+            stop = _first_stop(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
             break
         if correction and targets is not None:
             moved = corrected(correction, targets, index, step, t, q, moved)
