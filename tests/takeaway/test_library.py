@@ -108,6 +108,8 @@ def test_the_advice_runs():
     for better in (coursework.solve("31", step=advice.step), coursework.solve("31", scheme=advice.scheme)):
         assert "COARSE" not in {check.verdict for check in better.checks}
     assert coursework.solve("31", scheme="rk4").advice.step is None
+    one = coursework.solve("31", step=0.02 / 12)  # coarse in one check alone
+    assert one.advice.step == next(check.step for check in one.checks if check.verdict == "COARSE")
 
 
 def test_a_step_for_an_error_keeps_it():
