@@ -102,6 +102,16 @@ def test_a_link_in_the_place_of_the_environment_goes_and_what_it_leads_to_stays(
     assert not (tmp_path / ".venv").is_symlink()
 
 
+def test_why_there_is_no_environment_is_told(tmp_path, monkeypatch):
+    def refused(home, with_pip):
+        raise PermissionError(13, "Permission denied", str(home))
+
+    monkeypatch.setattr(bootstrap, "HOME", tmp_path / ".venv")
+    monkeypatch.setattr(venv, "create", refused)
+    with pytest.raises(bootstrap.NotPrepared, match=r"could not be made: Permission denied\. Is the folder"):
+        bootstrap.make_environment()
+
+
 @pytest.mark.parametrize("version", [(3, 7), (3, 10)])
 def test_too_old_a_python_is_told(version, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(bootstrap, "HOME", tmp_path / ".venv")

@@ -29,7 +29,7 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 from coursework.words.data_folders import folder
-from coursework.words.errors import CourseworkError, InputError
+from coursework.words.errors import CourseworkError, InputError, reason_of
 from coursework.words.sentences import say
 
 FOLDER = "ranges"  # of the catalogue
@@ -139,4 +139,4 @@ def read_file(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        raise InputError(say("fault.A002", file=str(path), why=error.strerror or str(error))) from error
+        raise InputError(say("fault.A002", file=str(path), why=reason_of(error))) from error

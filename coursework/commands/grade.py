@@ -33,7 +33,7 @@ from coursework.grading.reading.submission import Submission
 from coursework.system.lock import held, refuse_link
 from coursework.system.pool import Worker
 from coursework.words.custom_templates import templates_in_use
-from coursework.words.errors import Fault, InputError, OutputError
+from coursework.words.errors import Fault, InputError, OutputError, reason_of
 from coursework.words.sentences import joined, say
 
 MOST_NAMED = 10  # in one line on the screen
@@ -148,14 +148,14 @@ def _prepare(out: Path, source: Path) -> None:
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError([Fault(say("fault.W012", reason=error.strerror or str(error)), str(out))]) from error
+        raise OutputError([Fault(say("fault.W012", reason=reason_of(error)), str(out))]) from error
 
 
 def _bytes(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        raise InputError([Fault(say("fault.G007", reason=error.strerror or str(error)), str(path))]) from error
+        raise InputError([Fault(say("fault.G007", reason=reason_of(error)), str(path))]) from error
 
 
 def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:

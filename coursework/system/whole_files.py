@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO
 
-from coursework.words.errors import Fault, OutputError
+from coursework.words.errors import Fault, OutputError, reason_of
 from coursework.words.sentences import say
 
 _BEGUN = ".coursework-"
@@ -33,7 +33,7 @@ def refused(target: Path) -> Iterator[None]:
     except OSError as error:
         if key := _FAULTS.get(error.errno or 0):
             raise OutputError([Fault(say(key), str(target))]) from error
-        raise OutputError([Fault(say("fault.W008", reason=error.strerror or str(error)), str(target))]) from error
+        raise OutputError([Fault(say("fault.W008", reason=reason_of(error)), str(target))]) from error
     except ValueError as error:  # a name that no file can have: a zero byte in it
         raise OutputError([Fault(say("fault.W009", reason=str(error)), str(target))]) from error
 

@@ -133,3 +133,12 @@ class NotToBeHad(OutputError):
 def visible(text: str) -> str:
     """Return text with every letter that does not print (colour codes, reversed writing …) as its code."""
     return "".join(letter if letter.isprintable() else f"\\u{ord(letter):04x}" for letter in text)
+
+
+def reason_of(error: Exception) -> str:
+    """Return why the system refused something, in its own words.
+
+    >>> reason_of(OSError(13, "Permission denied", "a.csv")), reason_of(ValueError("not a digit"))
+    ('Permission denied', 'not a digit')
+    """
+    return getattr(error, "strerror", None) or str(error)

@@ -128,6 +128,9 @@ def test_the_key_is_the_table_that_a_run_writes(out):
         "(18)",
     ):
         assert said in page, said
+    rate = abs(float(coursework.solve(out / "ada.toml", "euler", quantities=["table"]).motion.velocities[3, 0]))
+    decimals = int(lines(out)[0]["least_decimals"]) + 1  # one more than a student prints
+    assert f"{rate:.{decimals}f}<" in page
 
 
 def test_the_page_of_the_class_shows_how_it_spreads(out):

@@ -43,5 +43,9 @@ def test_just_inside_and_just_outside():
         run = solve(two(part), quantities=("table", "checks"))
         assert run.motion.velocities[0] == pytest.approx([1.0, 0.0], abs=1e-3)
         assert check(run, "CONDITION").verdict == verdict
+    # Of a way as long as the scale 10^-1.4 is not known, less than 5 %; or 10^-1.1, which is more.
+    for part, verdict in ((1e-14, "PASS"), (5e-15, "SKIP")):
+        found = check(solve(two(part), quantities=("table", "checks")), "ACCURACY")
+        assert (found.verdict, "too few for motions" in found.sentence) == (verdict, verdict == "SKIP")
     with pytest.raises(InputError, match="says the same as 1"):
         _ = solve(two(0.0)).motion

@@ -108,6 +108,8 @@ def test_the_advice_runs():
     for better in (coursework.solve("31", step=advice.step), coursework.solve("31", scheme=advice.scheme)):
         assert "COARSE" not in {check.verdict for check in better.checks}
     assert coursework.solve("31", scheme="rk4").advice.step is None
+    one = coursework.solve("31", step=0.02 / 12)  # coarse in one check alone
+    assert one.advice.step == next(check.step for check in one.checks if check.verdict == "COARSE")
 
 
 def test_a_step_for_an_error_keeps_it():
@@ -119,6 +121,7 @@ def test_a_step_for_an_error_keeps_it():
 def test_round_off_turns_up_in_single_precision():
     curve = coursework.solve("31", precision="single", quantities=["table"]).round_off
     assert list(curve.columns) == ["double", "single", "running"]
+    assert list(curve.index[:3]) == [24, 96, 384]  # 0.48 s in steps of 0.02 s, and of a quarter of those
     assert curve["single"].iloc[-1] > 1.5 * curve["single"].min()
     assert curve["double"].is_monotonic_decreasing
 

@@ -25,7 +25,7 @@ from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
 from coursework.system.frozen import frozen
-from coursework.words.errors import InputError
+from coursework.words.errors import InputError, reason_of
 from coursework.words.sentences import say
 
 MOST_WORKERS = 4
@@ -109,7 +109,7 @@ def bound(host: str, wished: int) -> tuple[list[socket.socket], int]:
             return _listening(host, port)
         except OSError as error:
             if error.errno not in {errno.EADDRINUSE, errno.EACCES}:
-                raise InputError(say("fault.C086", host=host or HERE, reason=error.strerror or str(error))) from None
+                raise InputError(say("fault.C086", host=host or HERE, reason=reason_of(error))) from None
     raise InputError(say("fault.C085", wished=wished, last=wished + TRIED - 1))
 
 

@@ -22,7 +22,7 @@ from coursework.grading.reading.files.archive import legible_name
 from coursework.grading.reading.files.kinds import is_ignored, is_named_as_table
 from coursework.grading.reading.limits import FILE_BYTES, FILES, INFLATED_BYTES
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
-from coursework.words.errors import Fault, InputError
+from coursework.words.errors import Fault, InputError, reason_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -190,7 +190,7 @@ def _walk(folder: Path, before: str, depth: int) -> Iterator[tuple[str, Path | N
     try:
         entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
     except OSError as error:
-        yield before, note("ignored_file", name=legible(before or folder.name), why=error.strerror or str(error))
+        yield before, note("ignored_file", name=legible(before or folder.name), why=reason_of(error))
         return
     for entry in entries:
         name = before + entry.name  # as the disk has it, which may be no text
@@ -212,7 +212,7 @@ def read_regular(path: Path, name: str, left: int) -> SubmittedFile | Note:
     try:
         handle = os.open(path, _FLAGS)
     except OSError as error:
-        return submitted_file(name, b"", say("reading.trouble.locked", why=error.strerror or str(error)))
+        return submitted_file(name, b"", say("reading.trouble.locked", why=reason_of(error)))
     with os.fdopen(handle, "rb") as file:
         status = os.fstat(handle)
         if not stat.S_ISREG(status.st_mode):
@@ -226,7 +226,7 @@ def read_regular(path: Path, name: str, left: int) -> SubmittedFile | Note:
                 head = content[:HEAD] or file.read(HEAD)
                 return too_large(name, head, max(status.st_size, len(content)))
         except OSError as error:
-            return submitted_file(name, b"", say("reading.trouble.locked", why=error.strerror or str(error)))
+            return submitted_file(name, b"", say("reading.trouble.locked", why=reason_of(error)))
     return submitted_file(name, content)
 
 

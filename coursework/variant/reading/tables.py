@@ -15,7 +15,7 @@ import numpy as np
 from coursework.system.arrays import Array
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
-from coursework.words.errors import Fault
+from coursework.words.errors import Fault, reason_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -59,7 +59,7 @@ def _text(name: str, source: Source) -> str:
     except (OSError, ValueError) as error:
         if isinstance(error, TableFault):
             raise
-        reason = getattr(error, "strerror", None) or str(error)
+        reason = reason_of(error)
         raise TableFault(say("fault.V098", name=name, reason=reason)) from error
 
 

@@ -16,7 +16,7 @@ from typing import Any
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import foreign_letter, spell
 from coursework.variant.toml.positions import KeyPath, Positions, locate
-from coursework.words.errors import Fault, InputError
+from coursework.words.errors import Fault, InputError, reason_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -132,7 +132,7 @@ def read_bytes(path: Path) -> bytes:
     except InputError:
         raise
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
+        reason = reason_of(error)
         missing = isinstance(error, FileNotFoundError)
         raise InputError([Fault(say("fault.V003") if missing else say("fault.V004", reason=reason), str(path))]) from error
 

@@ -59,6 +59,8 @@ def test_what_swings_is_a_rocker_and_what_turns_round_a_crank() -> None:
     """Four-bar 0.2, 0.5, 0.4, 0.45 m by Grashof: 0.2 + 0.5 < 0.4 + 0.45, so the shortest link turns and the other swings."""
     links = told(coursework.solve(coursework.load("example-1"), quantities=("table", "checks")))["Links"]
     assert "1 crank AB" in links and "3 rocker DC" in links
+    # Before its first turning point nobody sees whether it will turn round.
+    assert "3 link DC" in told(coursework.solve(coursework.load("example-1").timed(end=0.05), quantities=("table",)))["Links"]
     assert "1 rocker DA" in told(coursework.solve(coursework.load("31")))["Links"]
 
 

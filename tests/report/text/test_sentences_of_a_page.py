@@ -12,6 +12,7 @@ import pytest
 
 from coursework import solve
 from coursework.report.pages import build_model, notebook_html
+from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import Words, load_words
 from coursework.results.checks.result import Finding
 from coursework.variant.catalogue import load
@@ -158,3 +159,11 @@ def test_what_counts_is_said_in_the_form_of_its_number(real: ModuleType) -> None
     assert "differs most" not in told, "nothing differs"
     assert load_words("en").count("unit.equations", 1) == "equation"
     assert load_words("ru").count("unit.equations", 3) == "уравнения"
+
+
+def test_an_equation_of_a_group_has_its_number_on_the_page() -> None:
+    """In a sentence of the tool, not in a text of the file; a name that is no equation's stays."""
+    context = PageContext(solve("example-1", quantities=["table"]), load_words("en"))
+    assert context.told(say("equation.same", name="G2x", others=("G2y",))) == "(1) says the same as (2)"
+    assert context.told(say("equation.same", name="G9x", others=("G2y",))) == "G9x says the same as (2)"
+    assert context.told("G2x") == "G2x"

@@ -141,7 +141,11 @@ def test_words_of_a_file_stay_in_their_comment():
 def test_the_command_prints_or_writes(folder):
     shown = call("listing", "31", "--language", "python")
     assert shown.exit_code == 0 and shown.stdout == written(solved("31"), "python")
-    assert call("listing", "31", "--language", "c", "--out", "own.c", "--chart", "own.svg").exit_code == 0
+    done = call("listing", "31", "--language", "c", "--out", "own.c", "--chart", "own.svg")
+    assert done.exit_code == 0
+    assert [float(size) for size in re.findall(r": (\d+) kB", done.output)] == pytest.approx(
+        [(folder / name).stat().st_size / 1000 for name in ("own.svg", "own.c")], abs=0.51
+    )
     assert (folder / "own.c").read_text(encoding="utf-8") == written(solved("31"), "c")
     assert (folder / "own.svg").read_text(encoding="utf-8").startswith("<svg")
     finer = call("listing", "31", "--scheme", "rk4", "--step", "h/2", "--set", "r1=0.9m").stdout

@@ -49,6 +49,8 @@ def has_sign(text: str, column: int) -> bool:
 
     >>> [has_sign(text, text.index("w") + 1) for text in ("r - w", "r - ( w)", "+w", "w - r", "(w)", "r*w")]
     [True, True, True, False, False, False]
+    >>> has_sign("r -", 9), has_sign("r", 9)  # what stands behind the end of the text
+    (True, False)
     """
     return _sign_before(text, column) != column
 
@@ -65,7 +67,7 @@ def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) ->
 
 def _sign_before(text: str, column: int) -> int:
     """Return the column of the sign before a term, of the term itself where none stands there."""
-    place = column - 2
+    place = min(column - 2, len(text) - 1)  # a line is read as text that may be shorter than what was typed
     while place >= 0 and (text[place].isspace() or text[place] == "("):
         place -= 1
     return place + 1 if place >= 0 and text[place] in f"+{_MINUS}" else column
