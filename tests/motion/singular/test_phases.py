@@ -51,7 +51,7 @@ def test_what_is_narrower_than_the_distance_is_found_only_about_a_place():
 
 
 def test_a_change_point_far_from_where_a_motion_stops_is_not_gone_to(monkeypatch):
-    """Crank of 0.1 m instead of 0.953 m: it stops at a dead point with most phases, and its change points are a radian away."""
+    """With 0.1 m instead of 0.953 m it stops at a dead point with most phases, and its change points are a radian away."""
     looked = []
     part = Flow.part
     monkeypatch.setattr(Flow, "part", lambda flow, *values: looked.append(1) or part(flow, *values))
