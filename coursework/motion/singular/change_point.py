@@ -20,6 +20,7 @@ from coursework.system.frozen import frozen
 
 MAX_NEWTON = 12
 _CLOSE = 1e-13  # rad or m; Newton's last correction
+_STRAYED = 10.0  # times as far as is asked for: from there Newton goes on to a point somewhere else, if to any
 _NUDGE = 1e-6  # rad or m of the differences in Newton's matrix
 _STEP = 1e-5  # s along the motion; central difference, error about 1e-10
 _SAME = 1e-6  # rad/s or m/s between two motions that are one
@@ -31,16 +32,15 @@ _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
 @frozen
 class Crossing:
-    """A change point: `time` (s), `position`; `distance` from the state asked about, and by how much the motion misses it."""
+    """A change point: `time` (s), `position`; by how much the motion misses it."""
 
     time: float
     position: Array
-    distance: float
     miss: float
 
 
-def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Array) -> Crossing | None:
-    """Return the change point of `block` near (t, q), None where Newton finds none.
+def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Array, within: float) -> Crossing | None:
+    """Return the change point of `block` at most `within` (rad or m) from (t, q), None where Newton finds none.
 
     `rates` (m,) of the motion at (t, q).  Unknowns are the time and the displacement of the block's own unknowns; they make
     the determinant and the demand of the drive zero and keep every equation of the block but the one that is lost.
@@ -77,7 +77,7 @@ def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Arra
             jacobian = np.array([(at(x + d)[0] - at(x - d)[0]) / (2 * _NUDGE) for d in nudges]).T
             step = np.linalg.lstsq(jacobian, -value, rcond=1e-9)[0]
             x = x + step
-            if not np.all(np.isfinite(x)) or np.max(np.abs(x)) > 1.0:
+            if not np.max(np.abs(x)) <= _STRAYED * within:
                 return None
             if np.max(np.abs(step)) < _CLOSE:
                 break
@@ -93,8 +93,10 @@ def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Arra
             gap += float(lost @ (matrix @ x[:-1] - right * x[-1] / pace)) / 2
     except (ArithmeticError, ValueError):
         return None
+    if np.max(np.abs(x)) > within:
+        return None
     time, position = moved(1.0, x, base)
-    return Crossing(float(time), np.array(position), float(np.max(np.abs(x))), abs(gap) / scale)
+    return Crossing(float(time), np.array(position), abs(gap) / scale)
 
 
 def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...] | None:

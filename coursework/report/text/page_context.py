@@ -15,7 +15,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Runs
 from coursework.report.text.symbols import LINEAR, Rates, Symbol, symbol
-from coursework.report.text.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
+from coursework.report.text.text_runs import ITALIC, Names, derivative, printed, runs, with_names
 from coursework.report.text.words import Words
 from coursework.results.checks.result import beside
 from coursework.scene.quantities import ACCURACY, CHECKS, PLOTS, TABLE
@@ -41,7 +41,7 @@ class PageContext:
     words: Words
     later: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def variant(self) -> Variant:
         """Return the variant with its texts in the language of the page, as far as its file has them."""
         return self.run.variant.in_language(self.words.phrases.language)
@@ -158,15 +158,14 @@ class PageContext:
 
     def lettered(self, text: str, *, data: bool = True) -> Runs:
         """Return a sentence that is clean already, the names of this variant set as symbols; without `data` no bare letter."""
+        return [dict(run) for run in with_names(text, self.names, data)]
+
+    @cached_property
+    def names(self) -> Names:
+        """Return the names that may stand in a sentence about this variant."""
         variant = self.run.variant
-        laws = [law.name for law in (*variant.drive, *variant.functions)]
-        points = {name for name, _ in self.run.scene.mechanism.points}
-        letters = {"t", "h", *variant.columns, *(given.name for given in variant.given), *laws} - points
-        text = with_points(text, points)
-        return runs(
-            with_pairs(with_letters(text, letters), variant.columns) if data else text,
-            (*variant.columns, *(given.name for given in variant.given), *laws, "pi"),
-        )
+        others = (*(given.name for given in variant.given), *(law.name for law in (*variant.drive, *variant.functions)))
+        return Names(tuple(name for name, _ in self.run.scene.mechanism.points), variant.columns, others)
 
     def say(self, key: str, **values: object) -> Runs:
         """Return one of our own sentences as runs."""

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from functools import lru_cache
+from typing import NamedTuple
 
 from coursework.report.text.numbers import THIN, superscript
 from coursework.report.text.symbols import GREEK, is_named_after, symbol
@@ -15,6 +17,7 @@ from coursework.words.line_ends import KEPT
 from coursework.words.scripts import HAN_HERE, made_for
 
 LONGEST_NAME = 200  # characters of a name or title
+MOST_KEPT = 2048  # sentences: the pages of a desk, or of a class, repeat nearly all of them
 
 Run = dict[str, str]
 
@@ -55,6 +58,23 @@ _POINTS = rf"(?<!{_WORD})(?<![.–\ue003])(?:{_POINT.pattern})+(?!{_WORD})"
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
 
+class Names(NamedTuple):
+    """What is called something in a variant: its `points`, the `columns` of its table, data and laws as `others`."""
+
+    points: tuple[str, ...]
+    columns: tuple[str, ...]
+    others: tuple[str, ...]
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def with_names(text: str, names: Names, data: bool) -> tuple[Run, ...]:
+    """Return a sentence as runs, names set as symbols; without `data` no bare letter.  They are nobody's own: copy them."""
+    points, every = {*names.points}, (*names.columns, *names.others)
+    text = with_points(text, points)
+    text = with_pairs(with_letters(text, {"t", "h", *every} - points), names.columns) if data else text
+    return tuple(runs(text, (*every, "pi")))
+
+
 def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     """Split a sentence into runs, to be set like a book.
 
@@ -63,6 +83,11 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     "10⁻⁷"; "--step h/18", the unit behind a number, what is `unbroken`; those of `names` that are symbols beyond doubt ("phi1",
     "w3", "phij") become runs; the rest stays text.
     """
+    return [dict(run) for run in _split(text, tuple(names))]
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _split(text: str, names: tuple[str, ...]) -> tuple[Run, ...]:
     text = spelt(text, names)
     found: list[Run] = []
     end = 0
@@ -79,7 +104,7 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
         end = match.end()
     if end < len(text):
         found.append({"t": text[end:]})
-    return found
+    return tuple(found)
 
 
 def printed(text: str) -> str:

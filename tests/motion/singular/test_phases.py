@@ -4,7 +4,10 @@ import math
 
 import pytest
 
+import coursework
 from coursework.motion.singular.phases import _intervals
+from coursework.motion.singular.scaled_flow import Flow
+from coursework.variant.reading.set_values import with_set
 
 TURN = 2 * math.pi
 PART = TURN / 24
@@ -45,3 +48,14 @@ def test_each_end_is_told_from_within_and_to_a_4096th_part_of_the_distance(range
 
 def test_what_is_narrower_than_the_distance_is_found_only_about_a_place():
     assert _intervals(lambda value: PART * 3.51 < value < PART * 4.49) == []
+
+
+def test_a_change_point_far_from_where_a_motion_stops_is_not_gone_to(monkeypatch):
+    """With 0.1 m instead of 0.953 m it stops at a dead point with most phases, and its change points are a radian away."""
+    looked = []
+    part = Flow.part
+    monkeypatch.setattr(Flow, "part", lambda flow, *values: looked.append(1) or part(flow, *values))
+    run = coursework.solve(with_set(coursework.load("31"), ("r1=0.1m",), None))
+    assert run.stop.kind == "dead point"
+    assert "is possible for" in run.scene.phases
+    assert len(looked) < 1500  # 2485 where each is gone to
