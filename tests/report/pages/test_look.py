@@ -204,6 +204,15 @@ def test_a_key_and_a_feedback_page_take_two_sheets_of_paper(places: dict[str, Pa
     page.emulate_media(media="screen")
 
 
+def test_no_ground_of_a_drawing_stays_white_in_the_dark(places: dict[str, Path], page: Any) -> None:
+    page.goto(places["accuracy"].as_uri())
+    page.emulate_media(color_scheme="dark")
+    grounds = '[...document.querySelectorAll(\'figure svg path:is([fill="#f2f2f2"], [fill="#e6e6e6"])\')]'
+    fills = page.evaluate(grounds + ".map((one) => getComputedStyle(one).fill)")
+    page.emulate_media(color_scheme="light")
+    assert {*fills} == {"rgb(42, 42, 42)"}
+
+
 def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> None:
     page.goto(places["accuracy"].as_uri())
     sized(page, 1400)
