@@ -179,6 +179,8 @@ def test_a_printed_report_has_the_readings_of_the_check_beside_its_drawing(place
         assert len(document) <= 9  # 8 of the tool's own
         (lying,) = (sheet for sheet in document if sheet.rect.width > sheet.rect.height)
         told = lying.get_text()
+        # No legend stands at the foot of a page without its graphs.
+        assert not any(sheet.get_text().rstrip("0123456789\n ").endswith("exact motion") for sheet in document)
     page.emulate_media(media="screen")
     assert all(words in told for words in ("8 Graph-analytical check", "Figure 4", "100 mm", "Table 4", "Link 1 turns about D."))
 
