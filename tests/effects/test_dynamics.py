@@ -18,6 +18,7 @@ from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
 from tests.effects.moved import free_31
+from tests.report.made import model_of
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "forces"
 ALL = {**SCHEMES, "semi-implicit": SEMI_IMPLICIT}
@@ -258,3 +259,11 @@ def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
     study = run.scene.energy_study()
     assert str(study.rows[0].failed).startswith("it came to row")
     assert "do not reach the end" in study.sentences[0]
+
+
+def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_of_its_energy_are():
+    sections = {section.name: section.parts for section in model_of(solved("example-2-motor")).sections}
+    (told,) = (str(part) for part in sections["statement"] if part.kind == "paragraph" and "acts the moment" in str(part))
+    assert "·" in told and "−" in told and "*" not in told
+    (panels,) = (part for part in sections["dynamics"] if part.kind == "panels")
+    assert len(panels.legend) == 2 and panels.width == 82

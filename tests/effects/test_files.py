@@ -12,10 +12,12 @@ import pytest
 import coursework
 from coursework.commands.cli import main
 from coursework.effects.draft import with_forces
+from coursework.report.text.parts import Panels, Table
 from coursework.report.text.words import load_words
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
 from tests.effects.test_ways import PARALLEL
+from tests.report.made import model_of, solved
 
 HEAD_31 = (
     "t,R01x,R01y,R12x,R12y,R23x,R23y,R34x,R34y,T04,N04,FMx,FMy,S1.ax,S1.ay,e1,S2.ax,S2.ay,e2,S3.ax,S3.ay,e3,S4.ax,S4.ay,e4,F_path"
@@ -123,3 +125,13 @@ def test_a_copy_with_forces_asks_for_each_once(asked, then):
     made = with_forces(coursework.parse_variant(text), text, str)
     assert f"quantities = {then}" in made
     assert coursework.parse_variant(made).forces is not None
+
+
+def test_the_page_says_energies_in_words_what_the_lines_of_a_graph_are_and_has_no_time_on_a_polar_curve():
+    sections = {section.name: section.parts for section in model_of(solved("31-forces"), "ru").sections}
+    (table,) = (part for part in sections["energy"] if isinstance(part, Table))
+    assert [column.head[0]["t"] for column in table.columns[2:]] == ["кинетическая", "потенциальная", "движущие силы"]
+    assert "нагрузки, трение и демпферы" in str(sections["energy"][-1])
+    drive, *polar = (part for part in sections["forces"] if isinstance(part, Panels))
+    assert len(drive.legend) == 2 and all("data-time" in panel.svg for panel in drive.items)
+    assert polar and not any("data-time" in panel.svg for one in polar for panel in one.items)

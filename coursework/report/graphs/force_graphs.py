@@ -12,6 +12,7 @@ import numpy as np
 from coursework.effects.analysis import ForceAnalysis
 from coursework.report.graphs.graph_paper import (
     BOTTOM,
+    DOT_PEN,
     EXACT_PEN,
     FAINT,
     INK,
@@ -21,6 +22,7 @@ from coursework.report.graphs.graph_paper import (
     SCHEME_PEN,
     TOP,
     axes,
+    dots,
     field_for,
     letters,
     round_ticks,
@@ -31,7 +33,7 @@ from coursework.report.graphs.graph_paper import (
 )
 from coursework.report.graphs.graph_paper import Field as Paper
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Panel, Panels, Part
+from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.system.arrays import Array
 
 SIZE, SQUARE = (82.0, 34.0), (82.0, 66.0)  # mm
@@ -40,8 +42,8 @@ _ROUND_OFF = 1e-12  # of the largest force: a drive that never has more is none,
 MEAN_PEN = f'stroke="{INK}" stroke-width="0.2" stroke-dasharray="2 1"'
 
 
-def force_graphs(context: PageContext, found: ForceAnalysis) -> list[Part]:
-    """Return the drives against time, then the polar curves of the reactions."""
+def force_graphs(context: PageContext, found: ForceAnalysis, legend: list[tuple[str, Runs]]) -> list[Part]:
+    """Return the drives against time under a `legend`, then the polar curves of the reactions."""
     if found.rows.count < 3:
         return []
     exact = context.run.results.exact_forces
@@ -51,7 +53,7 @@ def force_graphs(context: PageContext, found: ForceAnalysis) -> list[Part]:
     panels = [_over_time(context, found, exact, name) for name in acting]
     if panels:
         caption = context.words("forces.graph", symbols=context.symbol_list(acting))
-        parts.append(Panels("forces-drive", *SIZE, [], panels, context.lettered(caption)))
+        parts.append(Panels("forces-drive", *SIZE, legend, panels, context.lettered(caption)))
     pairs = [name[:-1] for name in found.reactions.names if name[0] == "R" and name.endswith("x")]
     curves = [curve for pair in pairs if (curve := _polar(context, found, pair)) is not None]
     for first in range(0, len(curves), MOST):
@@ -72,7 +74,7 @@ def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis 
     if len(true):
         inside += f'<path {EXACT_PEN} d="{field.path(true_t, true)}"/>'
     if exact is not found:
-        inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
+        inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/><path {DOT_PEN} d="{dots(field, t, values)}"/>'
     mean = float(np.nanmean(true if len(true) else values))
     inside += f'<path {MEAN_PEN} d="M{field.left:g} {field.y(mean):.2f}H{field.width - RIGHT:g}"/>'
     low, high = (context.quantity(float(end), unit, 4) for end in (np.nanmin(values), np.nanmax(values)))
@@ -102,7 +104,7 @@ def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | Non
     inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="0.9" fill="{SCHEME_INK}"/>'
     inside += words(field.left + 1.2, TOP - 2.2, letters(symbol) + escape(context.words.behind(unit)))
     largest = context.quantity(float(np.hypot(x, y).max()), "N", 4)
-    return Panel(pair, sheet(field, inside), context.words("forces.polar_alt", symbol=symbol.text, size=largest))
+    return Panel(pair, sheet(field, inside, timed=False), context.words("forces.polar_alt", symbol=symbol.text, size=largest))
 
 
 def _square(x: Array, y: Array) -> Paper:

@@ -232,14 +232,15 @@ def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
     return f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="{frame}"/>' + "".join(parts)
 
 
-def sheet(field: Field, inside: str, more: str = "") -> str:
-    """Return the whole SVG, its ranges readable by the live part of a page."""
+def sheet(field: Field, inside: str, more: str = "", *, timed: bool = True) -> str:
+    """Return the whole SVG, the ranges of one over time readable by the live part of a page."""
     ranges = (
-        f'data-time="{field.first:.9g} {field.last:.9g}" data-values="{field.low:.9g} {field.high:.9g}" '
+        f' data-time="{field.first:.9g} {field.last:.9g}" data-values="{field.low:.9g} {field.high:.9g}" '
         f'data-box="{field.left:g} {TOP:g} {field.width - RIGHT:g} {field.height - BOTTOM:g}"'
     )
+    more = (ranges if timed else "") + more
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{field.width:g}mm" height="{field.height:g}mm" '
-        f'viewBox="0 0 {field.width:g} {field.height:g}" font-family="{FACE}" font-size="{LETTERS}" fill="{INK}" {ranges}{more}>'
+        f'viewBox="0 0 {field.width:g} {field.height:g}" font-family="{FACE}" font-size="{LETTERS}" fill="{INK}"{more}>'
         f"{inside}</svg>"
     )

@@ -11,15 +11,16 @@ import numpy as np
 
 from coursework.effects.dynamics_lesson import Row, lesson
 from coursework.effects.regime import Regime
-from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_PEN, axes, field_for, sheet
+from coursework.report.graphs.graph_paper import DOT_PEN, EXACT_PEN, SCHEME_PEN, axes, dots, field_for, letters, sheet
+from coursework.report.sections.graphs import SIZE, key
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Display, Equations, Panel, Panels, Paragraph, Part, Table
+from coursework.report.text.symbols import symbol
 from coursework.report.text.tables import extra_parts
 from coursework.report.text.text_runs import numeral
 from coursework.scene.motor_scene import MotorScene
 from coursework.scene.quantities import DYNAMICS
 
-SIZE = (112.0, 44.0)  # mm, with its caption at its side
 _ONE = ('J(phi) dot(omega) = M_"m" + M_"load" - 1/2 J\'(phi) omega^2', "J(φ)·dω/dt = M_m + M_load − ½·J′(φ)·ω²")
 _TWO = ("M(q) dot.double(q) = Q(q, dot(q), t) - h(q, dot(q))", "M(q)·q″ = Q(q, q′, t) − h(q, q′)")
 
@@ -72,9 +73,12 @@ def _energy(context: PageContext, scene: MotorScene) -> Panels:
     own, true = scene.energy_of(rows), scene.energy_of(exact)
     own = np.where(np.abs(own) < 3 * max(float(np.abs(true).max(initial=0.0)), 1e-12), own, np.nan)
     field = field_for(SIZE, [rows.t, exact.t], [own, true], context.numbers)
-    label, time = (f"{letter}{escape(context.words.behind(context.unit(unit)))}" for letter, unit in (("E", "J"), ("t", "s")))
+    behind = context.words.behind
+    label, time = (letters(symbol(name)) + escape(behind(context.unit(unit))) for name, unit in (("E", "J"), ("t", "s")))
     inside = axes(field, context.numbers, label, time)
     inside += f'<path {EXACT_PEN} d="{field.path(exact.t, true)}"/><path {SCHEME_PEN} d="{field.path(rows.t, own)}"/>'
+    inside += f'<path {DOT_PEN} d="{dots(field, rows.t, own)}"/>'
     ends = [context.quantity(float(np.nanmax(values)), "J", 4) for values in (own, true)]
     panel = Panel("energy", sheet(field, inside), context.words("dynamics.energy_alt", own=ends[0], true=ends[1]))
-    return Panels("dynamics-energy", *SIZE, [], [panel], context.say("dynamics.energy"))
+    legend = key(context, dotted=True, exact=True)
+    return Panels("dynamics-energy", *SIZE, legend, [panel], context.say("dynamics.energy"))

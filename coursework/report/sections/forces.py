@@ -17,11 +17,12 @@ from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.flywheel import find_flywheel
 from coursework.report.graphs.figures import drawn
 from coursework.report.graphs.force_graphs import force_graphs
+from coursework.report.sections.graphs import key
 from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Display, Equations, Paragraph, Part, Table
 from coursework.report.text.tables import extra_parts
-from coursework.report.text.text_runs import numeral
+from coursework.report.text.text_runs import numeral, runs
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.system.arrays import Array
 
@@ -43,13 +44,30 @@ def forces(context: PageContext) -> list[Part]:
             parts += _group(context, plans, plan, number)
         parts += _levers(context, plans)
         parts += _compared(context, plans)
-    return [*parts, *_rows(context, found), *force_graphs(context, found), *_told(context, found)]
+    exact = context.run.results.exact_forces
+    legend = key(context, dotted=exact is not found, exact=exact is not None)
+    return [*parts, *_rows(context, found), *force_graphs(context, found, legend), *_told(context, found)]
 
 
 def energy(context: PageContext) -> list[Part]:
-    """Energies and powers of every row."""
+    """Energies and powers of every row, under words; what is 0 in all of them is named below."""
     table = context.run.of(ENERGY).as_table(context.run.motion.t)
-    return extra_parts(context, table, "energy.csv") if len(table.rows) else []
+    if not len(table.rows):
+        return []
+    heads = [context.words(f"forces.energy_{name}") for name in table.names[1:]]
+    is_shown = [name == "T" or bool(column.any()) for name, column in zip(table.names[1:], table.rows.T[1:], strict=True)]
+    kept = [0, *(1 + int(k) for k in np.flatnonzero(is_shown))]
+    names, units = (tuple(whole[k] for k in kept) for whole in (table.names, table.units))
+    parts = extra_parts(context, replace(table, names=names, units=units, rows=table.rows[:, kept]), "energy.csv")
+    for place, part in enumerate(parts):
+        if isinstance(part, Table):  # row and time stand before
+            before, own = part.columns[: 1 - len(kept)], part.columns[1 - len(kept) :]
+            own = [replace(column, head=runs(heads[k - 1])) for column, k in zip(own, kept[1:], strict=True)]
+            parts[place] = replace(part, columns=[*before, *own])
+    if not all(is_shown):
+        none = context.words.listing([head for head, shown in zip(heads, is_shown, strict=True) if not shown])
+        parts.append(Paragraph(context.say("forces.energy_none", parts=none), "note"))
+    return parts
 
 
 def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:

@@ -30,7 +30,7 @@ from coursework.report.graphs.graph_paper import (
     sparse,
 )
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Panel, Panels, Part
+from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.report.text.tables import given_constants
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -105,13 +105,7 @@ def _rows(context: PageContext, name: str, curve: Callable[[str], tuple[Array, A
 
 def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
     run, words = context.run, context.words
-    is_exact = run.tableau is None
-    scheme = context.told(title_of(DEFAULT_SCHEME) if is_exact else run.scheme_title)
-    legend = []
-    if any(len(rows.t) for rows in shown):
-        legend.append((_sample(dotted=True), context.say("graphs.rows", scheme=scheme, step=context.quantity(run.step, "s"))))
-    if any(len(rows.curve) for rows in shown):
-        legend.append((_sample(dotted=False), context.say("graphs.exact")))
+    legend = key(context, dotted=any(len(rows.t) for rows in shown), exact=any(len(rows.curve) for rows in shown))
     names = [rows.name for rows in shown]
     caption = words("graphs.caption", symbols=context.symbol_list(names))
     if len(legend) == 2:
@@ -121,6 +115,18 @@ def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
         caption = words.sentences([caption, stop])
     panels = [_panel(context, rows) for rows in shown]
     return Panels(f"panels-{number}", *SIZE, legend, panels, context.lettered(caption))
+
+
+def key(context: PageContext, *, dotted: bool, exact: bool) -> list[tuple[str, Runs]]:
+    """Return what the dots of a scheme and the line of the motion mean, of those that are there."""
+    run = context.run
+    scheme = context.told(title_of(DEFAULT_SCHEME) if run.tableau is None else run.scheme_title)
+    told = []
+    if dotted:
+        told.append((_sample(dotted=True), context.say("graphs.rows", scheme=scheme, step=context.quantity(run.step, "s"))))
+    if exact:
+        told.append((_sample(dotted=False), context.say("graphs.exact")))
+    return told
 
 
 def _panel(context: PageContext, rows: Rows) -> Panel:

@@ -83,7 +83,7 @@ WHEELS = {"31": (0.457 / 2,), "v107": (0.341,), "jansen": ()}
 @pytest.mark.parametrize("name", LINKS)
 def test_links_and_wheels_have_their_lengths_in_both_drawings(name: str) -> None:
     first = next(one for one in pages(name) if "Figure 1" in one.text)
-    scale = re.search(r"scale 1:(\d+)", first.text)
+    scale = re.search(r"scale 1:(\d+(?:\.\d+)?)", first.text)
     assert scale
     sheet, mm, _ = construction(name)
     for page, size in ((first, 1000 / float(scale[1])), (sheet, mm)):

@@ -179,6 +179,8 @@ def test_a_printed_report_has_the_readings_of_the_check_beside_its_drawing(place
         assert len(document) <= 9  # 8 of the tool's own
         (lying,) = (sheet for sheet in document if sheet.rect.width > sheet.rect.height)
         told = lying.get_text()
+        # No legend stands at the foot of a page without its graphs.
+        assert not any(sheet.get_text().rstrip("0123456789\n ").endswith("exact motion") for sheet in document)
     page.emulate_media(media="screen")
     assert all(words in told for words in ("8 Graph-analytical check", "Figure 4", "100 mm", "Table 4", "Link 1 turns about D."))
 
@@ -202,6 +204,15 @@ def test_a_key_and_a_feedback_page_take_two_sheets_of_paper(places: dict[str, Pa
         with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
             assert len(document) == 2
     page.emulate_media(media="screen")
+
+
+def test_no_ground_of_a_drawing_stays_white_in_the_dark(places: dict[str, Path], page: Any) -> None:
+    page.goto(places["accuracy"].as_uri())
+    page.emulate_media(color_scheme="dark")
+    grounds = '[...document.querySelectorAll(\'figure svg path:is([fill="#f2f2f2"], [fill="#e6e6e6"])\')]'
+    fills = page.evaluate(grounds + ".map((one) => getComputedStyle(one).fill)")
+    page.emulate_media(color_scheme="light")
+    assert {*fills} == {"rgb(42, 42, 42)"}
 
 
 def test_accuracy_begins_with_its_chart(places: dict[str, Path], page: Any) -> None:
