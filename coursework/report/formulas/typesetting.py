@@ -108,15 +108,23 @@ def typeset(
     if kind == "pdf":
         _forget()
     return _typst().compile(
-        str(place / template),
+        sources(template, data),
         font_paths=_fonts(everything),
         root=str(place),
         format=kind,
         ppi=ppi,
         timestamp=0,
-        sys_inputs={"data": json.dumps(data, ensure_ascii=False)},
         pdf_standards=[standard] if standard else [],
     )
+
+
+def sources(template: str, data: Any) -> dict[str, bytes]:
+    """Return what Typst does not read from the folder: the page that is the template, and its data as a file.
+
+    As a value told to Typst, data would be part of all that it knows, and nothing of the report before could be taken over.
+    Typst parses every file as a source of its own too: what follows two slashes on a line is a remark there, and soon read.
+    """
+    return {"main.typ": f'#include "{template}"'.encode(), "data.json": json.dumps(["//", data], ensure_ascii=False).encode()}
 
 
 def refusal(error: RuntimeError) -> CourseworkError:

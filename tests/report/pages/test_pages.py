@@ -71,15 +71,13 @@ def test_names_in_other_scripts_do_not_stop_the_page(real: ModuleType) -> None:
 
 @pytest.mark.parametrize("kind", ["full", "stopped"])
 def test_the_pdf_is_pdf_ua_without_a_warning(real: ModuleType, kind: str) -> None:
-    import json
-
     import typst
 
     model = build_model(real.full() if kind == "full" else real.stopped())
     place = folder("reports")
     made, warnings = typst.compile_with_warnings(
-        str(place / "report.typ"), root=str(place), font_paths=typesetting._fonts(False), format="pdf", timestamp=0,
-        pdf_standards=["ua-1"], sys_inputs={"data": json.dumps([model.plain()])},
+        typesetting.sources("report.typ", [model.plain()]), root=str(place), font_paths=typesetting._fonts(False), format="pdf",
+        timestamp=0, pdf_standards=["ua-1"],
     )  # fmt: skip
     assert warnings == []
     said = b"/Suspects false>>"  # so it holds unsaid, and poppler has nothing to complain of
