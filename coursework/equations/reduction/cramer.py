@@ -52,19 +52,15 @@ def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
 
 
 def _worked(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> Iterator[Cramer | None]:
-    order = equations.order
+    order, moving = equations.order, {symbol(coordinate.name) for coordinate in equations.variant.coordinates}
     before: dict[str, Expression] = {}
     for block, is_wanted in zip(reduction.blocks, wanted, strict=True):
         if block.size == 2 and is_wanted:
             yield _of_two(block, before, order)
             continue
-        if block.size == 1 and is_wanted and not block.symbolic_determinant.free_symbols & _moving(equations):
+        if block.size == 1 and is_wanted and not block.symbolic_determinant.free_symbols & moving:
             before[block.unknowns[0]] = expanded(block.sides[0] / block.symbolic_determinant)
         yield None
-
-
-def _moving(equations: VelocityEquations) -> set[Expression]:
-    return {symbol(coordinate.name) for coordinate in equations.variant.coordinates}
 
 
 def _of_two(block: Block, before: dict[str, Expression], order: Order) -> Cramer:

@@ -6,7 +6,7 @@ Enters: the determinant as shown.  Leaves: words.  Used by `blocks.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import link_names, linkage
@@ -113,17 +113,11 @@ def _axes(angle: str, variant: Variant) -> set[str]:
     found = {
         re.sub(rf"\b{angle}\b", _FROM_X, spelled(part.args[1]))
         for _, formula in variant.points
-        for part in _parts(formula)
+        for part in formula.walk()
         if part.op == "@" and angle in part.args[1].names()
     }
     grouped = any(angle in group.coordinates for group in variant.groups)
     return found | {_FROM_X} if grouped or not found else found
-
-
-def _parts(formula: Formula) -> Iterator[Formula]:
-    yield formula
-    for part in formula.args:
-        yield from _parts(part)
 
 
 def _distance(name: str, variant: Variant) -> str:

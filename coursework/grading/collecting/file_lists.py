@@ -126,9 +126,7 @@ def _flat(names: Names) -> list[FileList]:
 def _flat_id(name: str) -> str:
     if "_" in name.lstrip("_"):
         return name.partition("_")[0] or name
-    stem = PurePosixPath(name).stem
-    copy = _COPY.fullmatch(stem)
-    return copy[1] if copy else stem
+    return _original(PurePosixPath(name).stem)
 
 
 def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
@@ -174,5 +172,6 @@ def _with_ids(file_lists: Iterable[FileList]) -> Iterator[FileList]:
 
 
 def _original(student: str) -> str:
+    """Return a name without what is added to that of a copy."""
     copy = _COPY.fullmatch(student)
     return copy[1] if copy else student

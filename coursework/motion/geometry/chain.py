@@ -40,12 +40,8 @@ _MOST_HALVINGS, _MOST_TIMES = 50, 2_000_000
 
 def is_chain(variant: Variant) -> bool:
     """Return whether groups give every coordinate that is not driven."""
-    given = _given_by_groups(variant)
+    given = {name for group in variant.groups for name in group.coordinates}
     return bool(given) and all(c.name in given or c.rate in variant.known_rates for c in variant.coordinates)
-
-
-def _given_by_groups(variant: Variant) -> set[str]:
-    return {name for group in variant.groups for name in group.coordinates}
 
 
 def chain_positions(equations: VelocityEquations, times: Array) -> Array:

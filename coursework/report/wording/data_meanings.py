@@ -12,7 +12,7 @@ from coursework.drawing.outline.lengths import lengths
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.text.text_runs import LONGEST_NAME
-from coursework.variant.formula.tree import Formula, terms
+from coursework.variant.formula.tree import Formula, factors, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 from coursework.words.templates import clean
@@ -206,8 +206,5 @@ def _swings(wave: Formula) -> bool:
 
 def _product(tree: Formula) -> tuple[list[Formula], list[Formula]]:
     """Return the factors above and below the line."""
-    if tree.op not in {"*", "/"}:
-        return [tree], []
-    above, below = _product(tree.args[0])
-    over, under = _product(tree.args[1])
-    return ([*above, *over], [*below, *under]) if tree.op == "*" else ([*above, *under], [*below, *over])
+    found = [*factors(tree, "*/")]
+    return [factor for factor, power in found if power > 0], [factor for factor, power in found if power < 0]

@@ -6,6 +6,7 @@ Enters: a name as an author wrote it.  Leaves: the tool's own spelling.  Used wh
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Iterable
 from functools import lru_cache
 
 from coursework.words.sentence import Sentence
@@ -31,6 +32,11 @@ def spell(name: str) -> str:
     """Return a name in the tool's own spelling: Greek letters written out, subscripts as digits."""
     plain = "".join(_GREEK.get(letter, letter) for letter in unicodedata.normalize("NFC", name))
     return plain.translate(_SUBSCRIPTS)
+
+
+def spell_path(path: Iterable[str | int]) -> tuple[str | int, ...]:
+    """Return where a key stands with each name in the tool's own spelling."""
+    return tuple(spell(part) if isinstance(part, str) else part for part in path)
 
 
 def greek(word: str) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.alphabet import spell_path
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 
@@ -18,7 +18,7 @@ class Broken:
     """Places of a file with a fault of their own."""
 
     def __init__(self, paths: Iterable[KeyPath] = ()) -> None:
-        self._paths = {tuple(spell(part) if isinstance(part, str) else part for part in path) for path in paths}
+        self._paths = {spell_path(path) for path in paths}
 
     def has(self, *path: str | int) -> bool:
         """Return whether something at a path, in it, or around it has a fault."""

@@ -69,6 +69,14 @@ def _value(path: KeyPath, value: str | int | float, si: str, parts: Parts, least
     return tree
 
 
+def _values(
+    path: KeyPath, entry: schema.Section, named: Mapping[str, str], parts: Parts, least: bool = False
+) -> dict[str, Formula | None]:
+    """Return the formulas of some keys of an entry, each with its unit; None for what it does not say."""
+    said = {name: getattr(entry, name) for name in named}
+    return {key: None if said[key] is None else _value((*path, key), said[key], si, parts, least) for key, si in named.items()}
+
+
 def _gravity(value: str | int | float, parts: Parts) -> tuple[Formula, Formula]:
     path: KeyPath = ("forces", GRAVITY)
     if isinstance(value, str) and not parts.is_quantity(value):
@@ -94,11 +102,8 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
         missing = [name for name in (("stiffness", "free") if entry.spring else ("damping",)) if getattr(entry, name) is None]
         if missing:
             parts.say(path, say("fault.V706", name=key, missing=missing[0]))
-        found = {
-            name: _value((*path, name), value, si, parts) if (value := getattr(entry, name)) is not None else None
-            for name, si in named.items()
-        }
-        yield Spring(key, (parts.names.canonical(ends[0]), parts.names.canonical(ends[1])), **found)
+        both = parts.names.canonical(ends[0]), parts.names.canonical(ends[1])
+        yield Spring(key, both, **_values(path, entry, named, parts))
         return
     if entry.on is None or (entry.force is None) == (entry.torque is None):
         parts.say(path, say("fault.V707", name=key))
@@ -107,7 +112,7 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
         parts.say(path, say("fault.V708", name=key))
         return
     at = parts.formula((*path, "at"), entry.at, "vector", "geometry") if entry.at is not None else None
-    torque = _value((*path, "torque"), entry.torque, "N*m", parts) if entry.torque is not None else None
+    torque = _values(path, entry, {"torque": "N*m"}, parts)["torque"]
     force = parts.formula((*path, "force"), str(entry.force), "vector", "force") if entry.force is not None else None
     yield Load(key, _body(str(entry.on), parts), at, force, torque)
 
@@ -116,10 +121,7 @@ def _friction(key: str, entry: schema.FrictionEntry, parts: Parts) -> Friction:
     path: KeyPath = ("friction", key)
     parts.known_point(path, key)
     named = {"coefficient": "1", "radius": "m", "length": "m", "arm": "m"}
-    found = {
-        name: _value((*path, name), value, si, parts, True) if (value := getattr(entry, name)) is not None else None
-        for name, si in named.items()
-    }
+    found = _values(path, entry, named, parts, True)
     if entry.coefficient is None and entry.arm is None:
         parts.say(path, say("fault.V709", name=key))
     return Friction(parts.names.canonical(key), **found)
@@ -183,6 +185,4 @@ def _flywheel(entry: object, parts: Parts) -> Flywheel | None:
     if not isinstance(entry, schema.Flywheel):
         parts.say(path, say("fault.V716"))
         return None
-    inertia = _value((*path, "inertia"), entry.inertia, "kg*m^2", parts, True) if entry.inertia is not None else None
-    uneven = _value((*path, "unevenness"), entry.unevenness, "1", parts, True) if entry.unevenness is not None else None
-    return Flywheel(_body(str(entry.on), parts), inertia, uneven)
+    return Flywheel(_body(str(entry.on), parts), **_values(path, entry, {"inertia": "kg*m^2", "unevenness": "1"}, parts, True))

@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.alphabet import spell_path
 from coursework.variant.formula.tree import Formula
 from coursework.variant.formula.units import measured
 from coursework.variant.judging.at_start import faults_at_start
@@ -174,7 +174,7 @@ def _driven(name: str | None, parts: Parts) -> str | None:
 def _lines(source: Source) -> dict[KeyPath, int]:
     """Return the line of each key, names in the tool's own spelling."""
     lines = source.positions.lines
-    return {tuple(spell(part) if isinstance(part, str) else part for part in path): line for path, line in lines.items()}
+    return {spell_path(path): line for path, line in lines.items()}
 
 
 def _given(key: str, entry: Any, parts: Parts) -> Given:

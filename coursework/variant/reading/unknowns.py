@@ -20,12 +20,9 @@ _SPEED, _RATE = "m/s", "1/s"
 
 def read_unknown(key: str, entry: str | schema.Unknown, parts: Parts) -> tuple[str, str]:
     """Return name and SI unit of an unknown velocity."""
-    is_plain = isinstance(entry, str)
-    return parts.names.canonical(key), parts.unit(("unknowns", key) if is_plain else ("unknowns", key, "unit"), _unit(entry))
-
-
-def _unit(entry: str | schema.Unknown) -> str:
-    return entry if isinstance(entry, str) else entry.unit
+    if isinstance(entry, str):
+        return parts.names.canonical(key), parts.unit(("unknowns", key), entry)
+    return parts.names.canonical(key), parts.unit(("unknowns", key, "unit"), entry.unit)
 
 
 def read_binding(

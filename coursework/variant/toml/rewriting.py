@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any
 
-from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.alphabet import spell_path
 from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -114,11 +114,8 @@ def _is_header(text: str, found: Positions, path: KeyPath) -> bool:
 
 def _spelt(paths: Iterable[KeyPath], wanted: KeyPath) -> KeyPath | None:
     """Return a path as the file spells it; None where it has none such."""
-    plain = tuple(spell(part) if isinstance(part, str) else part for part in wanted)
-    for path in paths:
-        if len(path) == len(plain) and tuple(spell(part) if isinstance(part, str) else part for part in path) == plain:
-            return path
-    return None
+    plain = spell_path(wanted)
+    return next((path for path in paths if len(path) == len(plain) and spell_path(path) == plain), None)
 
 
 def _offset(text: str, line: int, column: int) -> int:
