@@ -110,6 +110,7 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, budget: 
 )  # fmt: skip
 @click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto": the one that was found.')
+@click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @SET
 @click.option("--out", type=click.Path(path_type=Path), help="The file to write (default: the screen).")
 @click.option("--chart", type=click.Path(path_type=Path), help="Write the block diagram of this program: FILE.svg.")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from coursework.api import make_run, step_choice, variant_of
+from coursework.api import make_run, variant_of
 from coursework.commands.screen import tell, tell_own_file
 from coursework.motion.settings import stepping
 from coursework.report.text.page_context import PageContext
@@ -19,12 +19,13 @@ from coursework.takeaway.listing.chart import block_diagram
 from coursework.takeaway.listing.listings import listing
 from coursework.takeaway.listing.program import program_of, refuse_exact
 from coursework.variant.reading.set_values import with_set
+from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
 
 def list_variant(
-    variant: str, *, code: str | None, scheme: str | None, step: str | None, set_values: tuple[str, ...], out: Path | None,
-    chart: Path | None, language: str,
+    variant: str, *, code: str | None, scheme: str | None, step: str | None, error: float | None, set_values: tuple[str, ...],
+    out: Path | None, chart: Path | None, language: str,
 ) -> int:  # fmt: skip
     """Return 0 after writing what was asked for."""
     refuse_exact(scheme)
@@ -32,9 +33,8 @@ def list_variant(
         tell_own_file(variant)
     read = with_set(variant_of(variant), set_values, None)
     chosen = stepping(read, scheme) if read.motor is None else scheme
-    if step == "auto":
-        step = f"{step_choice(make_run(read, chosen, quantities=('table',)), None).step!r}"
-    run = make_run(read, chosen, step, quantities=("table",))
+    advised = step == "auto" and error is None
+    run = make_run(read, chosen, _advised(read, chosen) if advised else step, error=error, quantities=("table",))
     words = load_words(language)
     program = program_of(PageContext(run, words))
     if chart is not None:
@@ -47,6 +47,12 @@ def list_variant(
     else:
         _write(out, text)
     return 0
+
+
+def _advised(variant: Variant, scheme: str | None) -> float:
+    """Return the step that the checks advise, that of the file where it will do."""
+    checks = make_run(variant, scheme, quantities=("table", "checks")).checks
+    return next((one.step for one in checks if one.code == "ACCURACY" and one.step), variant.time.step)
 
 
 def _write(path: Path, text: str) -> None:

@@ -28,6 +28,9 @@ WRONG = [
     (lambda: coursework.solve("31").exact.at(-0.001), "outside the motion"),
     (lambda: coursework.load("31").with_data({"R1": 1.0}), 'mean "r1"'),
     (lambda: coursework.load("31").unit_of("nope"), "no column"),
+    (lambda: coursework.load("31").with_data({"r1": -0.953}), "above zero"),
+    (lambda: coursework.parse_variant(coursework.load("31").path.read_text("utf-8").replace('"0.953', '"-0.953')), "above zero"),
+    (lambda: coursework.solve("31", step=True), "a number of seconds"),
     (lambda: coursework.compile_model("31").bind({"r1": [0.9, 0.95]}), "2 sets"),
     (lambda: coursework.compile_model("31").rates(0, [1, 2]), "shapes"),
     (lambda: coursework.solve_many("31", {"r1": [-0.9]}), "above zero"),
@@ -206,6 +209,14 @@ def test_what_a_person_holds_tells_itself_in_a_line():
     for thing in (run.variant, run.checks, run.accuracy, things[-1]):
         assert "<t" in thing._repr_html_()
     assert "<svg" in run.accuracy._repr_html_()
+
+
+def test_what_may_be_negative_and_all_faults_at_once():
+    assert coursework.load("oscillating-cylinder").with_data({"e": -0.015}).values["e"] == -0.015
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.load("31").with_data({"phi9": 1.0, "r9": 2.0})
+    assert [fault.code for fault in caught.value.faults] == ["D001", "D001"]
+    assert [coursework.load("31").unit_of(name) for name in ("dw1", "A.vx", "t")] == ["rad/s²", "m/s", "s"]
 
 
 def test_data_and_start_values_share_one_name_space():

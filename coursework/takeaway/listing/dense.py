@@ -19,14 +19,14 @@ def dense(lines: list[str], syntax: Syntax) -> list[str]:
     """Return lines, closer to each other where they are too many.
 
     >>> from coursework.takeaway.listing.syntax import C
-    >>> closer(["a = b;", "c = d;"], C, WIDEST), behind(["// 4 t = i·h", "t = i*h;"], C)
+    >>> closer(["a = b;", "c = d;"], C, WIDEST), behind(["// 4 t = i·h", "t = i*h;"], C, WIDEST)
     (['a = b; c = d;'], ['t = i*h;  // 4 t = i·h'])
     """
     if len(lines) > MOST:
         lines = closer(lines, syntax, WIDEST)
     if len(lines) > MOST:
-        lines = behind(lines, syntax)
-    return lines if len(lines) <= MOST else [line for line in closer(lines, syntax, WIDER) if line]
+        lines = behind(lines, syntax, WIDEST)
+    return lines if len(lines) <= MOST else [line for line in behind(closer(lines, syntax, WIDER), syntax, WIDER) if line]
 
 
 def closer(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
@@ -43,7 +43,7 @@ def closer(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
     return found
 
 
-def behind(lines: list[str], syntax: Syntax) -> list[str]:
+def behind(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
     """Return lines in which a comment stands behind the line below it where both fit."""
     found: list[str] = []
     for line in lines:
@@ -51,7 +51,7 @@ def behind(lines: list[str], syntax: Syntax) -> list[str]:
         joined = f"{line}  {above.lstrip()}"
         named = re.match(rf" *{re.escape(syntax.comment)}\d+ ", above)
         is_free = line.strip() and not line.lstrip().startswith(syntax.comment) and not _parts(line, syntax)[1]
-        if named and is_free and len(joined) <= WIDEST and _margin(above) == _margin(line):
+        if named and is_free and len(joined) <= widest and _margin(above) == _margin(line):
             found[-1] = joined
         else:
             found.append(line)

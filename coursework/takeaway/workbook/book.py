@@ -34,6 +34,7 @@ _MADE = datetime(2000, 1, 1)
 _A4 = 9
 _WIDTH, _LINE, _WIDE = 105, 16, 0x2E00  # of a paragraph in letters; of a line in points; letters beyond are twice as wide
 README = ("data", "steps", "laws", "determinants", "exact", "checks", "graphs", "rows", "values")
+FORCED = ("data", "forces", "exact", "checks", "graphs", "rows")  # where forces move the mechanism
 
 
 def write(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -113,7 +114,7 @@ def _sheets(book: Book, names: tuple[str, ...]) -> dict[str, Any]:
 def _readme(book: Book, sheet: Any) -> None:
     """Write where each formula comes from."""
     sheet.write_string(0, 0, plain(book.context.variant.title), book.bold)
-    for row, key in enumerate(README, start=2):
+    for row, key in enumerate(README if book.run.variant.motor is None else FORCED, start=2):
         text = book.say(f"readme.{key}")
         letters = sum(1 + (ord(letter) > _WIDE) for letter in text)
         sheet.set_row(row, _LINE * (1 + letters // _WIDTH))

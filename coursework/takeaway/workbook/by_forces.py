@@ -2,8 +2,8 @@
 equations of motion.
 
 Enters: a run with [motor].  Leaves: `StepTable`; the names of masses, loads and start rates are among its own.
-Used by `book.py`.  Each line of the program of `listing/by_forces.py` is a hidden column; a position is closed by some of
-Newton's corrections, one behind the other.
+Used by `book.py`.  Each line of the program of `listing/by_forces.py` is a column, hidden but for determinants and
+accelerations; a position is closed by some of Newton's corrections, one behind the other.
 """
 
 from __future__ import annotations
@@ -139,9 +139,17 @@ class _Writer:
             if text in self.cells or _NUMBER.fullmatch(text):
                 self.cells[target] = self.cells.get(text, f"({text})")
             else:
-                column = Column(target.strip("_").removeprefix("v_"), _formula(text, self.cells), _rows(values, self.table.rows))
-                column.shown, column.until = False, until
+                column = Column(self._head(target), _formula(text, self.cells), _rows(values, self.table.rows))
+                column.shown, column.until = target.startswith(("_det", "_acc")), until
                 self.cells[target] = f"${self.table.add(column)}{f'${FIRST}' if until else ROW}"
+
+    def _head(self, target: str) -> str:
+        """Return the head of a column: a determinant and an acceleration as the table calls them."""
+        if target.startswith("_det"):
+            return f"D{int(target[4:]) + 1}"
+        if target.startswith("_acc"):
+            return f"d{public(self.found.states[int(target[4:])], ())}"
+        return target.strip("_").removeprefix("v_")
 
     def _computed(self, lines: Sequence[Line], names: list[str]) -> Sequence[Any]:
         arguments = list(self.values)

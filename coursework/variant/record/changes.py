@@ -37,20 +37,29 @@ def with_changes(read: Callable[[Mapping[KeyPath, Any]], Variant], variant: Vari
 
 
 def _new_values(variant: Variant, changed: Changes) -> dict[KeyPath, float | str]:
-    """Return the new value of each key.  Raises `InputError` for a name or a unit that does not fit."""
+    """Return the new value of each key.  Raises `InputError` for all names that there are not, or a unit that does not fit."""
     changes: dict[KeyPath, float | str] = {}
     data = {one.name: (one.si, one.unit) for one in variant.given}
     places = {c.name: (c.unit, c.written) for c in variant.coordinates}
     starts = {key: value for key, value in changed.given.items() if spell(str(key)) in places}
+    laws = [law.name for law in variant.drive]
+    asked = (
+        (changed.given, [*data, *places], "datum"),
+        (changed.start, list(places), "coordinate"),
+        (changed.drive, laws, "drive"),
+    )
+    unknown = [_unknown(variant, key, known, what) for keys, known, what in asked for key in keys if spell(str(key)) not in known]
+    if unknown:
+        raise InputError(unknown)
     for key, value in changed.given.items():
         if key not in starts:
-            name = _known(variant, key, [*data, *places], "datum")
+            name = spell(str(key))
             changes["given", name] = _written(variant, name, value, *data[name])
     for key, value in {**starts, **changed.start}.items():
-        name = _known(variant, key, list(places), "coordinate")
+        name = spell(str(key))
         changes["coordinates", name, "start"] = _written(variant, name, value, *places[name])
     for key, value in changed.drive.items():
-        changes["drive", _known(variant, key, [law.name for law in variant.drive], "drive")] = value
+        changes["drive", spell(str(key))] = value
     for key, value in changed.times.items():
         is_time = isinstance(value, (int, float)) and key != "check_row"
         changes["time", key] = _written(variant, key, value, "s", "s") if is_time else value
@@ -76,12 +85,9 @@ def determined(variant: Variant) -> frozenset[str]:
     return frozenset(free)
 
 
-def _known(variant: Variant, key: str, known: list[str], what: str) -> str:
-    name = spell(str(key))
-    if name not in known:
-        advice = closest(name, known) or say("hint.known", known=", ".join(known))
-        raise InputError([Fault(say("fault.D001", name=key, what=say(f"fault.datum.{what}"), hint=advice), place=variant.name)])
-    return name
+def _unknown(variant: Variant, key: str, known: list[str], what: str) -> Fault:
+    advice = closest(spell(str(key)), known) or say("hint.known", known=", ".join(known))
+    return Fault(say("fault.D001", name=key, what=say(f"fault.datum.{what}"), hint=advice), place=variant.name)
 
 
 def _fault(variant: Variant, name: str, message: Sentence) -> InputError:

@@ -58,6 +58,13 @@ def test_drawing_plots_and_checks():
     assert "accuracy" not in run.scene.ledger.calls, "what a notebook does not show is not computed for it"
 
 
+def test_words_stand_on_the_left_where_jupyter_puts_cells_on_the_right_and_terms_beside_theirs():
+    page = coursework.notebook_html(coursework.solve("31", quantities=["table", "checks"]))
+    assert ".checks > * > tr > :nth-child(-n + 2) { text-align: left; }" in page and "dl > div { display: flex;" in page
+    shown = coursework.solve("31", quantities=["table", "checks"]).checks._repr_html_()
+    assert '<td style="text-align:left">' in shown
+
+
 def test_looks_stay_inside():
     style = re.search(r"<style>(.*?)</style>", shown(coursework.solve("31", quantities=["table"])), re.S)[1]
     rules = [line for line in style.strip().splitlines() if line]

@@ -182,6 +182,15 @@ def test_a_singular_position_that_is_gone_through_prints_its_limit(tmp_path):
     assert len(run.scene.search.passages) == 1 and agrees(run, "python", tmp_path)
 
 
+def test_a_step_that_was_found_is_the_advised_one_or_keeps_an_error():
+    def steps(*options):
+        return float(re.search(r"^h = (\S+)", call("listing", "31", *options).stdout, re.MULTILINE)[1])
+
+    assert steps("--step", "auto") == pytest.approx(0.02 / 18)
+    assert steps("--step", "auto", "--error", "0.05") < 0.02
+    assert "C029" in call("listing", "31", "--error", "0.05").stderr
+
+
 @pytest.mark.parametrize(
     ("options", "code"),
     [(("31", "--scheme", "exact"), "C093"), (("31", "--language", "lisp"), "C054")],

@@ -102,6 +102,8 @@ def test_rows_that_forces_move_are_formulas_over_named_masses(name, change):
     others = table(other)[1][: len(rows)]
     assert off(changed.rows("Euler", *others.shape), others) < 1e-9
     assert all(cell.data_type == "f" for row in sheet.iter_rows(2, len(rows) + 1, 1, len(heads)) for cell in row)
+    shown = {cell.value for cell in sheet[1] if not sheet.column_dimensions[cell.column_letter].hidden}
+    assert {f"d{rate}" for rate in run.variant.motor.rates} | {*heads} <= shown and len(shown) <= len(heads) + 4
     named = {mass.body for mass in solved(name).variant.forces.masses}
     assert {f"_m_{body}" for body in named} <= {*computed.book.defined_names}
 
