@@ -9,7 +9,8 @@ from html import escape
 
 import numpy as np
 
-from coursework.report.graphs.graph_paper import EXACT_PEN, MOST_DOTS, Field, axes, dots, field_for, letters, sparse, way
+from coursework.drawing.paper.ways import way
+from coursework.report.graphs.graph_paper import EXACT_PEN, MOST_DOTS, Field, axes, dots, field_for, letters, sparse
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol, symbol
 from coursework.report.text.words import Words

@@ -24,12 +24,13 @@ def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
     if not path.startswith(_BEGIN):
         raise ValueError("Typst's path begins elsewhere than this version of it wrote")
     at, pen = (x, y), (round(x), round(y))
-    begin, found = (at, pen), ""
+    begin, found, said = (at, pen), "", ""
     for command, told in _COMMAND.findall(path.removeprefix(_BEGIN).replace("Z", "z")):
         numbers = [UNITS * float(number) for number in told.split()]
         if command == "z":
             at, pen = begin
             found += command
+            said = command
             continue
         if command in "hv":
             numbers.insert(command == "h", 0.0)
@@ -39,5 +40,7 @@ def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
         if command == "m":
             begin = at, pen
         written = [steps[0][command == "v"]] if command in "hv" else [number for step in steps for number in step]
-        found += command + "".join(f" {number}" if number >= 0 else str(number) for number in written).lstrip()
+        text = "".join(f" {number}" if number >= 0 else str(number) for number in written)
+        found += text if command == said != "m" else command + text.lstrip()  # once for all that follow; behind m stand lines
+        said = command
     return found
