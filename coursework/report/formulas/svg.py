@@ -122,7 +122,7 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
     size = f'style="--wide:{wide:.2f}pt"'
     # Two digits more than eyes need: lines of words beside a formula stand on whole pixels by its height.
-    head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.8g} {UNITS * high:.8g}" {size} aria-hidden="true">'
+    head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.7g} {UNITS * high:.7g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())
     return Picture(f"{head}{letters}{bars.strip()}</svg>"), glyphs
 
@@ -150,4 +150,4 @@ def _set(glyph: str, places: list[tuple[int, int]]) -> str:
         level, before = y == height, level
         way += f"{' ' if before else 'H'}{x}" if level else f"{'L' if before else ' '}{x} {y}"
         height = y
-    return f'<path class="{glyph}" d="{way}z"/>'
+    return f'<path class="{glyph}" d="{way.replace(" -", "-")}z"/>'

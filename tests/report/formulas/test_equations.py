@@ -98,8 +98,8 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
         found = []
         for line in re.finditer(r'<path class="([A-Za-z]|g\d+)" d="M0 0([^"]*)z"/>', svg):
             y = 0.0
-            for step in re.findall(r"H[^HL]*|[L ][^HL]*", line[2]):
-                numbers = [float(number) for number in step[1:].split()]
+            for step in re.findall(r"H[^HL]*|[L -][^HL]*", line[2]):
+                numbers = [float(number) for number in re.findall(r"-?\d+", step)]
                 for x, y in [(x, y) for x in numbers] if step[0] == "H" else zip(numbers[::2], numbers[1::2], strict=True):
                     found.append((line[1], x / UNITS, (y - top) / UNITS))
         wanted = sorted((names[glyph], x, y) for glyph, x, y in placed(ElementTree.fromstring(typst)))
