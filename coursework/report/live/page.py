@@ -5,10 +5,12 @@ Enters: a `SceneRun`, the words of a language, the writers of symbols and units.
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -118,14 +120,19 @@ def _laboratories(
 
 
 def _part(run: SceneRun, phrases: Phrases, script: str, data: dict[str, Any], *, laboratory: bool = False) -> LivePart:
-    own = {key: data.pop(key) for key in _SAME if key in data}
-    # Words that the script never names stand in the page itself.
-    named = {*re.findall(r'(?<=["]|[.])\w+\b', script)}
-    own["words"] = {key: text for key, text in own["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
-    script = with_own(script, own)
+    script = _speaking(script, embedded({key: data.pop(key) for key in _SAME if key in data}))
     mark = phrases.template("decimal")
     speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
     return LivePart(_words(phrases), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), embedded(data))
+
+
+@lru_cache(maxsize=16)
+def _speaking(script: str, own: str) -> str:
+    """Return a script with data of its own, without the words that it never names: those stand in the page itself."""
+    named = {*re.findall(r'(?<=["]|[.])\w+\b', script)}
+    data = json.loads(own)
+    words = {key: text for key, text in data["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
+    return with_own(script, data | {"words": words})
 
 
 def _said(
