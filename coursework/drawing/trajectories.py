@@ -70,7 +70,7 @@ def draw_positions(mechanism: Mechanism, equations: VelocityEquations, period: M
         middle = board.put(complex(np.mean(poses.at[numbered])))
         for place, row in enumerate(rows[1:], start=2):
             at = board.put(complex(poses.at[numbered][row]))
-            sheet.circle(at, 0.5, 'fill="black" stroke="none"')
+            sheet.circle(at, 0.5, 'fill="black"')
             sheet.label((str(place), "", ""), [(at, at - middle, 0.8)])
     sheet.axes()
     last = float(period.t[-1])
@@ -122,7 +122,7 @@ def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
     pace = next(k for k in _paces() if len(rows) / k <= MOST_MARKED)
     tip_of = [pole + complex(z / speed).conjugate() for z in rows]
     for tip in tip_of:
-        sheet.circle(tip, 0.55, f'fill="black" stroke="none" data-tip="{number(tip.real)} {number(tip.imag)}"')
+        sheet.circle(tip, 0.55, f'fill="black" data-tip="{number(tip.real)} {number(tip.imag)}"')
     placed: list[complex] = []
     for row in range(0, len(rows), pace):
         if all(abs(tip_of[row] - other) > 2.0 for other in placed):  # the last row of a period repeats the first

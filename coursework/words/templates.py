@@ -27,7 +27,8 @@ _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
 _UNBROKEN = rf"[^\s{HAN_HERE}-]{{25,}}"
 _SHORT = 24  # characters, below which no word needs a place to break
 _PIECE = re.compile(r"\S{1,12}")
-_BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,])\s*|(?<=:)\s+""", re.DOTALL)  # of a stylesheet
+# Of a stylesheet: remarks, what stands around marks, zeros and marks that say nothing.
+_BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,>])\s*|(?<=:)\s+|(?<=[\s,(:])0(?=\.\d)|^\s+""", re.DOTALL | re.MULTILINE)
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
@@ -80,7 +81,7 @@ def _look(place: Path, *names: str) -> str:
     from markupsafe import Markup
 
     texts = ((place / f"{name}.css").read_text(encoding="utf-8") for name in ("look", *names))
-    return Markup(_BARE.sub(lambda found: found[1] or found[2] or "", "".join(texts)))
+    return Markup(_BARE.sub(lambda found: found[1] or found[2] or "", "".join(texts)).replace(";}", "}"))
 
 
 def unreadable(piece: Path) -> Fault | None:

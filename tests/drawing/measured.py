@@ -6,6 +6,7 @@ Enters: SVG text.  Leaves: boxes and lines in mm.
 from __future__ import annotations
 
 import itertools
+import re
 from dataclasses import dataclass
 from functools import cache
 from xml.etree import ElementTree
@@ -75,6 +76,16 @@ def words(svg: str) -> list[Word]:
                 x, top, bottom = x + wide, min(top, base - up), max(bottom, base - down)
         back = (x - left) * {"middle": 0.5, "end": 1.0}.get(node.get("text-anchor", "start"), 0.0)
         found.append(Word("".join(node.itertext()), (left - back, top, x - back, bottom)))
+    return found
+
+
+def points(way: str) -> list[complex]:
+    """Return the corners of a path of places and steps (M, L, m, l, Z) in mm, y down."""
+    found: list[complex] = []
+    for kind, told in re.findall(r"([MLml])([^A-Za-z]*)", way):
+        numbers = [float(number) for number in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", told)]
+        for x, y in zip(numbers[::2], numbers[1::2], strict=True):
+            found.append(complex(x, y) + (found[-1] if kind.islower() and found else 0))
     return found
 
 

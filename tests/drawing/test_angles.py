@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-import re
 from xml.etree import ElementTree
 
 import pytest
@@ -26,7 +25,7 @@ def svg_of(name: str, **changes: str) -> str:
 
 def arc_of(svg: str, letter: str) -> list[complex]:
     [path] = [node for node in ElementTree.fromstring(svg).iter() if node.get("data-angle") == letter]
-    return [complex(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d", ""))]
+    return measured.points(path.get("d", ""))
 
 
 def turned(points: list[complex]) -> float:

@@ -31,7 +31,7 @@ def path(svg: str, key: str, value: str) -> np.ndarray:
     """Return the points of a curve (mm, y down)."""
     found = [node for node in ElementTree.fromstring(svg).iter() if node.get(key) == value]
     assert len(found) == 1
-    return np.array([complex(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", found[0].get("d", ""))])
+    return np.array(measured.points(found[0].get("d", "")))
 
 
 @pytest.mark.parametrize("name", sampled(names()))

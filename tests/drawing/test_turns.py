@@ -125,7 +125,7 @@ def test_an_angle_is_drawn_in_its_positive_sense_and_one_of_nought_is_told(degre
 def test_an_arrow_ends_each_arc() -> None:
     svg = drawing_of("31").svg
     heads = [node.get("d", "") for node in ElementTree.fromstring(svg).iter() if node.get("fill") == "black" and node.get("d")]
-    tips = [complex(*map(float, head[1:].split("L")[0].split())) for head in heads]
+    tips = [measured.points(head)[0] for head in heads]
     for name in ("phi1", "phi2", "phi3"):
         assert min(abs(tip - arc_of(svg, name)[-1]) for tip in tips) < 1e-3
 

@@ -216,7 +216,7 @@ def _head(painter: Painter, at: complex, points: Sequence[complex]) -> None:
     behind = min(points, key=lambda point: (round(abs(abs(point - tip) - size), 9), -points.index(point)))
     along = (tip - behind) / abs(tip - behind) if tip != behind else 1j
     neck, side = tip - size * along, 0.3 * size * 1j * along
-    painter.sheet.path([tip, neck + side, neck - side], 'fill="black" stroke="none"', closed=True, blocks=False)
+    painter.sheet.path([tip, neck + side, neck - side], 'fill="black"', closed=True, blocks=False)
 
 
 def _is_shown(painter: Painter, at: complex, direction: complex, radius: float) -> bool:

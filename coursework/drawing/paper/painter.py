@@ -26,7 +26,7 @@ THIN = 'stroke="black" stroke-width="0.2"'
 FRAME = 'stroke="black" stroke-width="0.35"'
 OUTLINE = 'fill="none" stroke="black" stroke-width="0.35"'
 RING = 'fill="white" stroke="black" stroke-width="0.35"'
-DOT = 'fill="black" stroke="none"'
+DOT = 'fill="black"'
 BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
 RAIL, LEAST_RAIL = 9.0, 5.0  # mm of a rail beyond the farthest place of its slider; no less
@@ -209,7 +209,7 @@ class Painter:
         arms = [self.at[name] - self.at[b] for name in (a, c)]
         if all(arms) and abs((arms[0].conjugate() * arms[1]).imag) > 0.05 * abs(arms[0]) * abs(arms[1]):
             tips = [self.at[b] + arm / abs(arm) * min(5.0, abs(arm)) for arm in arms]
-            self.sheet.path([self.at[b], *tips], 'fill="#999" stroke="none"', closed=True)
+            self.sheet.path([self.at[b], *tips], 'fill="#999"', closed=True)
 
     def wheel(self, wheel: Wheel) -> None:
         """Draw a wheel with the radius to its contact."""
@@ -250,7 +250,7 @@ class Painter:
             self.sheet.path(corners, RING, closed=True)
             return
         name = f' data-sleeve="{plain(block.link)}"'
-        self.sheet.path(corners, f'fill="white" stroke="none"{name}', closed=True)
+        self.sheet.path(corners, f'fill="white"{name}', closed=True)
         for side in (high, -high):
             self.sheet.line(at - long + side, at + long + side, 'stroke="black" stroke-width="0.5"')
 

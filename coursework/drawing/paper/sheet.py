@@ -15,11 +15,13 @@ import numpy as np
 
 from coursework.drawing.paper.cover import Rectangle, Segment
 from coursework.drawing.paper.placing import BEYOND, MARGIN, Owner, Place, Taken
+from coursework.drawing.paper.ways import numbers_of, way
 
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
 SMALL_LETTER = 3.0  # mm, 8.5 pt, and 11 px where the screen shows the drawing at its size: as small as a word gets
 SIZES = (LETTER, 2.3, SMALL_LETTER)  # mm: of a word, of what is set lower, of what follows
+DECIMALS = 3  # of a mm: 1 µm is finer than paper or screen show
 BROAD = frozenset("MWmwωΩΨΦφψЖШЩЮФМжшщюфмы%@…—=+−<>")
 NARROW = frozenset(" \u00a0.,:;/|!'()[]ijl")
 HEAVIER = 1.1  # times as wide as it else is: a bold word
@@ -55,8 +57,8 @@ def _wide(letter: str) -> float:
     return 0.9 if letter in BROAD else 0.42 if letter in NARROW else 0.71 if letter.isupper() else 0.64
 
 
-def number(value: float, decimals: int = 3) -> str:
-    """Return a coordinate to 1 µm, finer than paper or screen show, without a minus before zero."""
+def number(value: float, decimals: int = DECIMALS) -> str:
+    """Return a coordinate, without a minus before zero."""
     text = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
 
@@ -118,7 +120,7 @@ class Sheet:
         neck = b - along * min(head, abs(b - a))
         self.line(a, neck, pen, data, heavy=heavy)
         side = 0.32 * head * 1j * along
-        self.path([b, neck + side, neck - side], f'fill="black" stroke="none"{data}', closed=True)
+        self.path([b, neck + side, neck - side], f'fill="black"{data}', closed=True)
 
     def vector(self, a: complex, b: complex, pen: str, data: str) -> None:
         """Draw the arrow of a vector; a short one that lies along a heavy line gets a white band, or it would not be seen."""
@@ -147,9 +149,9 @@ class Sheet:
             corner = complex(left, bottom)
         at = corner + complex(1, high - 1.5)
         pen = 'stroke="black" stroke-width="0.2"'
-        for way, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
-            self.arrow(at, at + way, pen, head=1.6)
-            self.text(at + way + shift, (name, "", ""), ITALIC)
+        for toward, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
+            self.arrow(at, at + toward, pen, head=1.6)
+            self.text(at + toward + shift, (name, "", ""), ITALIC)
         self.words.append((corner.real, corner.imag, corner.real + wide, corner.imag + high))
 
     def hatch(self, a: complex, b: complex, away: complex) -> None:
@@ -161,8 +163,7 @@ class Sheet:
         lean = (away / abs(away) - along / abs(along)) * 1.3
         strokes = [(a + (k + 0.5) * along, a + (k + 0.5) * along + lean) for k in range(count)]
         kept = [(p, q) for p, q in strokes if inside(p, q, self.field)]
-        text = "".join(f"M{number(p.real)} {number(p.imag)}l{number(lean.real)} {number(lean.imag)}" for p, q in kept)
-        self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
+        self.items.append(f'<path d="{_strokes([p for p, _ in kept], lean)}" fill="none" stroke="black" stroke-width="0.15"/>')
         self.segments += kept
 
     def label(self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0, owner: Owner | None = None) -> Place:
@@ -207,7 +208,8 @@ class Sheet:
         if low and tail and not tail[0].isspace():
             raised += ' dx="0.5"'  # else the halo of what follows eats the subscript
         beside = f'<tspan{raised} font-size="{SIZES[2]}"{upright}>{tail}</tspan>' if tail else ""
-        place = f'x="{number(at.real)}" y="{number(at.imag)}" font-size="{size}"'
+        high = "" if size == LETTER else f' font-size="{size}"'
+        place = f'x="{number(at.real)}" y="{number(at.imag)}"{high}'
         self.items.append(f'<text class="halo" {place}{" " if look else ""}{look}>{head}{below}{beside}</text>')
 
     def sense(self, at: complex, turn: int, radius: float = 2.3) -> None:
@@ -217,13 +219,14 @@ class Sheet:
         self.path(arc, 'fill="none" stroke="black" stroke-width="0.3"', blocks=False)
         along = (arc[-1] - arc[-2]) / abs(arc[-1] - arc[-2])
         tip = arc[-1] + 1.7 * along
-        self.path([tip, arc[-1] + 0.9j * along, arc[-1] - 0.9j * along], 'fill="black" stroke="none"', closed=True, blocks=False)
+        self.path([tip, arc[-1] + 0.9j * along, arc[-1] - 0.9j * along], 'fill="black"', closed=True, blocks=False)
 
     def svg(self) -> str:
         """Return the drawing."""
         width, height = number(self.width, 4), number(self.height, 4)  # what stands below begins where this ends
         return "\n".join((
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">',
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}" '
+            f'font-size="{LETTER}">',
             f'{HALO}<g font-family="{FONT}" fill="black" stroke-linecap="round">',
             *self.items,
             "</g>",
@@ -232,7 +235,20 @@ class Sheet:
 
 
 def _way(points: Sequence[complex]) -> str:
-    return "M" + "L".join(f"{number(p.real)} {number(p.imag)}" for p in points)
+    return way([np.real(points), np.imag(points)], decimals=DECIMALS) if points else "M"
+
+
+def _strokes(begins: Sequence[complex], lean: complex) -> str:
+    """Return the d of strokes that all go as far; behind the first each begins from the end of the one before."""
+    part = 10**DECIMALS
+    stroke = round(part * lean.real), round(part * lean.imag)
+    x = y = 0
+    text = ""
+    for begin in begins:
+        to_x, to_y = round(part * begin.real), round(part * begin.imag)
+        text += f"m{numbers_of((to_x - x, to_y - y, *stroke), DECIMALS)}"
+        x, y = to_x + stroke[0], to_y + stroke[1]
+    return text
 
 
 def middle_of(points: Iterable[complex]) -> complex:

@@ -24,12 +24,13 @@ def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
     if not path.startswith(_BEGIN):
         raise ValueError("Typst's path begins elsewhere than this version of it wrote")
     at, pen = (x, y), (round(x), round(y))
-    begin, found = (at, pen), ""
+    begin, found, said, last = (at, pen), "", "", (0, 0)
     for command, told in _COMMAND.findall(path.removeprefix(_BEGIN).replace("Z", "z")):
         numbers = [UNITS * float(number) for number in told.split()]
         if command == "z":
             at, pen = begin
             found += command
+            said = command
             continue
         if command in "hv":
             numbers.insert(command == "h", 0.0)
@@ -38,6 +39,12 @@ def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
         at, pen = points[-1], (pen[0] + steps[-1][0], pen[1] + steps[-1][1])
         if command == "m":
             begin = at, pen
+        if command == "c":
+            handle, last = last, (steps[2][0] - steps[1][0], steps[2][1] - steps[1][1])
+            if steps[0] == handle and said in ("c", "s"):  # as far as the curve before it ended
+                command, steps = "s", steps[1:]
         written = [steps[0][command == "v"]] if command in "hv" else [number for step in steps for number in step]
-        found += command + "".join(f" {number}" if number >= 0 else str(number) for number in written).lstrip()
+        text = "".join(f" {number}" if number >= 0 else str(number) for number in written)
+        found += text if command == said != "m" else command + text.lstrip()  # once for all that follow; behind m stand lines
+        said = command
     return found

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from string import ascii_uppercase
+from string import ascii_letters
 from sys import intern
 
 from coursework.report.formulas.line_breaks import pieces
@@ -34,6 +34,7 @@ _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
 # A marker is drawn in units of its line, which is 1 wide.
 MARKERS = ".math{width:var(--wide)}.formula .math,.math{fill:none}marker{overflow:visible}"
+_LETTERS = ascii_letters.swapcase()  # the names of glyphs, the commonest first
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
 
@@ -76,7 +77,7 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
         glyphs |= _cache[looks, piece][1]
     uses = Counter(glyph for piece in wanted for glyph in _NAMED.findall(_cache[looks, piece][0].svg))
     often = sorted(glyphs, key=lambda glyph: (-uses[glyph], glyph))
-    names = {glyph: ascii_uppercase[place : place + 1] or f"g{place}" for place, glyph in enumerate(often)}
+    names = {glyph: _LETTERS[place : place + 1] or f"g{place}" for place, glyph in enumerate(often)}
     common = [_marker(name, glyphs[glyph]) for glyph, name in names.items()]
     style = "".join(f".{name}{{marker-mid:url(#{name})}}" for name in names.values())
     drawn: dict[str, Picture] = {}
@@ -113,15 +114,15 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     ]
     # Heights are counted from the line on which most letters stand: there they are 0.
     line = Counter(y for _, _, y in placed).most_common(1)[0][0] if placed else 0
-    places: dict[str, list[str]] = {}
+    places: dict[str, list[tuple[int, int]]] = {}
     for glyph, x, y in placed:
-        places.setdefault(glyph, []).append(f"{x} {y - line}")
+        places.setdefault(glyph, []).append((x, y - line))
     bars = _BAR.sub(lambda bar: _bar(bar, line), _NOTHING.sub("", _RUN.sub("", body)))
     if "<use" in bars or "transform" in bars or not places.keys() <= glyphs.keys():
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
     size = f'style="--wide:{wide:.2f}pt"'
     # Two digits more than eyes need: lines of words beside a formula stand on whole pixels by its height.
-    head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.8g} {UNITS * high:.8g}" {size} aria-hidden="true">'
+    head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.7g} {UNITS * high:.7g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())
     return Picture(f"{head}{letters}{bars.strip()}</svg>"), glyphs
 
@@ -142,6 +143,11 @@ def _marker(glyph: str, path: str) -> str:
     return f'<marker id="{glyph}"><path d="{outline(path)}"/></marker>'
 
 
-def _set(glyph: str, places: list[str]) -> str:
+def _set(glyph: str, places: list[tuple[int, int]]) -> str:
     """Return a line that nobody sees with the glyph at each of its corners; its ends bear none."""
-    return f'<path class="{glyph}" d="M0 0 {" ".join(places)}z"/>'
+    way, height, level = "M0 0", 0, False
+    for x, y in places:
+        level, before = y == height, level
+        way += f"{' ' if before else 'H'}{x}" if level else f"{'L' if before else ' '}{x} {y}"
+        height = y
+    return f'<path class="{glyph}" d="{way.replace(" -", "-")}z"/>'

@@ -9,6 +9,7 @@ from html import escape
 
 import numpy as np
 
+from coursework.drawing.paper.ways import way
 from coursework.effects.analysis import ForceAnalysis
 from coursework.report.graphs.graph_paper import (
     BOTTOM,
@@ -28,7 +29,6 @@ from coursework.report.graphs.graph_paper import (
     round_ticks,
     sheet,
     tick_texts,
-    way,
     words,
 )
 from coursework.report.graphs.graph_paper import Field as Paper

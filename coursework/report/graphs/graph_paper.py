@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from functools import cache
 from html import escape
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
+from coursework.drawing.paper.ways import numbers_of, way
 from coursework.motion.integration.hermite import hermite
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
@@ -92,10 +92,14 @@ class Field:
         off = np.abs(steps).max(axis=(1, 2))
         at = np.rint(100 * points[0]).astype(int)
         drawn = way([points[:1, 0], points[:1, 1]])
+        last = None  # from the second handle of the cubic before to its end: the next one goes on as far
         for piece, corners, is_line in zip(pieces, ends, off > BESIDE_CURVE, strict=True):
             steps = np.rint(100 * (piece if is_line else corners)[1:]).astype(int)
             told = np.diff(np.vstack([at, steps]), axis=0) if is_line else steps - at
-            drawn += ("l" if is_line else "c") + "".join(map(_hundredths, told.ravel().tolist())).lstrip()
+            goes_on = last is not None and bool((told[0] == last).all())
+            command, told = ("l", told) if is_line else ("s", told[1:]) if goes_on else ("c", told)
+            last = None if is_line else told[-1] - told[-2]
+            drawn += command + numbers_of(told.ravel().tolist())
             at = steps[-1]
         return drawn
 
@@ -167,28 +171,6 @@ def dots(field: Field, t: Array, values: Array) -> str:
     t, values = sparse(t, MOST_DOTS), sparse(values, MOST_DOTS)
     known = np.isfinite(values)
     return way([field.x(t[known]), field.y(values[known])], "m", "h0") + "h0" if known.any() else ""
-
-
-def way(at: Sequence[Array], move: str = "l", between: str = "") -> str:
-    """Return the d of steps from point to point, x and y in mm, in hundredths; `between` stands after each but the last.
-
-    >>> way([np.array([13.5, 13.84, 14.18]), np.array([22.674, 22.36, 22.36])])
-    'M13.5 22.67l.34-.31 .34 0'
-    """
-    x, y = np.rint(100 * np.stack(at)).astype(int)
-    steps = zip(np.diff(x).tolist(), np.diff(y).tolist(), strict=True)
-    told = [_hundredths(dx) + _hundredths(dy) for dx, dy in steps]
-    begin = f"M{(_hundredths(int(x[0])) + _hundredths(int(y[0]))).lstrip()}"
-    if between:
-        return begin + "".join(f"{between}{move}{step.lstrip()}" for step in told)
-    return begin + (move + "".join(told).lstrip() if told else "")
-
-
-@cache
-def _hundredths(number: int) -> str:
-    """Return a number of hundredths as it stands behind another, as short as SVG reads it: " .34", "-.3"."""
-    text = f"{abs(number) / 100:.2f}".rstrip("0").rstrip(".")
-    return ("-" if number < 0 else " ") + (text.removeprefix("0") or "0")
 
 
 def letters(symbol: Symbol) -> str:

@@ -11,7 +11,8 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from coursework.report.graphs.graph_paper import APART, FACE, INK, LETTERS, TICK, way, words
+from coursework.drawing.paper.ways import way
+from coursework.report.graphs.graph_paper import APART, FACE, INK, LETTERS, TICK, words
 from coursework.report.text.numbers import superscript
 from coursework.system.frozen import frozen
 

@@ -5,10 +5,12 @@ Enters: a `SceneRun`, the words of a language, the writers of symbols and units.
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -21,7 +23,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
 from coursework.report.live.functions import Functions, live_functions, tableau
-from coursework.report.live.script import embedded, hash_of, packed, script_of, shortened
+from coursework.report.live.script import embedded, hash_of, packed, script_of, shortened, with_own
 from coursework.report.text.tables import given_constants
 from coursework.report.text.words import Words
 from coursework.scene.quantities import ENERGY, FORCES
@@ -35,6 +37,7 @@ from coursework.words.sentences import Phrases, load_phrases
 MOST_BYTES, MOST_ROWS = 60 * 1024, 512
 FINE = 16  # points of the true motion from row to row, as laboratory_motion.js makes them
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
+_SAME = ("words", "schemes")  # data that are those of every page in a language
 _PUT_TOGETHER = ("scheme_", "on_", "off_")  # words whose keys a script puts together
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
@@ -89,7 +92,6 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
             if part.size <= MOST_BYTES:
                 return part
     script = script_of("", _RECORDED)
-    said = _asked(said, script)
     room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
     part = _part(run, phrases, script, said | frames_of(run, drawn, room))
     forces = run.variant.forces
@@ -112,19 +114,29 @@ def _laboratories(
         data = own | live_numbers(run, found.functions) | {"sliders": sliders_of(heavy, unit)} | found.numbers
         data |= {"given": heavy.variant.values, "given_order": list(heavy.variant.values)}
         script = script_of(shortened(found.functions.text), found.pieces(_LABORATORY))
-        part = _part(run, phrases, script, _asked(data, script) | {"most_cells": MOST_CELLS}, laboratory=True)
+        part = _part(run, phrases, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
         yield replace(part, forces=True)
     if laws:
         functions = live_functions(run.scene, drawn.places)
         data = said | live_numbers(run, functions) | {"sliders": sliders_of(run, unit), "given_order": list(run.variant.values)}
         script = script_of(functions.text, _LABORATORY)
-        yield _part(run, phrases, script, _asked(data, script) | {"most_cells": MOST_CELLS}, laboratory=True)
+        yield _part(run, phrases, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
 
 
 def _part(run: SceneRun, phrases: Phrases, script: str, data: dict[str, Any], *, laboratory: bool = False) -> LivePart:
+    script = _speaking(script, embedded({key: data.pop(key) for key in _SAME if key in data}))
     mark = phrases.template("decimal")
     speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
     return LivePart(_words(phrases), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), embedded(data))
+
+
+@lru_cache(maxsize=16)
+def _speaking(script: str, own: str) -> str:
+    """Return a script with data of its own, without the words that it never names: those stand in the page itself."""
+    named = {*re.findall(r'(?<=["]|[.])\w+\b', script)}
+    data = json.loads(own)
+    words = {key: text for key, text in data["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
+    return with_own(script, data | {"words": words})
 
 
 def _said(
@@ -147,13 +159,6 @@ def _said(
         "decimal": phrases.template("decimal"),
         "language": phrases.language,
     }
-
-
-def _asked(data: dict[str, Any], script: str) -> dict[str, Any]:
-    """Return the data without the words that the script never names: those stand in the page itself."""
-    named = {*re.findall(r'(?<=["]|[.])\w+\b', script)}
-    words = {key: text for key, text in data["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
-    return data | {"words": words}
 
 
 def _words(phrases: Phrases) -> dict[str, str]:

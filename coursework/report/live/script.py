@@ -30,6 +30,7 @@ _BESIDE = re.compile(rf" (?={_SIGN})|(?<={_SIGN}) ")
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 _KEPT = ("do", "if", "in", "of", "as", "const", "return")
 _TOGETHER = re.compile(r"(?:^const [^\n]*;\n)+(?!const)", re.MULTILINE)
+_READING = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
 _NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$", re.MULTILINE)  # lines of comment, empty ones, margins
 
 
@@ -45,9 +46,13 @@ def script_of(functions: str, pieces: Sequence[str]) -> str:
 def _whole(functions: str, pieces: tuple[str, ...]) -> str:
     first, *others = pieces
     functions = _tight(functions)
-    reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
-    whole = "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
+    whole = "\n".join(("(() => {", '"use strict";', _READING, first, functions, *others, "})();"))
     return _NEEDLESS.sub("", whole)
+
+
+def with_own(script: str, own: Mapping[str, Any]) -> str:
+    """Return a script that adds to the data of the page what every page of its kind has: it is packed, they are not."""
+    return script.replace(_READING, f"{_READING}Object.assign(data,{embedded(own)});", 1)
 
 
 def shortened(functions: str) -> str:

@@ -12,7 +12,7 @@ from xml.etree import ElementTree  # of our own SVG: its words are escaped, and 
 from coursework.system.frozen import frozen
 
 _SVG = "{http://www.w3.org/2000/svg}"
-_STEP = re.compile(r"([MLlHhVvZz])([^MLlHhVvZz]*)")
+_STEP = re.compile(r"([MmLlHhVvZz])([^MmLlHhVvZz]*)")
 _NUMBER = re.compile(r"-?[\d.]+(?:e-?\d+)?")
 SAME = 0.02  # mm: two places that are one
 HEAD_CORNERS = 3
@@ -154,7 +154,7 @@ def _paths(element: ElementTree.Element, height: float) -> Iterator[Shape]:
     pen, fill = _pen(element), _fill(element)
     leans = {complex(round((points[1] - points[0]).real, 3), round((points[1] - points[0]).imag, 3)) for points, _ in pieces
              if len(points) == 2}  # fmt: skip
-    if "l" in element.get("d", "") and len(leans) == 1 and all(len(points) == 2 for points, _ in pieces):
+    if element.get("d", "").startswith("m") and len(leans) == 1 and all(len(points) == 2 for points, _ in pieces):
         yield Hatching(tuple(points[0] for points, _ in pieces), leans.pop(), pen)
         return
     for points, closed in pieces:
@@ -166,15 +166,18 @@ def _pieces(way: str, height: float) -> Iterator[tuple[tuple[complex, ...], bool
     points: list[complex] = []
     for letter, rest in _STEP.findall(way):
         numbers = list(map(float, _NUMBER.findall(rest)))
-        at = points[-1] if points else 0j
+        at = points[-1] if points else complex(0.0, height)
         if letter in "Zz":
             yield tuple(points), True
             points = points[:1]
             continue
-        if letter == "M" and points:
+        if letter in "Mm" and points:
             if len(points) > 1:
                 yield tuple(points), False
             points = []
+        if letter == "m":  # at the beginning of a path as M; behind its place stand steps
+            points.append(at + complex(numbers[0], -numbers[1]))
+            numbers, letter = numbers[2:], "l"
         if letter in "ML":
             points += [complex(x, height - y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
         elif letter == "l":

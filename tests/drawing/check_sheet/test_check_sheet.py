@@ -124,7 +124,7 @@ def numbers(svg: str) -> list[tuple[float, float]]:
     found = [(float(i.get(f"x{k}", "")), float(i.get(f"y{k}", ""))) for i in root.iter(SVG + "line") for k in "12"]
     found += [(float(i.get("x", "")), float(i.get("y", ""))) for i in root.iter(SVG + "text")]
     for path in root.iter(SVG + "path"):
-        found += [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d", ""))]
+        found += [(place.real, place.imag) for place in measured.points(path.get("d", ""))]
     return found
 
 
@@ -178,8 +178,7 @@ def test_a_fixed_circle_stays_on_the_sheet_though_the_wheel_has_drifted() -> Non
     middle = layout.put(check.sketch.pose.positions["O"])
     assert 0 < middle.real < layout.width and 0 < middle.imag < layout.height
     assert ">O</text>" in svg
-    (arc,) = [path for path in re.findall(r'd="M([^"]*)"', svg) if path.count("L") > 20 and "M" not in path]
-    places = [complex(*map(float, pair.split())) for pair in arc.split("L")]
+    (places,) = [way for way in map(measured.points, re.findall(r'd="(M[^"]*)"', svg)) if len(way) > 21]
     assert {round(abs(place - middle) * layout.scale) for place in places} == {574}
 
 

@@ -7,7 +7,7 @@ import random
 import re
 from collections import Counter
 from collections.abc import Iterator
-from string import ascii_uppercase
+from string import ascii_lowercase, ascii_uppercase
 from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
@@ -90,15 +90,18 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
     letters = sorted({letter for page in pages for letter in re.findall(r'<symbol id="([^"]+)"', page)})
     used = Counter(letter for page in pages for letter in {glyph for glyph, *_ in placed(ElementTree.fromstring(page))})
     often = sorted(letters, key=lambda letter: (-used[letter], letter))  # the shortest names are for what stands everywhere
-    names = {letter: ascii_uppercase[place : place + 1] or f"g{place}" for place, letter in enumerate(often)}
+    names = {letter: (ascii_uppercase + ascii_lowercase)[place : place + 1] or f"g{place}" for place, letter in enumerate(often)}
     for source, typst in zip(sources, pages, strict=True):
         svg = pictures[source].svg
         assert "transform" not in svg
         top = float(re.search(r'viewBox="0 (\S+) ', svg)[1])
         found = []
-        for line in re.finditer(r'<path class="([A-Z]|g\d+)" d="M0 0 ([^"]*)z"/>', svg):
-            numbers = [float(number) for number in line[2].split()]
-            found += [(line[1], x / UNITS, (y - top) / UNITS) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+        for line in re.finditer(r'<path class="([A-Za-z]|g\d+)" d="M0 0([^"]*)z"/>', svg):
+            y = 0.0
+            for step in re.findall(r"H[^HL]*|[L -][^HL]*", line[2]):
+                numbers = [float(number) for number in re.findall(r"-?\d+", step)]
+                for x, y in [(x, y) for x in numbers] if step[0] == "H" else zip(numbers[::2], numbers[1::2], strict=True):
+                    found.append((line[1], x / UNITS, (y - top) / UNITS))
         wanted = sorted((names[glyph], x, y) for glyph, x, y in placed(ElementTree.fromstring(typst)))
         assert [glyph for glyph, _, _ in sorted(found)] == [glyph for glyph, _, _ in wanted]
         assert np.allclose([at[1:] for at in sorted(found)], [at[1:] for at in wanted], rtol=0, atol=0.501 / UNITS)
@@ -123,8 +126,9 @@ def test_no_rounding_adds_up_along_an_outline() -> None:
     steps = [(dice.choice("lhv"), round(dice.uniform(-9, 9), 5), round(dice.uniform(-9, 9), 5)) for _ in range(500)]
     way = "".join(f"{kind} {x} {y}" if kind == "l" else f"{kind} {x if kind == 'h' else y}" for kind, x, y in steps)
     exact, drawn = np.zeros(2), np.zeros(2)
-    for (kind, x, y), told in zip(steps, re.findall(r"[lhv][^a-z]+", outline("M 0 0" + way)), strict=True):
-        numbers = [float(number) for number in re.findall(r"-?\d+", told)]
+    told = iter(re.findall(r"-?\d+", outline("M 0 0" + way)))  # a command is said once for all that follow
+    for kind, x, y in steps:
+        numbers = [float(next(told)) for _ in range(2 if kind == "l" else 1)]
         exact += {"l": (x, -y), "h": (x, 0), "v": (0, -y)}[kind]
         drawn += {"l": numbers, "h": [*numbers, 0], "v": [0, *numbers]}[kind]
         assert np.abs(drawn / UNITS - exact).max() < 0.501 / UNITS

@@ -10,7 +10,8 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coursework.report.graphs.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts, way
+from coursework.drawing.paper.ways import way
+from coursework.report.graphs.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
 from coursework.report.pages import build_model
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Figure
@@ -141,16 +142,18 @@ def test_a_smooth_curve_is_told_in_cubics_and_a_kink_in_it_in_steps() -> None:
     kinked = np.where(t < 1, 0.5 * t - 0.5, np.abs(t - 1.43) - 0.43)
     for values, lines in ((t**3 / 4 - t**2 / 2, 0), (kinked, 1), (np.cos(t), 0)):
         told = field.curve(t, values)
-        assert (told.count("c"), told.count("l")) == (24 - lines, lines)
+        assert (told.count("c") + told.count("s"), told.count("l")) == (24 - lines, lines)
+        handle = 0j
         at = complex(*map(float, re.findall(r"[\d.]+", told)[:2]))
         seen = [at]
-        for kind, numbers in re.findall(r"([cl])([^cl]+)", told):
+        for kind, numbers in re.findall(r"([csl])([^csl]+)", told):
             steps = [float(number) for number in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers)]
             ends = [complex(x, y) for x, y in zip(steps[::2], steps[1::2], strict=True)]
             if kind == "l":
                 seen += [at + sum(ends[: k + 1]) for k in range(BETWEEN)]
             else:
-                a, b, c = ends
+                a, b, c = ends if kind == "c" else (handle, *ends)
+                handle = c - b
                 parts = np.arange(1, BETWEEN + 1) / BETWEEN
                 seen += [at + 3 * s * (1 - s) ** 2 * a + 3 * s**2 * (1 - s) * b + s**3 * c for s in parts]
             at = seen[-1]

@@ -163,7 +163,7 @@ def test_pdf_and_html_of_one_run_are_small(real: ModuleType) -> None:
 
 
 def test_a_page_is_light(real: ModuleType) -> None:
-    """Beside the part that moves two thirds of 311 kB are enough on a screen, on paper half of 478."""
+    """Beside the part that moves 172 of 311 kB are enough on a screen, on paper half of 478."""
     model = build_model(real.full())
-    assert len(render_html(model).encode()) < 200_000
+    assert len(render_html(model).encode()) < 172_000
     assert len(render_pdf(model)) < 239_000

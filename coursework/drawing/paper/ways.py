@@ -1,0 +1,42 @@
+"""Lines as SVG writes them shortest: by steps, each number with the digits it needs and no more.
+
+Enters: points in mm.  Leaves: the d of a path.  Used by `sheet.py` and by the graphs of `report/` and `grading/`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import cache
+
+import numpy as np
+
+from coursework.system.arrays import Array
+
+
+def way(at: Sequence[Array], move: str = "l", between: str = "", decimals: int = 2) -> str:
+    """Return the d of steps from point to point, x and y in mm; `between` stands after each but the last.
+
+    Places are rounded, not steps, so that nothing adds up along a line.
+
+    >>> way([np.array([13.5, 13.84, 14.18]), np.array([22.674, 22.36, 22.36])])
+    'M13.5 22.67l.34-.31 .34 0'
+    """
+    x, y = np.rint(10**decimals * np.stack(at)).astype(int)
+    steps = zip(np.diff(x).tolist(), np.diff(y).tolist(), strict=True)
+    told = ["".join(_behind(number, decimals) for number in step) for step in steps]
+    begin = f"M{numbers_of((int(x[0]), int(y[0])), decimals)}"
+    if between:
+        return begin + "".join(f"{between}{move}{step.lstrip()}" for step in told)
+    return begin + (move + "".join(told).lstrip() if told else "")
+
+
+def numbers_of(numbers: Iterable[int], decimals: int = 2) -> str:
+    """Return numbers of hundredths, or of smaller parts, one behind the other."""
+    return "".join(_behind(number, decimals) for number in numbers).lstrip()
+
+
+@cache
+def _behind(number: int, decimals: int) -> str:
+    """Return a number as it stands behind another, as short as SVG reads it: " .34", "-.3"."""
+    text = f"{abs(number) / 10**decimals:.{decimals}f}".rstrip("0").rstrip(".")
+    return ("-" if number < 0 else " ") + (text.removeprefix("0") or "0")
