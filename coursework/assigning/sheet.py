@@ -44,11 +44,7 @@ def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plai
         "start": start_rows(handout, words),
         "drive": shown,
         "laws": [lettered(variant, text) for text in told],
-        "senses": {
-            "heads": [words(f"sheet.sense.{key}") for key in ("symbol", "what", "from", "positive")],
-            "rows": sense_rows(handout, words),
-            "notes": [lettered(variant, text) for text in _sense_notes(handout, words, rubric)],
-        },
+        "senses": _senses(handout, words, rubric),
         "do": [lettered(variant, text) for text in _tasks(handout, words)],
         "hand_in": [_told(variant, text) for text in _parts(handout, words, rubric)],
         "files": [_told(variant, text) for text in _files(handout, words, rubric)],
@@ -182,9 +178,23 @@ def _digits(handout: Handout, words: Words) -> str:
     return words.sentences(told)
 
 
-def _sense_notes(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
-    """Return what holds for all signs: how the axes lie, and that turning counted clockwise is read too, where it is."""
-    turning = any(handout.variant.unit_of(name) in {"rad", "rad/s"} for name in handout.variant.columns)
+def _senses(handout: Handout, words: Words, rubric: Rubric) -> Plain:
+    """Return the table of senses, without the column that says nothing of any, and the notes below it."""
+    rows = sense_rows(handout, words)
+    heads = [words(f"sheet.sense.{key}") for key in ("symbol", "what", "from", "positive")]
+    untold = lettered(handout.variant, words("sheet.sense.untold"))
+    notes = _sense_notes(handout, words, rubric, any(row[-1] != untold for row in rows))
+    kept = [place for place in range(len(heads)) if any(row[place] for row in rows)]
+    return {
+        "heads": [heads[place] for place in kept],
+        "rows": [[row[place] for place in kept] for row in rows],
+        "notes": [lettered(handout.variant, text) for text in notes],
+    }
+
+
+def _sense_notes(handout: Handout, words: Words, rubric: Rubric, told: bool) -> list[str]:
+    """Return what holds for all signs: how the axes lie, and that turning counted clockwise is read too, where signs are told."""
+    turning = told and any(handout.variant.unit_of(name) in {"rad", "rad/s"} for name in handout.variant.columns)
     arcs = handout.mechanism is not None and "data-angle" in handout.mechanism.svg
     return [
         words("sheet.sense.axes_arcs" if arcs else "sheet.sense.axes"),

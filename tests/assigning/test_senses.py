@@ -13,6 +13,7 @@ import pytest
 
 import coursework
 from tests.command import call
+from tests.grading.marking.machines import PULLED_BARS
 
 OWN = Path(__file__).parent / "own"
 RANGES = {
@@ -153,3 +154,17 @@ def test_what_the_rubric_does_not_mark_a_person_does(tmp_path):
     assert told.exit_code == 2
     assert "w33" in told.output
     assert not (tmp_path / "other").exists()
+
+
+def test_a_sheet_of_equations_alone_says_nothing_of_signs_above(tmp_path):
+    """No geometry, so from where an angle is counted nobody can say: no empty column, no signs "those above"."""
+    (tmp_path / "own.toml").write_bytes(PULLED_BARS.strip())
+    (tmp_path / "ranges.toml").write_text('[given]\nV = { choice = ["0.85 m/s", "0.95 m/s"] }\n[difficulty]\nband = 9\n')
+    (tmp_path / "roster.csv").write_text("id,name,email\nada,Ada,a@x\n")
+    result = call("assign", tmp_path / "roster.csv", "--template", tmp_path / "own.toml", "--ranges", tmp_path / "ranges.toml",
+                  "--seed", "1", "--out", tmp_path / "out")  # fmt: skip
+    assert result.exit_code == 0, result.output
+    page = (tmp_path / "out" / "sheets" / "ada.html").read_text(encoding="utf-8")
+    assert rows_of(page)[0] == ["φ1, ω1", "angle, its rate", "ask your teacher"]
+    assert "measured from" not in page
+    assert "those above" not in page

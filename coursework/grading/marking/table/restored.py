@@ -28,6 +28,8 @@ _PASSES = 2
 _AGREE, _FEW = 2, 0.75
 # So many of the longest steps of its column it may lie from the rows beside.
 _FAR = 2.0
+# A span wider than this part of that step meets others by chance.
+_NARROW = 0.2
 # What a cell was is told by cells that it leaves no more open than so many times what is usual in their column.
 _USUAL = 4.0
 # How often what a cell was is mended until they do, with slopes over so small a part.
@@ -148,11 +150,16 @@ def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> tuple[StudentTabl
 
 def _beside(key: Key, guess: StudentTable, printed: StudentTable) -> Flags:
     """Return where guesses (n, m + r) lie near what is printed in rows above or below: roots of chance lie anywhere."""
-    far, close = _FAR * np.max(np.abs(np.diff(key.table, axis=0)), axis=0, initial=0.0), np.zeros(key.table.shape, dtype=bool)
+    far, close = _FAR * _longest_steps(key), np.zeros(key.table.shape, dtype=bool)
     for by in (1, 2):
         close[by:] |= near(guess.values[by:], printed.values[:-by], far)
         close[:-by] |= near(guess.values[:-by], printed.values[by:], far)
     return close
+
+
+def _longest_steps(key: Key) -> Array:
+    """Return by how much each column (m + r,) changes from row to row at the most."""
+    return np.asarray(np.max(np.abs(np.diff(key.table, axis=0)), axis=0, initial=0.0))
 
 
 def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Places, places: Places) -> tuple[Array, Counts]:
@@ -196,6 +203,7 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Place
     cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 2)])[used]  # each is made in two ways
     cells = np.concatenate([cells, np.full(len(own.tried), r + m)])
     meet = (low[:, :, None] <= low[:, None]) & (low[:, None] <= high[:, :, None])  # (place, span, where one begins, row)
+    meet &= (high - low <= _NARROW * _longest_steps(key)[places, None, None])[:, :, None]
     counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
     best, (place, row) = counts.argmax(axis=1), np.ogrid[: shape[0], : shape[2]]
     to = np.min(np.where(meet[place, :, best, row], high.transpose(0, 2, 1), np.inf), axis=-1)
