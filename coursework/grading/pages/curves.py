@@ -9,7 +9,6 @@ from html import escape
 
 import numpy as np
 
-from coursework.drawing.paper.ways import way
 from coursework.report.graphs.graph_paper import EXACT_PEN, MOST_DOTS, axes, dots, field_for, letters, sparse
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol, symbol

@@ -5,7 +5,7 @@ Enters: checked sections.  Leaves: `Forces`; faults stay with the `Parts`.  Used
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
