@@ -101,7 +101,9 @@ def _laboratories(
     run: SceneRun, drawn: Drawn, said: dict[str, Any], phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
 ) -> Iterator[LivePart]:
     """Yield the laboratory of a run: with forces where they are asked for, without them."""
-    if not run.scene.follows_laws or (run.variant.forces is not None and (run.asks(FORCES) or run.asks(ENERGY))):
+    forces, laws = run.variant.forces, run.scene.follows_laws
+    # The script of a page moves no mechanism against friction: there the rows alone are shown.
+    if forces is not None and ((run.asks(FORCES) or run.asks(ENERGY)) if laws else not forces.friction):
         from coursework.report.live.by_forces import moved_by, said_of
 
         found = moved_by(run, drawn.places)
@@ -112,7 +114,7 @@ def _laboratories(
         script = script_of(shortened(found.functions.text), found.pieces(_LABORATORY))
         part = _part(run, phrases, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
         yield replace(part, forces=True)
-    if run.scene.follows_laws:
+    if laws:
         functions = live_functions(run.scene, drawn.places)
         data = said | live_numbers(run, functions) | {"sliders": sliders_of(run, unit), "given_order": list(run.variant.values)}
         script = script_of(functions.text, _LABORATORY)
