@@ -149,14 +149,19 @@ equation = "a*v*cos(y) + a*u*sin(x) = 0"
 """
 
 
+@pytest.mark.parametrize(("fast", "is_seen"), [(20, True), (20_000, False)])
+def test_a_stretch_is_looked_at_in_each_piece_of_its_law(fast, is_seen):
+    found = coursework.compile_model(coursework.parse_variant(PIECES.replace("cos(20*t)", f"cos({fast}*t)"), "pieces"))
+    values = {name: np.array([value]) for name, value in found.variant.values.items()}
+    assert resolved(found.equations, values, np.array([0.0, 0.12])).all() == is_seen
+
+
 @pytest.mark.parametrize("data", [{"V": [1.0, 1.5, 30.0]}, {"late": [0.05, 0.033, 0.06]}])
 @pytest.mark.parametrize("scheme", ["euler", "rk4"])
 def test_a_drive_in_pieces(data, scheme):
     variant = coursework.parse_variant(PIECES, "pieces")
     MODELS["pieces"] = coursework.compile_model(variant)
     same("pieces", data, scheme=scheme)
-    values = {name: np.array([value]) for name, value in variant.values.items()}
-    assert resolved(MODELS["pieces"].equations, values, np.array([0.0, 0.12])).all()  # split where its pieces meet
 
 
 @pytest.mark.parametrize(
