@@ -1,6 +1,6 @@
 """Lines as SVG writes them shortest: by steps, each number with the digits it needs and no more.
 
-Enters: points in mm.  Leaves: the d of a path.  Used by `sheet.py` and by the graphs of `report/` and `grading/`.
+Enters: points in mm.  Leaves: the d of a path.  Used by `sheet.py` and by the graphs of `report/`.
 """
 
 from __future__ import annotations

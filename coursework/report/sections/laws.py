@@ -13,8 +13,8 @@ from coursework.report.formulas import typst_math
 from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
-from coursework.report.text.text_runs import runs
-from coursework.variant.formula.tree import named
+from coursework.report.text.text_runs import printed, runs
+from coursework.variant.formula.tree import named, spelled
 from coursework.variant.record.variant import Law
 from coursework.words.templates import clean
 
@@ -64,7 +64,7 @@ def moved_by_forces(context: PageContext, motor: Motor) -> list[Part]:
     told = [say("dynamics.free", rates=context.symbol_list(motor.rates))]
     told += [
         say("dynamics.motor" if one.source == FRAME else "dynamics.between", link=clean(one.on), other=clean(one.source),
-            law=typst_math.text(one.torque, context.rates))
+            law=printed(clean(spelled(one.torque))))
         for one in motor.torques if one.torque is not None
     ]  # fmt: skip
     if not motor.torques:
