@@ -158,7 +158,8 @@ def _by_row(
     times = context.numbers.times([float(t[row]) for row in kept])
     strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
     parts: list[Part] = []
-    if (pace := pace_of(len(t))) > 1:
+    is_thinned = (pace := pace_of(len(t))) > 1
+    if is_thinned:
         rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t)), "file": file}
         parts.append(Paragraph(context.say("table.thinned", **rows_of)))
     parted = pieces(grid.names)
@@ -176,7 +177,7 @@ def _by_row(
                 strong,
                 rules_for(len(rows)),
                 below,
-                whole=len(rows) <= longest,
+                whole=len(rows) <= longest and not is_thinned,
                 places=[row + 1 for row in kept],
             )
         )
