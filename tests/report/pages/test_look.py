@@ -150,6 +150,10 @@ def test_a_motion_that_stops_says_so_above_all(places: dict[str, Path], page: An
     assert page.inner_text(".bar").startswith("✗ Stops at t = 0.116889\u00a0s (dead point): 6 rows of 25.")
     order = page.evaluate("[...document.querySelectorAll('main > section')].map((one) => one.id)")
     assert order[:3] == ["statement", "dead_point", "live"]
+    # On paper its tall drawing comes before what was read: behind that it would not fit, and leave half a page empty.
+    page.emulate_media(media="print")
+    assert page.evaluate(TOP, "#graph_check h2") < page.evaluate(TOP, "#graph_check .drawing") < page.evaluate(TOP, "#graph_check .table")
+    page.emulate_media(media="screen")
 
 
 def test_the_first_wrong_cell_is_in_view_on_a_phone(places: dict[str, Path], page: Any) -> None:
