@@ -126,8 +126,11 @@ def test_the_answer_is_in_sight_and_nothing_is_marked_before_it_moves(places: di
 def test_a_drawing_too_small_to_be_read_on_a_phone_is_seen_whole_and_enlarged_where_it_is_touched(
     places: dict[str, Path], page: Any
 ) -> None:
-    page.goto(places["report"].as_uri())
     sized(page, 390)
+    page.goto(places["key"].as_uri())
+    assert page.evaluate("document.querySelector('.drawing svg').getBoundingClientRect().width") <= 390
+    assert min(high for *_, high in page.evaluate(SEEN_WORDS, ".drawing svg")) >= 9.5
+    page.goto(places["report"].as_uri())
     wide = "document.querySelector('#graph_check .drawing svg').getBoundingClientRect().width"
     assert page.evaluate(wide) <= 390
     told = "getComputedStyle(document.querySelector('#graph_check .drawing > div'), '::after').content"
@@ -152,7 +155,8 @@ def test_a_motion_that_stops_says_so_above_all(places: dict[str, Path], page: An
     assert order[:3] == ["statement", "dead_point", "live"]
     # On paper its tall drawing comes before what was read: behind that it would not fit, and leave half a page empty.
     page.emulate_media(media="print")
-    assert page.evaluate(TOP, "#graph_check h2") < page.evaluate(TOP, "#graph_check .drawing") < page.evaluate(TOP, "#graph_check .table")
+    head, drawn, read = (page.evaluate(TOP, f"#graph_check {one}") for one in ("h2", ".drawing", ".table"))
+    assert head < drawn < read
     page.emulate_media(media="screen")
 
 
