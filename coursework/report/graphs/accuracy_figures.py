@@ -34,6 +34,7 @@ ROOM_X, ROOM_Y = (0.05, 0.05), (0.04, 0.1)  # of the ranges, before and behind w
 LINE = 4.3  # mm of one line of words
 KEY_WIDE, KEY = 7.0, 8.5  # mm of a piece of a line before a name that does not stand right behind it, and to the name
 BESIDE = (1.8, 0.0)  # mm from the end of a line to its name, right behind it
+PEN = 0.42  # mm wide is every line that says nothing else
 OWN = f'fill="none" stroke="{INK}" stroke-width="0.46"'
 OWN_RADIUS = 1.9  # mm
 BAND = 'class="order" fill="#e6e6e6" stroke="#555" stroke-width="0.2"'
@@ -120,15 +121,17 @@ def chart(page: Chart) -> tuple[str, float]:
     # Marks count more than what is between them.
     dots = np.array([dot for line in drawn for dot in (*_dotted(line), *4 * line)]).reshape(-1, 2)
     ring: list[Box] = []
+    first = ""
     if own[0] is not None:
         at = (x.at(own[0]), y.at(own[1]))
         inside += f'<circle {OWN} cx="{at[0]:.2f}" cy="{at[1]:.2f}" r="{OWN_RADIUS}"/>'
         piece = f'<circle {OWN} cx="{KEY_WIDE / 2:g}" r="{OWN_RADIUS}"/>'
         ring.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
         own_name = _stands(page.labels["own_legend"], (at[0] + OWN_RADIUS, at[1]), piece, dots)[0]
-        inside += _written(own_name, piece)
+        first = _written(own_name, piece, 0)
         ring.append(own_name.box)
-    return sheet(WIDTH, HEIGHT, inside + _names(named, dots, ring)), HEIGHT
+    names = first + _names(named, dots, ring)
+    return sheet(WIDTH, HEIGHT, inside + names, f' stroke-width="{PEN}" style="--lines:{names.count("<text")}"'), HEIGHT
 
 
 def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
@@ -180,7 +183,9 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
         other = settle(kept | {k: place}, [name for name in order if name != k and name not in kept])
         if cost(other) < cost(best) - 1e-9:
             best = other
-    return "".join(_written(stands[k][best[k]], named[k][2]) for k in order)
+    chosen = [(stands[k][best[k]], named[k][2]) for k in range(len(named))]
+    belows = accumulate((len(stand.rows) for stand, _ in chosen), initial=1)
+    return "".join(_written(stand, piece, below) for (stand, piece), below in zip(chosen, belows, strict=False))
 
 
 @frozen
@@ -211,12 +216,17 @@ def _stands(text: str, place: tuple[float, float], piece: str, dots: Array) -> l
     return [Stand(every[k][3], every[k][1], every[k][2], costs[k], covered[k] > 0) for k in best]
 
 
-def _written(stand: Stand, piece: str) -> str:
+def _written(stand: Stand, piece: str, below: int) -> str:
+    """Return a name with the piece of its line before it; right behind that the piece is hidden.
+
+    A phone, too small for names in the picture, lists them with all pieces under it, each `below` so many lines.
+    """
     left, top, _, bottom = stand.box
-    shown = f'<g transform="translate({left:.2f} {(top + bottom) / 2:.2f})">{piece}</g>' if stand.before else ""
-    base, more = top + LINE / 2 + RISE * LETTERS, HALO if stand.covers else ""
-    rows = (words(left + stand.before, base + LINE * k, escape(row), more=more) for k, row in enumerate(stand.rows))
-    return shown + "".join(rows)
+    base, more = LINE / 2 + RISE * LETTERS - (bottom - top) / 2, HALO if stand.covers else ""
+    rows = (words(stand.before, base + LINE * k, escape(row), more=more) for k, row in enumerate(stand.rows))
+    at = f'style="--at:{below}" transform="translate({left:.4g} {(top + bottom) / 2:.4g})"'
+    shown = piece if stand.before else f'<g display="none">{piece}</g>'
+    return f'<g class="called{"" if stand.before else " end"}" {at}>{shown}{"".join(rows)}</g>'
 
 
 def _rows(text: str, room: float) -> tuple[str, ...]:
@@ -247,7 +257,7 @@ def _piece(mark: str, ink: str, dashes: str) -> str:
 
 
 def _pen(places: Points, ink: str, dashes: str) -> str:
-    return polyline(places, f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
+    return polyline(places, f'stroke="{ink}"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
 
 
 def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:

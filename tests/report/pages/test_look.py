@@ -130,6 +130,13 @@ def test_a_drawing_too_small_to_be_read_on_a_phone_is_seen_whole_and_enlarged_wh
     page.goto(places["key"].as_uri())
     assert page.evaluate("document.querySelector('.drawing svg').getBoundingClientRect().width") <= 390
     assert min(high for *_, high in page.evaluate(SEEN_WORDS, ".drawing svg")) >= 9.5
+    page.goto(places["accuracy"].as_uri())
+    words = page.evaluate(SEEN_WORDS, ".drawing svg")
+    assert [(one[0], two[0]) for one, two in combinations(words, 2) if meet(one, two)] == []
+    assert len({round(one[1]) for one in words if "Euler" in one[0]}) == 1  # the names are a list under the chart
+    assert min(high for *_, high in words) >= 9.5
+    ends = page.evaluate("document.querySelector('.drawing > div').getBoundingClientRect().bottom")
+    assert max(low for *_, low, _ in words) <= ends
     page.goto(places["report"].as_uri())
     wide = "document.querySelector('#graph_check .drawing svg').getBoundingClientRect().width"
     assert page.evaluate(wide) <= 390
