@@ -37,11 +37,11 @@ STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live, button)')].f
   (one) => (document.querySelector("script") || !one.matches(".drawing > div")) &&
     one.scrollWidth <= one.clientWidth + 1 && one.scrollHeight <= one.clientHeight + 1).map((one) => one.className)"""
 # Words of a drawing with their boxes and the height of their letters on the screen.
-SEEN_WORDS = """(which) => { const svg = document.querySelector(which), unit = svg.clientWidth / svg.viewBox.baseVal.width;
+SEEN_WORDS = """(which) => { const svg = document.querySelector(which);
   return [...svg.querySelectorAll("text")].filter((one) => one.getClientRects().length).map((one) => {
     const box = one.getBoundingClientRect(), down = box.height / 5;
     return [one.textContent, box.left, box.top + down, box.right, box.bottom - down,
-      unit * parseFloat(getComputedStyle(one).fontSize)]; }); }"""
+      Math.hypot(one.getScreenCTM().a, one.getScreenCTM().b) * parseFloat(getComputedStyle(one).fontSize)]; }); }"""
 SMALL = """(least) => [...document.querySelectorAll('#live :is(button, select, input)')].filter((one) => one.offsetParent).filter(
   (one) => one.getBoundingClientRect().height < least).map((one) => one.id)"""
 
