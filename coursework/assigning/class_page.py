@@ -50,7 +50,8 @@ def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, wo
     centre = assignment.acceptance.centre.numbers[name]
     banded = name in assignment.ranges.difficulty.numbers
     low, high = assignment.acceptance.band(name) if banded else (min(values), max(values))
-    ends = tuple(words.amount(words.numbers.scalar(value), MEASURES[name]) for value in (min(low, *values), max(high, *values)))
+    reach = (min(low, centre, *values), max(high, centre, *values))
+    ends = tuple(words.amount(words.numbers.scalar(value), MEASURES[name]) for value in reach)
     return {
         "title": words(f"assigned.{name}"),
         "strip": strip(values, low, high, centre, (ends[0], ends[1]), words.numbers.scalar(centre)),

@@ -55,6 +55,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "rows": _rows(handout, words),
         "marked": variant.time.check_row or 0,
         "check": _check(handout, words),
+        "enlarge": words("title.enlarge"),
     }
     drawn = pictures(mathematics([*written, *solved]))
     return fitted(filled("key.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs))
@@ -81,6 +82,7 @@ def _check(handout: Handout, words: Words) -> Plain | None:
     return {
         "heading": lettered(variant, heading),
         "svg": drawing.svg,
+        "wide": drawing.width,
         "least": least_width(drawing.svg, drawing.width),
         "says": words("key.drawn"),
         "heads": [words(f"graph.{key}") for key in READING_HEADS],

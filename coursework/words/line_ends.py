@@ -22,7 +22,7 @@ _OF_QUOTIENT = r"[\w.,;·()|²³√−-]"
 _BEGIN = rf"(?<!{_SIGN})"
 _GAP = " \u00a0\u2009\u202f"
 _NUMBER = r"(?:[−-]?\d[\d.,]*(?:·10[−-]?\d+)?|\{\w+\})"  # or the gap of a sentence that a script fills
-_NAMED = r"rad|deg|rpm|min|mm|cm|ms|µs|m|s|рад|град|мин|хв|мм|см|мкс|мс|м|с"
+_NAMED = r"[NН]|rad|deg|rpm|min|mm|cm|ms|µs|m|s|рад|град|мин|хв|мм|см|мкс|мс|м|с"
 _UNIT = rf"(?:(?:{_NAMED})(?:/(?:{_NAMED})[²2]?)?|1/(?:s|с)|%)"
 _ROW = r"(?:[Rr]ows?|[Ll]ink|[Ss]leeve|[Ww]heel|[Сс]трок\w?|[Рр]яд\w{0,3}|[Зз]вен\w{0,2}|[Лл]анк\w{0,3}|[Кк]олес\w{0,2})"
 _RELATION, _JOINED = "[=≈<>≤≥]", "[+−·×]"

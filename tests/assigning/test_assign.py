@@ -8,6 +8,7 @@ import pymupdf
 import pytest
 
 import coursework
+from coursework.report.graphs.strips import RIGHT, strip
 from tests.command import call
 from tests.grading.batch.classroom import EQUATIONS
 
@@ -138,6 +139,7 @@ def test_the_page_of_the_class_shows_how_it_spreads(out):
     assert "3 students have variants of their own from template 31, seed 2026" in page
     assert page.count('<svg class="chart strip"') == 4 + 10  # measures of difficulty, drawn data
     assert page.count("h0") == 3 * 14  # a mark each
+    assert float(strip([1.0, 2.0], 1.0, 2.0, 3.0, ("1", "3"), "3").centre) == RIGHT  # beyond the class, on the axis yet
     assert "&lt;script&gt;" in page
     assert "<script" not in page
 

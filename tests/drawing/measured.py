@@ -60,20 +60,27 @@ def words(svg: str) -> list[Word]:
     root = ElementTree.fromstring(svg)
     for hidden in root.findall(f".//{SVG}g[@display='none']"):  # what a screen has instead
         hidden.clear()
+    moved = {
+        node: [float(part) for part in group.get("transform", "")[len("translate(") : -1].split()]
+        for group in root.iter(f"{SVG}g")
+        if group.get("transform", "").startswith("translate(")
+        for node in group.iter(f"{SVG}text")
+    }
     for node in root.iter(f"{SVG}text"):
+        right, down = moved.get(node, (0.0, 0.0))
         usual = float(node.get("font-size", root.get("font-size", "3")))
         pieces = [(node.text or "", usual, 0.0)]
         for piece in node:
             pieces.append((piece.text or "", float(piece.get("font-size", usual)), float(piece.get("dy", "0"))))
             pieces.append((piece.tail or "", usual, 0.0))
-        x = left = float(node.get("x", "0"))
-        base = float(node.get("y", "0"))
+        x = left = float(node.get("x", "0")) + right
+        base = float(node.get("y", "0")) + down
         top, bottom = base, base
         for text, height, shift in pieces:
             base += shift
             if text:
-                wide, up, down = size(text, height, node.get("font-weight") == "bold")
-                x, top, bottom = x + wide, min(top, base - up), max(bottom, base - down)
+                wide, up, low = size(text, height, node.get("font-weight") == "bold")
+                x, top, bottom = x + wide, min(top, base - up), max(bottom, base - low)
         back = (x - left) * {"middle": 0.5, "end": 1.0}.get(node.get("text-anchor", "start"), 0.0)
         found.append(Word("".join(node.itertext()), (left - back, top, x - back, bottom)))
     return found

@@ -187,7 +187,7 @@ def test_semi_implicit_is_a_scheme_of_motion_under_forces_alone():
         ('rates = ["w1"]', 'rates = ["w9"]', "V714"),
         ('rates = ["w1"]', 'rates = ["w1", "w2", "u3"]', "V715"),
         ('rates = ["w1"]', "", "V710"),
-        ('1 = { torque = "M0 - k*w1" }', 'start = { w2 = "1 rad/s" }', "V712"),
+        ('1 = { torque = "M0 - k*w1" }', 'start = { w2 = "1 rad/s" }', 'V712 .*"w2" is no free rate; w1 is[.]'),
         ("[motor]", '[drive]\nw2 = "0"\n\n[motor]', "V711"),
     ],
 )

@@ -29,6 +29,8 @@ def kept(sentence: str) -> list[str]:
         ("in pv o′·0,05 (м/с)/мм и", ["(м/с)/мм"]),
         ("F = D + (62.5, 70) mm, at 4.9·10−4 m", ["F = D + (62.5, 70) mm", "4.9·10−4 m"]),
         ("Δ = −r sin(φ2 − φ3) is zero", ["Δ = −r sin(φ2 − φ3)"]),
+        ("of these forces, 1 mm = 0.2 N. Thick", ["1 mm = 0.2 N."]),
+        ("1 мм = 2 Н и ещё", ["1 мм = 2 Н"]),
         ("In 24 steps and 3 seconds, as said: well", []),
     ],
 )

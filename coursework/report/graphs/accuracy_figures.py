@@ -34,6 +34,7 @@ ROOM_X, ROOM_Y = (0.05, 0.05), (0.04, 0.1)  # of the ranges, before and behind w
 LINE = 4.3  # mm of one line of words
 KEY_WIDE, KEY = 7.0, 8.5  # mm of a piece of a line before a name that does not stand right behind it, and to the name
 BESIDE = (1.8, 0.0)  # mm from the end of a line to its name, right behind it
+PEN = 0.42  # mm wide is every line that says nothing else
 OWN = f'fill="none" stroke="{INK}" stroke-width="0.46"'
 OWN_RADIUS = 1.9  # mm
 BAND = 'class="order" fill="#e6e6e6" stroke="#555" stroke-width="0.2"'
@@ -42,7 +43,10 @@ ROUND_OFF = 'fill="#f2f2f2"'
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
 BAND_ORDER = 2  # of which there are several methods, hardly apart
 
-STANDS = 48  # places of a name among which those of all are looked for
+STRIDE, FARTHER = 10.0, 6.0  # mm between places of a name anywhere in the picture, and what standing there is worth of way
+STANDS = 40  # places of a name among which those of all are looked for
+ON_A_LINE = 60.0  # the same for each place of a line that it stands on
+CLEAR = np.array([-0.5, 0.2, 0.5, -0.2])  # mm of a line of words that no other line comes near to; letters are lower than it
 MEETING = 400.0  # mm of way that a name rather takes than standing on another
 
 Box = tuple[float, float, float, float]
@@ -117,15 +121,17 @@ def chart(page: Chart) -> tuple[str, float]:
     # Marks count more than what is between them.
     dots = np.array([dot for line in drawn for dot in (*_dotted(line), *4 * line)]).reshape(-1, 2)
     ring: list[Box] = []
+    first = ""
     if own[0] is not None:
         at = (x.at(own[0]), y.at(own[1]))
         inside += f'<circle {OWN} cx="{at[0]:.2f}" cy="{at[1]:.2f}" r="{OWN_RADIUS}"/>'
         piece = f'<circle {OWN} cx="{KEY_WIDE / 2:g}" r="{OWN_RADIUS}"/>'
         ring.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
-        own_name = min(_stands(page.labels["own_legend"], (at[0] + OWN_RADIUS, at[1]), piece, dots), key=lambda one: one.cost)
-        inside += _written(own_name, piece)
+        own_name = _stands(page.labels["own_legend"], (at[0] + OWN_RADIUS, at[1]), piece, dots)[0]
+        first = _written(own_name, piece, 0)
         ring.append(own_name.box)
-    return sheet(WIDTH, HEIGHT, inside + _names(named, dots, ring)), HEIGHT
+    names = first + _names(named, dots, ring)
+    return sheet(WIDTH, HEIGHT, inside + names, f' stroke-width="{PEN}" style="--lines:{names.count("<text")}"'), HEIGHT
 
 
 def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
@@ -145,7 +151,7 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
 
     Each takes the best place that is free.  Then each tries its others once more, from which it drives away whoever stands there.
     """
-    stands = [sorted(_stands(*one, dots), key=lambda stand: stand.cost)[:STANDS] for one in named]
+    stands = [_stands(*one, dots) for one in named]
     boxes = np.array([*taken, *(stand.box for one in stands for stand in one)]).reshape(-1, 4)
     left, top, right, bottom = boxes.T
     meet = (left[:, None] < right) & (left < right[:, None]) & (top[:, None] < bottom) & (top < bottom[:, None])
@@ -177,7 +183,9 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
         other = settle(kept | {k: place}, [name for name in order if name != k and name not in kept])
         if cost(other) < cost(best) - 1e-9:
             best = other
-    return "".join(_written(stands[k][best[k]], named[k][2]) for k in order)
+    chosen = [(stands[k][best[k]], named[k][2]) for k in range(len(named))]
+    belows = accumulate((len(stand.rows) for stand, _ in chosen), initial=1)
+    return "".join(_written(stand, piece, below) for (stand, piece), below in zip(chosen, belows, strict=False))
 
 
 @frozen
@@ -191,35 +199,42 @@ class Stand:
     covers: bool
 
 
-def _stands(text: str, place: tuple[float, float], piece: str, dots: Array) -> Iterator[Stand]:
-    """Yield where a name may stand, in one line or in lines as wide as the room beside the axes."""
+def _stands(text: str, place: tuple[float, float], piece: str, dots: Array) -> list[Stand]:
+    """Return where a name may stand, best places first: in one line, in two, or in lines as wide as the room beside the axes."""
     key = KEY if piece else 0.0
-    for rows in dict.fromkeys(((text,), _rows(text))):
-        wide, high = LETTERS * max(map(width, rows)), LINE * len(rows)
-        found = []
-        for dx, dy, cost in _places(wide + key, WIDTH - RIGHT - place[0]):
+    every: list[tuple[float, Box, float, tuple[str, ...]]] = []
+    for rows in dict.fromkeys(((text,), _rows(text, 0.68 * LETTERS * width(text)), _rows(text, RIGHT - BESIDE[0]))):
+        wide, high, more = LETTERS * max(map(width, rows)), LINE * len(rows), LINE * (len(rows) - 1)
+        for dx, dy, cost in (*_places(wide + key, WIDTH - RIGHT - place[0]), *(_anywhere(place, wide + key) if piece else ())):
             before = 0.0 if (dx, dy) == BESIDE else key
             left, top = place[0] + dx, place[1] + dy - high / 2
-            found.append(((left, top, left + before + wide, top + high), before, cost + LINE * (len(rows) - 1)))
-        covered = _covered(np.array([box for box, *_ in found]), dots)
-        for (box, before, cost), count in zip(found, covered, strict=True):
-            yield Stand(rows, box, before, cost + 16 * count + 4000 * _is_outside(box), count > 0)
+            box = (left, top, left + before + wide, top + high)
+            every.append((cost + more + 4000 * _is_outside(box), box, before, rows))
+    covered = _covered(np.array([box for _, box, *_ in every]) + CLEAR, dots)
+    costs = [cost + ON_A_LINE * count for (cost, *_), count in zip(every, covered, strict=True)]
+    best = sorted(range(len(every)), key=costs.__getitem__)[:STANDS]
+    return [Stand(every[k][3], every[k][1], every[k][2], costs[k], covered[k] > 0) for k in best]
 
 
-def _written(stand: Stand, piece: str) -> str:
+def _written(stand: Stand, piece: str, below: int) -> str:
+    """Return a name with the piece of its line before it; right behind that the piece is hidden.
+
+    A phone, too small for names in the picture, lists them with all pieces under it, each `below` so many lines.
+    """
     left, top, _, bottom = stand.box
-    shown = f'<g transform="translate({left:.2f} {(top + bottom) / 2:.2f})">{piece}</g>' if stand.before else ""
-    base, more = top + LINE / 2 + RISE * LETTERS, HALO if stand.covers else ""
-    rows = (words(left + stand.before, base + LINE * k, escape(row), more=more) for k, row in enumerate(stand.rows))
-    return shown + "".join(rows)
+    base, more = LINE / 2 + RISE * LETTERS - (bottom - top) / 2, HALO if stand.covers else ""
+    rows = (words(stand.before, base + LINE * k, escape(row), more=more) for k, row in enumerate(stand.rows))
+    at = f'style="--at:{below}" transform="translate({left:.4g} {(top + bottom) / 2:.4g})"'
+    shown = piece if stand.before else f'<g display="none">{piece}</g>'
+    return f'<g class="called{"" if stand.before else " end"}" {at}>{shown}{"".join(rows)}</g>'
 
 
-def _rows(text: str) -> tuple[str, ...]:
-    """Return a name in lines that have room beside the axes."""
+def _rows(text: str, room: float) -> tuple[str, ...]:
+    """Return a name in lines of so many mm."""
     rows = [""]
     for word in text.split(" "):
         longer = f"{rows[-1]} {word}".lstrip()
-        if rows[-1] and LETTERS * width(longer) > RIGHT - BESIDE[0]:
+        if rows[-1] and LETTERS * width(longer) > room:
             rows.append(word)
         else:
             rows[-1] = longer
@@ -242,7 +257,7 @@ def _piece(mark: str, ink: str, dashes: str) -> str:
 
 
 def _pen(places: Points, ink: str, dashes: str) -> str:
-    return polyline(places, f'stroke="{ink}" stroke-width="0.42"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
+    return polyline(places, f'stroke="{ink}"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
 
 
 def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
@@ -257,6 +272,14 @@ def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
             found += [(BESIDE[0], dy, far), (-wide - BESIDE[0], dy, far + 2.0), (axes + BESIDE[0], dy, far + axes / LINE)]
             found += [(-wide * part, dy, far + 0.5 + 9 * (step < 1)) for part in (0.25, 0.5, 0.75)]
     return sorted(found, key=lambda one: (one[2], one))
+
+
+def _anywhere(place: tuple[float, float], wide: float) -> Iterator[tuple[float, float, float]]:
+    """Yield places all over the picture: behind a piece of its line a name is understood there too."""
+    for left in np.arange(LEFT + 1.5, WIDTH - max(RIGHT, wide), STRIDE).tolist():
+        for middle in np.arange(TOP, HEIGHT - BOTTOM, LINE).tolist():
+            dx, dy = left - place[0], middle - place[1]
+            yield dx, dy, FARTHER + 2 * math.hypot(dx, dy) / LINE
 
 
 def _dotted(line: Points) -> Iterator[tuple[float, float]]:

@@ -114,14 +114,14 @@ def marks(points: Points, mark: str, ink: str) -> str:
         left, above = corners[0]
         steps = way(list(r * np.array([(0, 0), *np.subtract(corners[1:], corners[0])]).T)).removeprefix("M0 0")
     else:
-        left, above, steps = -1.0, 0.0, f"a{r} {r} 0 1 0 {2 * r:g} 0a{r} {r} 0 1 0 {-2 * r:g} 0"
+        left, above, steps = -1.0, 0.0, f"a{r} {r} 0 1 0 {2 * r:g} 0 {r} {r} 0 1 0{-2 * r:g} 0"
     path = "".join(f"M{round(x + r * left, 2):g} {round(y + r * above, 2):g}{steps}z" for x, y in points)
     return f'<path fill="#fff" stroke="{ink}" stroke-width="0.3" d="{path}"/>'
 
 
-def sheet(width: float, height: float, inside: str) -> str:
-    """Return the whole SVG."""
+def sheet(width: float, height: float, inside: str, more: str = "") -> str:
+    """Return the whole SVG; `more` are attributes of it."""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" viewBox="0 0 {width:g} {height:g}" '
-        f'font-family="{FACE}" font-size="{LETTERS}" fill="{INK}">{inside}</svg>'
+        f'font-family="{FACE}" font-size="{LETTERS}" fill="{INK}"{more}>{inside}</svg>'
     )

@@ -11,6 +11,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +23,7 @@ from coursework.drawing.outline.outline import Outline, Slot
 from coursework.drawing.outline.poses import Poses, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.motion.integration.motion import Motion
-from coursework.motion.schemes import title_of
+from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.graphs.graph_paper import SCHEME_INK
 from coursework.report.text.symbols import Symbol, symbol
 from coursework.report.text.words import Words
@@ -37,10 +38,12 @@ if TYPE_CHECKING:
 
 SIZE, DPI = (7.2, 3.7), 100  # inches, and dots an inch
 MOST_FRAMES, PER_SECOND = 100, 12
+MOST_DOTS = 30
 ORANGE = "#d55e00"  # stays apart from the blue of the table for colour-blind readers
 SETTINGS: Any = {
-    "font.family": ["DejaVu Sans", "Noto Sans CJK SC"], "font.size": 8.5, "text.usetex": False, "mathtext.fontset": "dejavusans",
-    "axes.unicode_minus": True, "path.simplify": True, "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
+    "font.family": ["DejaVu Sans", "Noto Sans CJK SC"], "font.size": 9, "text.usetex": False, "mathtext.fontset": "dejavusans",
+    "axes.unicode_minus": True, "axes.titlesize": 9, "path.simplify": True, "axes.linewidth": 0.6, "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
 }  # fmt: skip
 _LOCK = threading.Lock()
 Complex = NDArray[np.complexfloating[Any, Any]]
@@ -110,10 +113,14 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
         draw_ground(field, outline, poses, size)
         shapes = [Shape(field, outline, each, size) for each in poses]
         joints = Joints(field, outline, poses[0], size)
-        scheme = phrases.written(title_of(run.tableau)) if run.tableau else table.scheme
-        figure.text(0.64, 0.93, told("truth"))
-        figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:g}"), color=SCHEME_INK)
-        figure.text(0.64, 0.03, told("mark_line"), color=ORANGE, fontsize=7)
+        tableau = run.tableau or SCHEMES.get(table.scheme)
+        scheme = phrases.written(title_of(tableau)) if tableau else table.scheme
+        solid = figure.text(0.64, 0.93, told("truth"))
+        dashes = figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:.4g}"), color=SCHEME_INK)
+        begin = min(0.64, 0.985 - dashes.get_window_extent().width / (SIZE[0] * DPI))  # longer words begin farther to the left
+        solid.set_x(begin)
+        dashes.set_x(begin)
+        figure.text(0.985, 0.03, told("mark_line"), color=ORANGE, ha="right")
         clock = figure.text(0.03, 0.93, "", weight="bold")
         writer = PillowWriter(fps=PER_SECOND)
         path = Path(place) / "moving.gif"
@@ -156,11 +163,11 @@ def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion, words: Words
     ]
     name = table.coordinate_names[int(np.argmax(gaps))]
     axes.plot(exact.t, exact.column(name), color="black", linewidth=1.4)
-    axes.plot(table.t, table.column(name), color=SCHEME_INK, marker="o", markersize=3, linewidth=0.8)
+    every = -(-len(table.t) // MOST_DOTS)  # more would be a rope
+    axes.plot(table.t, table.column(name), color=SCHEME_INK, marker="o", markersize=3, markevery=every, linewidth=0.8)
     behind, in_time = (words.behind(words.unit(run.variant.unit_of(column))) for column in (name, "t"))
-    axes.set_title(label_text(symbol(name)) + behind, fontsize=9, loc="left")
-    axes.set_xlabel(f"t{in_time}", fontsize=8)
-    axes.tick_params(labelsize=7)
+    axes.set_title(label_text(symbol(name)) + behind, loc="left")
+    axes.set_xlabel(f"t{in_time}")
     axes.spines[["top", "right"]].set_visible(False)
     return axes.axvline(0.0, color=ORANGE, linewidth=1.0)
 
@@ -249,15 +256,32 @@ class Joints:
         self.names, self.poses, self.off = outline.shown, poses, 0.03 * size
         style: dict[str, Any] = {"color": "black", "markerfacecolor": "white", "markersize": 5, "linewidth": 0, "zorder": 4}
         self.rings = field.plot([], [], marker="o", **style)[0]
+        self.beside = {name: self._beside(outline, name) for name in outline.hinges}
         self.words = [field.text(0, 0, label_text(symbol(name)), style="italic", zorder=5) for name in self.names]
+
+    def _beside(self, outline: Outline, name: str) -> complex:
+        """Return the direction from a hinge to its name: beside its ground, on the side to which links come less."""
+        at, down = complex(self.poses.at[name][0]), hinge_ground(outline, self.poses.pose(0), name)
+        ends = [(self.poses.at[a] - at, self.poses.at[b] - at) for bar in outline.bars for a, b in pairwise(bar.corners)]
+
+        def free(way: complex) -> float:
+            spot, gaps = 2 * self.off * way, [np.full(len(self.poses.t), 4 * self.off)]
+            for begin, end in ends:
+                along = end - begin
+                part = np.clip(((spot - begin) * along.conj()).real / np.maximum(np.abs(along) ** 2, 1e-300), 0, 1)
+                gaps.append(np.abs(spot - begin - part * along))
+            return float(np.mean(np.min(gaps, axis=0)))
+
+        return max((1j * down - 0.2 * down, -1j * down - 0.2 * down), key=free)
 
     def show(self, frame: int) -> None:
         """Show one frame; a name stands on the side away from the middle of the mechanism."""
         pose = self.poses.pose(frame)
         places = np.array([pose[name] for name in self.names])
         self.rings.set_data(places.real, places.imag)
-        for word, at in zip(self.words, places.tolist(), strict=True):
+        for name, word, at in zip(self.names, self.words, places.tolist(), strict=True):
             away = at - complex(places.mean())
+            away = self.beside.get(name, away)
             place = at + self.off * (away / abs(away) if away else 1j)
             word.set_position((place.real, place.imag))
             word.set_horizontalalignment("left" if away.real >= 0 else "right")

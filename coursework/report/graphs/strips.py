@@ -30,11 +30,11 @@ class Strip:
 
 
 def strip(values: Sequence[float], low: float, high: float, centre: float, ends: tuple[str, str], middle: str) -> Strip:
-    """Return the strip of `values` with its centre, `middle` in words, over an axis that holds the band and every value.
+    """Return the strip of `values` with its centre, `middle` in words, over an axis that holds these and the band.
 
     Marks are stacked where they would touch, in the order of the values, so that equal classes give equal pictures.
     """
-    least, most = min([low, *values]), max([high, *values])
+    least, most = min([low, centre, *values]), max([high, centre, *values])
     span = (most - least) or 1.0
 
     def x(value: float) -> float:

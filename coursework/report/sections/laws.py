@@ -61,7 +61,7 @@ def _tabulated(context: PageContext, law: Law) -> str:
 def moved_by_forces(context: PageContext, motor: Motor) -> list[Part]:
     """Return which rates are free and what the motor does to them."""
     say = context.words
-    told = [say("dynamics.free", rates=context.symbol_list(motor.rates))]
+    told = [say.count("dynamics.free", len(motor.rates), rates=context.symbol_list(motor.rates))]
     told += [
         say("dynamics.motor" if one.source == FRAME else "dynamics.between", link=clean(one.on), other=clean(one.source),
             law=printed(clean(spelled(one.torque))))

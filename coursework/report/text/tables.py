@@ -162,6 +162,7 @@ def _by_row(
         rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t)), "file": file}
         parts.append(Paragraph(context.say("table.thinned", **rows_of)))
     parted = pieces(grid.names)
+    # Several tables of every k-th row, each kept on one page, would leave a third of each empty.
     for number, (first, last) in enumerate(parted, start=1):
         heads, texts = _columns(context, grid.part(first, last), kept)
         columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), context.unit("s")), *heads]
@@ -176,7 +177,7 @@ def _by_row(
                 strong,
                 rules_for(len(rows)),
                 below,
-                whole=len(rows) <= longest,
+                whole=len(rows) <= longest and (pace == 1 or len(parted) == 1),
                 places=[row + 1 for row in kept],
             )
         )

@@ -28,7 +28,7 @@ def sought(context: PageContext) -> list[str]:
     end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
     free = run.variant.motor.rates if run.variant.motor else ()  # which the forces decide
     unknowns = words.listing([_explained(context, name) for name in dict.fromkeys((*free, *run.variant.sought))])
-    told = [words("statement.find", unknowns=unknowns, end=end, step=step)]
+    told = [words("statement.find" if unknowns else "statement.find_nothing", unknowns=unknowns, end=end, step=step)]
     if STEP in run.variant.values:
         told.append(words("statement.two_meanings"))
     time = run.variant.time

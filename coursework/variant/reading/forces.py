@@ -14,7 +14,7 @@ from coursework.variant.reading.parts import Parts
 from coursework.variant.record.forces import GRAVITY, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
-from coursework.words.sentences import closest, say
+from coursework.words.sentences import closest, say, say_count
 
 _FRAME = "0"
 _ZERO = Formula("number", name="0")
@@ -144,7 +144,7 @@ def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:
     for name, value in begins.items() if isinstance(begins, dict) else ():
         rate = parts.names.canonical(name)
         if rate not in found:
-            parts.say(("motor", "start", name), say("fault.V712", name=name, known=", ".join(found)))
+            parts.say(("motor", "start", name), say_count("fault.V712", len(found), name=name, known=", ".join(found)))
         else:
             tree = _value(("motor", "start", name), value, "m/s" if units[rate] == "m" else "1/s", parts)
             with suppress(KeyError, FormulaFault):

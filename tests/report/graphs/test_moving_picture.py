@@ -11,7 +11,7 @@ from PIL import Image
 import coursework
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
-from coursework.report.graphs.moving_picture import Shape, draw_ground, label_text, moving_picture
+from coursework.report.graphs.moving_picture import DPI, SETTINGS, Joints, Shape, draw_ground, label_text, moving_picture
 from coursework.report.text.symbols import symbol
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases
@@ -27,6 +27,7 @@ def picture(**options):
 
 def test_every_frame_is_another_and_the_bytes_are_the_same():
     first = picture()
+    assert SETTINGS["font.size"] * DPI / 72 >= 12  # px, as in every graph
     with Image.open(io.BytesIO(first)) as moving:
         assert moving.n_frames == 7
         frames = []
@@ -73,6 +74,16 @@ def test_a_rack_reaches_its_gear_from_its_slider_and_a_rail_is_hatched_below(rac
     assert len(racks) == 1
     assert racks[0][:, 1].max() == pytest.approx(slider.imag)
     assert racks[0][:, 1].min() < slider.imag
+
+
+def test_the_name_of_a_pivot_stands_beside_its_ground_where_fewer_links_pass():
+    run = coursework.solve("jansen", quantities=("table",))
+    outline = read_outline(run.scene.mechanism)
+    poses = read_poses(outline, run.scene.equations)(run.exact.t, run.exact.coordinates)
+    joints = Joints(Figure().add_subplot(), outline, poses, 0.1)
+    joints.show(20)
+    (beside,) = (word for word in joints.words if word.get_text() == "Z")
+    assert beside.get_position()[0] > poses.pose(20)["Z"].real  # its crank and the links on it are to the left
 
 
 def test_a_file_without_points_has_nothing_to_show(tmp_path):

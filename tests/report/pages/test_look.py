@@ -37,11 +37,11 @@ STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live, button)')].f
   (one) => (document.querySelector("script") || !one.matches(".drawing > div")) &&
     one.scrollWidth <= one.clientWidth + 1 && one.scrollHeight <= one.clientHeight + 1).map((one) => one.className)"""
 # Words of a drawing with their boxes and the height of their letters on the screen.
-SEEN_WORDS = """(which) => { const svg = document.querySelector(which), unit = svg.clientWidth / svg.viewBox.baseVal.width;
+SEEN_WORDS = """(which) => { const svg = document.querySelector(which);
   return [...svg.querySelectorAll("text")].filter((one) => one.getClientRects().length).map((one) => {
     const box = one.getBoundingClientRect(), down = box.height / 5;
     return [one.textContent, box.left, box.top + down, box.right, box.bottom - down,
-      unit * parseFloat(getComputedStyle(one).fontSize)]; }); }"""
+      Math.hypot(one.getScreenCTM().a, one.getScreenCTM().b) * parseFloat(getComputedStyle(one).fontSize)]; }); }"""
 SMALL = """(least) => [...document.querySelectorAll('#live :is(button, select, input)')].filter((one) => one.offsetParent).filter(
   (one) => one.getBoundingClientRect().height < least).map((one) => one.id)"""
 
@@ -126,8 +126,18 @@ def test_the_answer_is_in_sight_and_nothing_is_marked_before_it_moves(places: di
 def test_a_drawing_too_small_to_be_read_on_a_phone_is_seen_whole_and_enlarged_where_it_is_touched(
     places: dict[str, Path], page: Any
 ) -> None:
-    page.goto(places["report"].as_uri())
     sized(page, 390)
+    page.goto(places["key"].as_uri())
+    assert page.evaluate("document.querySelector('.drawing svg').getBoundingClientRect().width") <= 390
+    assert min(high for *_, high in page.evaluate(SEEN_WORDS, ".drawing svg")) >= 9.5
+    page.goto(places["accuracy"].as_uri())
+    words = page.evaluate(SEEN_WORDS, ".drawing svg")
+    assert [(one[0], two[0]) for one, two in combinations(words, 2) if meet(one, two)] == []
+    assert len({round(one[1]) for one in words if "Euler" in one[0]}) == 1  # the names are a list under the chart
+    assert min(high for *_, high in words) >= 9.5
+    ends = page.evaluate("document.querySelector('.drawing > div').getBoundingClientRect().bottom")
+    assert max(low for *_, low, _ in words) <= ends
+    page.goto(places["report"].as_uri())
     wide = "document.querySelector('#graph_check .drawing svg').getBoundingClientRect().width"
     assert page.evaluate(wide) <= 390
     told = "getComputedStyle(document.querySelector('#graph_check .drawing > div'), '::after').content"
@@ -150,6 +160,11 @@ def test_a_motion_that_stops_says_so_above_all(places: dict[str, Path], page: An
     assert page.inner_text(".bar").startswith("✗ Stops at t = 0.116889\u00a0s (dead point): 6 rows of 25.")
     order = page.evaluate("[...document.querySelectorAll('main > section')].map((one) => one.id)")
     assert order[:3] == ["statement", "dead_point", "live"]
+    # On paper its tall drawing comes before what was read: behind that it would not fit, and leave half a page empty.
+    page.emulate_media(media="print")
+    head, drawn, read = (page.evaluate(TOP, f"#graph_check {one}") for one in ("h2", ".drawing", ".table"))
+    assert head < drawn < read
+    page.emulate_media(media="screen")
 
 
 def test_the_first_wrong_cell_is_in_view_on_a_phone(places: dict[str, Path], page: Any) -> None:

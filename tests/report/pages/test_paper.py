@@ -22,7 +22,7 @@ from tests.report.made import model_of, paper_of, solved
 
 MM = 72 / 25.4
 HEAD, FOOT = 18 * MM, 15 * MM  # above and below stand the running line and the number of the page
-PAGES, APPENDIX = 5, 3  # of variant 31
+PAGES, APPENDIX = 5, {"en": 2, "zh": 2, "ru": 3, "uk": 3}  # of variant 31
 LEAST_FULL = 1 / 3
 WORD = re.compile(r"[^\W\d_\U0001D400-\U0001D7FF]{3,}")
 BEFORE, AFTER = 4, 3  # rows of a table at the end and at the beginning of a page
@@ -45,13 +45,13 @@ def filled(made: bytes) -> list[float]:
 
 
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
-def test_variant_31_takes_five_pages_and_three_of_appendix(language: str) -> None:
+def test_variant_31_takes_five_pages_and_its_appendix_no_page_of_few_lines(language: str) -> None:
     made = paper("31", language)
     with pymupdf.open(stream=made, filetype="pdf") as document:
         contents = [(title, page) for _, title, page in document.get_toc()]
         begins = contents[-3][1]  # three appendices are the end of the list
         assert begins - 1 <= PAGES, contents
-        assert len(document) - (begins - 1) <= APPENDIX, contents
+        assert len(document) - (begins - 1) <= APPENDIX[language], contents
         turned = [sheet.number + 1 for sheet in document if sheet.rect.width > sheet.rect.height]
         assert turned == [PAGES]
     assert min(filled(made)[:-1]) >= LEAST_FULL
@@ -88,7 +88,7 @@ def test_no_page_but_the_last_is_less_than_a_third_full(real: ModuleType, name: 
     made = paper_of(model_of(real.stopped())) if name == "stopped" else paper(name)
     shares = filled(made)
     assert len(shares) > 4
-    assert min(shares[:-1]) >= LEAST_FULL, shares
+    assert min(shares[:-1]) >= (2 / 3 if name == "jansen" else LEAST_FULL), shares  # its tables of every fifth row may part
 
 
 @pytest.mark.parametrize("name", ["example-2", "cardan"])
@@ -96,7 +96,7 @@ def test_no_line_ends_within_an_equality_or_a_quantity(name: str) -> None:
     with pymupdf.open(stream=paper(name), filetype="pdf") as document:
         lines = [line for sheet in document for line in lines_of(sheet)]
     assert sum(" = 0." in line for line in lines) > 3
-    assert not [line for line in lines if re.match(r"= [−\d]|/s\b", line)]
+    assert not [line for line in lines if re.match(r"= [−\d]|/s\b|N[.,;]", line)]
 
 
 def lines_of(sheet: Any) -> Iterator[str]:

@@ -9,6 +9,28 @@ from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import on_axes, spelled
 from tests.report.made import solved
 
+CRANK = """format = 1
+title = "A crank"
+[given]
+r1 = "0.1 m"
+w0 = "10 rad/s"
+[drive]
+w1 = "w0"
+[coordinates]
+phi1 = { start = "0 deg", rate = "w1" }
+[time]
+step = "0.1 s"
+end = "1 s"
+[points]
+A = "(0, 0)"
+[[group]]
+kind = "crank"
+from = ["A"]
+meets = "B"
+lengths = ["r1"]
+coordinates = ["phi1"]
+"""
+
 
 def statement(real: ModuleType, variant: object) -> str:
     run = coursework.solve(variant, quantities=("table", "checks"))
@@ -34,6 +56,11 @@ def test_what_is_not_asked_for_is_not_computed_to_tell_it(real: ModuleType, aske
     run = coursework.solve("v102", quantities=(asked,))
     assert told in str(real.text_of(real.parts(run, "statement"))).replace("\u00a0", " ")
     assert "exact" not in run.scene.ledger.calls
+
+
+def test_nothing_is_looked_for_where_the_drive_gives_all(real: ModuleType) -> None:
+    told = statement(real, coursework.parse_variant(CRANK))
+    assert "Nothing is sought: the drive gives every velocity, from t = 0 to 1 s" in told
 
 
 def test_a_velocity_has_no_name_that_a_datum_has(real: ModuleType) -> None:
