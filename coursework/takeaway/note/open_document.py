@@ -21,6 +21,14 @@ _STYLE = r'<style:style\b[^>]*style:name="{}"(?:[^>]*/>|.*?</style:style>)'
 _IMAGE = re.compile(r'<draw:image\b[^>]*xlink:href="([^"]+)"[^>]*?(?:/>|>\s*</draw:image>)')
 _MASTER = re.compile(r"<office:master-styles>.*?</office:master-styles>", re.S)
 _BORDERLESS = re.compile(r'(<style:style style:name="Table(?:Header)?RowCell"[^>]*>).*?</style:style>', re.S)
+_FORMULA = re.compile(r"Formula-\d+/content\.xml")
+_LOW, _END = '<mo accent="true">_</mo>', "</munder>"
+_SIGNS = {  # LibreOffice shows "¿" for a low line below a letter, and a circle under a dot that is to combine with one
+    "<munder><munder>": "<munder>",
+    f"{_LOW}{_END}{_LOW}{_END}": f"<mo>\u2550</mo>{_END}",
+    _LOW: "<mo>\u2015</mo>",
+    "\u0307": "\u02d9", "\u0308": "\u00a8", "\u030a": "\u02da",
+}  # fmt: skip
 BORDER = 'fo:border="0.5pt solid #000000" fo:padding="1mm"'
 HEADER = 8.0  # mm within a margin, for the number of the page
 _HEADING = '<text:h text:style-name="Heading_20_1" text:outline-level="1">'
@@ -74,6 +82,11 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
                 f'{_HEADING}<text:bookmark-start text:name="{name}"', f'{_SET}<text:bookmark-start text:name="{name}"'
             )
     files[CONTENT] = _with_drawings(files, text, drawings).encode()
+    for name in filter(_FORMULA.fullmatch, files):
+        formula = files[name].decode()
+        for sign, shown in _SIGNS.items():
+            formula = formula.replace(sign, shown)
+        files[name] = formula.encode()
     return zipped(files.items())
 
 

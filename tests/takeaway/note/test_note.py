@@ -123,6 +123,7 @@ def formulas_of_odt(content):
         places = re.findall(r'<draw:object [^>]*xlink:href="(Formula-\d+)', archive.read("content.xml").decode())
         roots = [ElementTree.fromstring(archive.read(f"{place}/content.xml")) for place in places]
     for root in roots:
+        assert not {*"".join(root.itertext())} & {*"_\u0307\u0308\u030a"}  # LibreOffice shows "¿", or a circle below the dot
         for above in root.iter():
             for one in [*above]:
                 is_one = above.tag.endswith("mfrac") and one is above[0] and "".join(one.itertext()).strip() == "1"
@@ -249,6 +250,10 @@ def test_a_worked_formula_that_is_too_long_is_broken_before_a_sign_and_has_its_r
     assert letters_wide(made) <= WIDE and made.count("\\\\") == 3 and "2\\\\\n\\quad + a\\cos" in made
     (short,) = latex_of(['& x = 1.5 \\ & quad + 0.0415 dot cos(0.0401) = "0.5"'], ".", aligned=True).values()
     assert short.count("\\\\") == 1 and letters_wide(short) < 30
+    (held,) = latex_of(["& x = [2 (-3)^2 \\ & quad + cos(1)]"], ".", aligned=False).values()
+    first, second = held.removeprefix("\\begin{array}{l}").split("\\\\")
+    for line, sides in ((first, 2), (second, 1)):  # LibreOffice shows "¿" for a bracket without its other one
+        assert line.count("\\left") == line.count("\\right") == sides and line.count("\\left.") + line.count("\\right.") == 1
 
 
 def test_the_two_tables_of_checks_have_a_title_that_keeps_to_them():
