@@ -62,7 +62,7 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
     """Return the document; `house` None keeps the styles of a department, `drawings` are those that a PNG shows."""
     files = unpacked(content)
     styles = files[STYLES].decode()
-    for name, made in open_document_styles(house or House()).items():
+    for name, made in open_document_styles(house).items():
         found = re.search(_STYLE.format(re.escape(name)), styles, re.S)
         if found is None:
             styles = styles.replace("</office:styles>", f"{made}</office:styles>", 1)

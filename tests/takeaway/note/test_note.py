@@ -216,6 +216,8 @@ def test_a_department_has_styles_of_its_own(folder):
     called = call("run", "v107", "--quantities", "table", "--format", "docx", "--templates", "looks", "--out", "taken")
     assert called.exit_code == 0, called.output
     read = docx.Document(folder / "taken/report.docx")
+    added = read.styles["First Paragraph"]  # python-docx has none
+    assert added.font.name is None and added.font.size is None and added.base_style.name == "Body Text"
     assert read.styles["Normal"].font.name == "Courier New" and round(read.sections[0].left_margin.mm) == 41
     assert "report.docx" in json.loads((folder / "taken/run.json").read_text(encoding="utf-8"))["files"]
 
