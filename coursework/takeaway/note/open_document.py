@@ -29,6 +29,8 @@ _SIGNS = {  # LibreOffice shows "¿" for a low line below a letter, and a circle
     _LOW: "<mo>\u2015</mo>",
     "\u0307": "\u02d9", "\u0308": "\u00a8", "\u030a": "\u02da",
 }  # fmt: skip
+_ROW = re.compile(r'<mrow>(<mo stretchy="true" form="prefix">)?|(stretchy="true" form="postfix">[^<]*</mo>)?</mrow>')
+_NO_RIGHT = '<mo stretchy="true" form="postfix"></mo>'  # pandoc leaves it out, and LibreOffice repeats the left one
 BORDER = 'fo:border="0.5pt solid #000000" fo:padding="1mm"'
 HEADER = 8.0  # mm within a margin, for the number of the page
 _HEADING = '<text:h text:style-name="Heading_20_1" text:outline-level="1">'
@@ -83,11 +85,24 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
             )
     files[CONTENT] = _with_drawings(files, text, drawings).encode()
     for name in filter(_FORMULA.fullmatch, files):
-        formula = files[name].decode()
+        formula = _with_right_sides(files[name].decode())
         for sign, shown in _SIGNS.items():
             formula = formula.replace(sign, shown)
         files[name] = formula.encode()
     return zipped(files.items())
+
+
+def _with_right_sides(formula: str) -> str:
+    """Return MathML in which every bracket that goes on in the next line has an empty one on its right."""
+    opened = list[bool]()
+
+    def one(found: re.Match[str]) -> str:
+        if found[0].startswith("<mrow>"):
+            opened.append(found[1] is not None)
+            return found[0]
+        return f"{_NO_RIGHT}{found[0]}" if opened.pop() and not found[2] else found[0]
+
+    return _ROW.sub(one, formula)
 
 
 def _with_pages(styles: str, house: House) -> str:

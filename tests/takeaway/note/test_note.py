@@ -124,6 +124,8 @@ def formulas_of_odt(content):
         roots = [ElementTree.fromstring(archive.read(f"{place}/content.xml")) for place in places]
     for root in roots:
         assert not {*"".join(root.itertext())} & {*"_\u0307\u0308\u030a"}  # LibreOffice shows "¿", or a circle below the dot
+        fences = [one.get("form") for one in root.iter() if one.get("stretchy") == "true" and one.get("form")]
+        assert fences.count("prefix") <= fences.count("postfix")  # it repeats the left one
         for above in root.iter():
             for one in [*above]:
                 is_one = above.tag.endswith("mfrac") and one is above[0] and "".join(one.itertext()).strip() == "1"
