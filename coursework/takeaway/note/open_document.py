@@ -15,6 +15,7 @@ from coursework.takeaway.note.archive import unpacked
 from coursework.takeaway.note.dialects import SEQUENCES
 from coursework.takeaway.note.sections import STRUCTURAL
 from coursework.takeaway.note.styles import PAGE, House, open_document_styles
+from coursework.takeaway.note.tree import printed
 
 CONTENT, STYLES, MANIFEST = "content.xml", "styles.xml", "META-INF/manifest.xml"
 _STYLE = r'<style:style\b[^>]*style:name="{}"(?:[^>]*/>|.*?</style:style>)'
@@ -156,7 +157,7 @@ def _with_drawings(files: dict[str, bytes], text: str, drawings: Mapping[bytes, 
         if name not in files:
             files[name] = drawing.file.encode()
             listed.append(f'<manifest:file-entry manifest:media-type="image/svg+xml" manifest:full-path="{name}"/>')
-        return f"{found[0].replace(found[1], name)}{found[0]}<svg:desc>{escape(drawing.alt)}</svg:desc>"
+        return f"{found[0].replace(found[1], name)}{found[0]}<svg:desc>{escape(printed(drawing.alt))}</svg:desc>"
 
     text = _IMAGE.sub(with_svg, text)
     known = files[MANIFEST].decode()
