@@ -19,7 +19,7 @@ from coursework.scene.quantities import Quantity, known_quantities, no_quantity
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
 from coursework.system.on_demand import Plan
-from coursework.system.whole_files import write_bytes
+from coursework.system.whole_files import write_bytes, wrong_ending
 from coursework.variant.record.variant import changed
 from coursework.words.errors import CourseworkError, InputError, visible
 from coursework.words.sentences import say
@@ -182,6 +182,7 @@ class Run(SceneRun):
     def plot(self, *names: str, exact: bool = False, ax: Any = None) -> Any:
         """Return Axes with columns against time; with `exact` the motion itself as a line beside the rows.
 
+        Columns are those of the table, accelerations ("dw3") and points ("B.x", "B.vx", "B.ax"), asked for or not.
         One Axes where all names (those of the velocities where none is given) have one unit, else an array, one a unit.
         Drawn into `ax` where it is given.  Raises `InputError` for a name that the table does not have.
 
@@ -197,7 +198,8 @@ class Run(SceneRun):
     def to_excel(self, path: Path | str, *, language: str = "en") -> None:
         """Write the workbook that computes: data, table as formulas, the exact motion, checks and graphs.
 
-        Raises `NotToBeHad` without XlsxWriter, and for a motion under forces; `OutputError` where it cannot be written.
+        Raises `NotToBeHad` without XlsxWriter, and where rows follow no formula; `OutputError` for a path that cannot be
+        written or does not end in .xlsx.
 
         >>> from pathlib import Path
         >>> from tempfile import TemporaryDirectory
@@ -209,7 +211,10 @@ class Run(SceneRun):
         """
         from coursework.takeaway.workbook.book import workbook_of
 
-        write_bytes(Path(path), workbook_of(self, language))
+        target = Path(path)
+        if target.suffix.lower() != ".xlsx":
+            raise wrong_ending(target, ".xlsx")
+        write_bytes(target, workbook_of(self, language))
 
     def __repr__(self) -> str:
         ends = f"0 to {self.end:g} s"

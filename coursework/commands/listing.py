@@ -14,7 +14,7 @@ from coursework.commands.screen import tell, tell_own_file
 from coursework.motion.settings import stepping
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
-from coursework.system.whole_files import write_bytes
+from coursework.system.whole_files import write_bytes, wrong_ending
 from coursework.takeaway.listing.chart import block_diagram
 from coursework.takeaway.listing.listings import listing
 from coursework.takeaway.listing.program import program_of, refuse_exact
@@ -29,6 +29,8 @@ def list_variant(
 ) -> int:  # fmt: skip
     """Return 0 after writing what was asked for."""
     refuse_exact(scheme)
+    if chart is not None and chart.suffix.lower() != ".svg":
+        raise wrong_ending(chart, ".svg")
     if out or chart:
         tell_own_file(variant)
     read = with_set(variant_of(variant), set_values, None)

@@ -38,11 +38,18 @@ def refused(target: Path) -> Iterator[None]:
         raise OutputError([Fault(say("fault.W009", reason=str(error)), str(target))]) from error
 
 
+def wrong_ending(path: Path, endings: str) -> OutputError:
+    """Return the fault of a name that does not end as a file of its kind does."""
+    return OutputError([Fault(say("fault.W011", endings=endings, found=path.suffix or "–"), str(path))])
+
+
 def write_bytes(path: Path | str, content: bytes) -> None:
     """Write a whole file; folders on the way are made.  Raises `OutputError`, leaving what was there before."""
     target = Path(path)
-    part = target.with_name(f"{_BEGUN}{os.urandom(6).hex()}.part")
     with refused(target):
+        if not target.name:  # "." or "/"
+            raise IsADirectoryError(errno.EISDIR, "")
+        part = target.with_name(f"{_BEGUN}{os.urandom(6).hex()}.part")
         target.parent.mkdir(parents=True, exist_ok=True)
         try:
             write_through(part, content)

@@ -40,7 +40,7 @@ def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) 
     """Return Axes as `Run.plot` says."""
     listed = names or run.motion.velocity_names
     for name in listed:
-        if name not in run.motion.names:
+        if not _is_drawn(run, name):
             raise no_column(name, run.motion.names)
     by_unit: dict[str, list[str]] = {}
     for name in listed:
@@ -59,17 +59,17 @@ def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) 
 
 def _columns(ax: Axes, run: SceneRun, names: Sequence[str], unit: str, exact: bool) -> None:
     motion = run.motion
-    alone = len(names) == 1
+    alone, labels = len(names) == 1, [_label(motion, name) for name in names]
     scheme = str(run.scheme_title)
-    for name in names:
-        label = scheme if alone else f"{symbol(name)}, {scheme}" if exact else symbol(name)
-        (line,) = ax.plot(motion.t, motion.column(name), label=label, **ROWS)
+    for name, shown in zip(names, labels, strict=True):
+        label = scheme if alone else f"{shown}, {scheme}" if exact else shown
+        (line,) = ax.plot(motion.t, _column(run, motion, name), label=label, **ROWS)
         if exact:
             t, values = _between(run, name)
             told = str(say("exact.title"))
-            ax.plot(t, values, label=told if alone else f"{symbol(name)}, {told}", color=line.get_color(), **MOTION)
+            ax.plot(t, values, label=told if alone else f"{shown}, {told}", color=line.get_color(), **MOTION)
     ax.set_xlabel("t, s")
-    ax.set_ylabel(f"{', '.join(map(symbol, names))}, {unit}" if unit else ", ".join(map(symbol, names)))
+    ax.set_ylabel(", ".join((*labels, unit) if unit else labels))
     ax.grid(visible=True, linewidth=0.4)
     ax.legend()
 
@@ -83,7 +83,32 @@ def _between(run: SceneRun, name: str) -> tuple[Any, Any]:
     if len(t) > 1:
         finer = np.linspace(0.0, float(t[-1]), BETWEEN * (len(t) - 1) + 1)
         found = run.scene.exact_at(finer)
-    return found.t, found.column(name)
+    return found.t, _column(run, found, name)
+
+
+def _is_drawn(run: SceneRun, name: str) -> bool:
+    """Return whether a motion has a column; of "B.vx" the unit says whether there is such a point."""
+    return name in run.motion.names or _is_acceleration(run.motion, name) or "." in str(name)
+
+
+def _is_acceleration(motion: Motion, name: str) -> bool:
+    return name not in motion.names and str(name)[:1] == "d" and name[1:] in motion.velocity_names
+
+
+def _label(motion: Motion, name: str) -> str:
+    if _is_acceleration(motion, name):
+        return f"d{symbol(name[1:])}/dt"
+    return name if "." in name else symbol(name)
+
+
+def _column(run: SceneRun, motion: Motion, name: str) -> Any:
+    if name in motion.names:
+        return motion.column(name)
+    results = run.scene.over(motion)
+    if "." in name:
+        names, rows = results.point_accelerations
+        return rows[:, names.index(name)]
+    return results.accelerations[:, motion.velocity_names.index(name[1:])]
 
 
 def plot_study(study: AccuracyStudy, ax: Axes | None) -> Axes:

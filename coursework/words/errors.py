@@ -122,7 +122,7 @@ class OutputError(CourseworkError):
     >>> coursework.write_report(coursework.solve("31"), "report.docx")
     Traceback (most recent call last):
         ...
-    coursework.words.errors.OutputError: W011 report.docx  a report ends in .html or .pdf (found .docx).
+    coursework.words.errors.OutputError: W011 report.docx  the name of this file must end in .html or .pdf (found .docx).
     """
 
 

@@ -9,6 +9,9 @@ import pytest
 import coursework
 from coursework.drawing.force_plans.force_plans import make_force_plans
 from coursework.report.pages import build_model
+from coursework.report.sections.forces import _convention
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
 from coursework.scene.quantities import FORCES
 from tests.effects.massed import of
 
@@ -94,3 +97,9 @@ def test_polygons_are_listed_with_those_of_velocities():
     kinds = {line.split(",")[3] for line in text[1:]}
     assert kinds == {"velocity", "acceleration", "force"}
     assert sum(",force,force," in line for line in text) == 37 * (9 + 4)
+
+
+def test_the_pins_of_more_than_two_links_are_listed_in_words():
+    run = coursework.solve("andrews-forces", scheme="euler", end=0.001)
+    told = " ".join(_convention(PageContext(run, load_words("en")), run.results.forces))
+    assert "links meet at E and A:" in told

@@ -158,7 +158,12 @@ def test_many_sets_are_a_sequence_of_tables_with_their_data():
     assert solved[1]["w3"].tolist() == coursework.solve("31").table["w3"].tolist()
     assert solved.data["p"].tolist() == [12.0, 13.08, 14.0]
     assert solved.to_frame().loc[(1, 0.06), "w3"] == solved[1].loc[0.06, "w3"]
-    assert coursework.solve_many("31", pd.Series({"p": 12.0})).values.shape == (1, 25, 7)
+    series = pd.Series({"p": 12.0})
+    assert coursework.solve_many("31", series).values.shape == (1, 25, 7)
+    changed = coursework.load("31").with_data(series, start=pd.Series({"phi1": 1.6}))
+    assert changed.set_values == {"p": "12 1/s", "phi1": "1.6 rad"}
+    with pytest.raises(coursework.InputError, match="found list"):
+        coursework.load("31").with_data([12.0])
 
 
 def test_what_takes_much_lies_in_a_file_and_is_the_same(monkeypatch):

@@ -38,6 +38,18 @@ def test_names_of_one_unit_share_axes_and_others_have_their_own():
     assert set(units) == {run.variant.unit_of(name) for name in (run.motion.names[0], *run.motion.velocity_names)}
 
 
+def test_accelerations_and_points_are_drawn_like_any_column():
+    run = coursework.solve("31")
+    axes = run.plot("dw3", "M.vy", exact=True)
+    assert [one.get_ylabel() for one in axes] == ["dω₃/dt, rad/s²", "M.vy, m/s"]
+    second, velocity = (one.lines[0].get_ydata() for one in axes)
+    np.testing.assert_array_equal(second, run.results.accelerations[:, run.motion.velocity_names.index("w3")])
+    np.testing.assert_allclose(velocity, 4.5 * np.sin(13.08 * run.motion.t + 4.35), rtol=0, atol=1e-9)  # the drive
+    for name in ("dw9", "Q.x"):
+        with pytest.raises(coursework.InputError, match=name):
+            run.plot(name)
+
+
 def test_own_axes_are_drawn_into():
     _, axes = plt.subplots()
     assert coursework.solve("31").plot(ax=axes) is axes

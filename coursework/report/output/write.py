@@ -15,8 +15,8 @@ from coursework.report.output.record import as_json
 from coursework.report.output.results import Results
 from coursework.scene.scene_run import SceneRun
 from coursework.system.file_set import publish
-from coursework.system.whole_files import refused, write_bytes, write_through
-from coursework.words.errors import Fault, NotToBeHad, OutputError
+from coursework.system.whole_files import refused, write_bytes, write_through, wrong_ending
+from coursework.words.errors import NotToBeHad, OutputError
 from coursework.words.sentences import either, say
 
 
@@ -53,7 +53,7 @@ def _page_format(target: Path) -> Format:
     suffix = target.suffix.lower().removeprefix(".")
     if suffix not in known:
         endings = either([f".{each}" for each in known])
-        raise OutputError([Fault(say("fault.W011", endings=endings, found=target.suffix or "–"), str(target))])
+        raise wrong_ending(target, endings)
     return known[suffix]
 
 

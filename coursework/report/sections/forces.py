@@ -75,7 +75,7 @@ def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
     if any(name[0] in "NKT" for name in found.reactions.names):
         yield context.words("forces.guides")
     if pins := found.rows.scheme.pins:
-        yield context.words("forces.pins", points=tuple(pins))
+        yield context.words("forces.pins", points=context.words.listing(list(pins)))
     empty = np.isnan(found.reactions.rows)
     locked = empty.all(axis=1) & bool(found.rows.scheme.forces.friction) & np.isfinite(found.reactions.condition)
     if locked.any():

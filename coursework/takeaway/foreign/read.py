@@ -16,7 +16,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 READERS: dict[str, Callable[[bytes], Scheme]] = {
-    ".pmks.csv": pmks.read, ".pmks.txt": pmks.read, ".pmks": pmks_plus.read, ".json": pylinkage.read, ".linkage2": linkage.read,
+    ".csv": pmks.read, ".pmks.txt": pmks.read, ".pmks": pmks_plus.read, ".json": pylinkage.read, ".linkage2": linkage.read,
 }  # fmt: skip
 ADDRESS = ("http://", "https://")
 

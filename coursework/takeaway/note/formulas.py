@@ -24,8 +24,10 @@ _NO_LETTERS = re.compile(r"[\\{}_^&\s]")
 _WORD = re.compile(r"_\{\\text\{([^{}]*?) \}\}")  # pandoc leaves a space behind a word that stands lower
 _BEGINS = re.compile(r"^= ")  # a sign between two sides looks for the left one
 _OPENING, _CLOSING = "\\begin{aligned}", "\\end{aligned}"
-_BRACKET = re.compile(r"(?<!\\left)(?<!\\right)[()]")
-_OPENED, _CLOSED, _NO_LEFT, _NO_RIGHT = "\\left( ", " \\right)", " \\left. ", " \\right."
+_BRACKET = re.compile(r"(?<!\\left)(?<!\\right)(?:[()]|\\[lr]brack\b)")
+# Word's writer would raise the closing bracket alone, and LibreOffice then misses it.
+_POWER = re.compile(r"(?<!\\left)\(([^()]*(?:\([^()]*\)[^()]*)*)(?<!\\right)\)(?=\^)")
+_NO_LEFT, _NO_RIGHT = " \\left. ", " \\right."
 _QUAD = "\\quad"
 _LEAD = re.compile(r"&?\s*(?:\\quad)*\s*[=+-]*\s*")
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
@@ -42,7 +44,7 @@ def latex_of(sources: Iterable[str], mark: str, *, aligned: bool) -> dict[str, s
     text = "\n\n".join(f"$ {_bare(one, mark)} $" for one in listed)
     tree = json.loads(called(["-f", "typst", "-t", "json"], text.encode()))
     made = [math for block in tree["blocks"] for math in _maths(block)]
-    made = [_broken(_result_below(_WORD.sub(r"_{\\text{\1}}", one))) for one in made]
+    made = [_broken(_result_below(_POWER.sub(_held, _WORD.sub(r"_{\\text{\1}}", one)))) for one in made]
     if mark != POINT:
         made = [_DECIMAL.sub(f"{{{mark}}}", one) for one in made]
     return dict(zip(listed, made if aligned else map(_in_a_column, made), strict=True))
@@ -65,7 +67,7 @@ def _result_below(latex: str) -> str:
 def _broken(latex: str) -> str:
     """Return a formula whose lines, where they are too long, go on below before a + or −, of the outermost sum if they can."""
     body = latex.removeprefix(_OPENING).removesuffix(_CLOSING)
-    if letters_wide(latex) <= WIDE or "\\begin" in body:
+    if "\\begin" in body:
         return latex
     body = body if body != latex else f"& {latex}"
     lines = [_balanced(piece) for line in body.split("\\\\") for piece in _pieces(line.strip())]
@@ -81,19 +83,24 @@ def _pieces(line: str) -> list[str]:
     return [line[:place].rstrip(), *_pieces(f"& {_QUAD * (1 + (least > 0))} {line[place:].strip()}")]
 
 
+def _held(power: re.Match[str]) -> str:
+    return power[0] if "\\\\" in power[0] else f"\\left({power[1]}\\right)"
+
+
 def _balanced(line: str) -> str:
     """Return a line whose brackets that are closed, or opened, in another line have nothing on their other side."""
-    opened, closed = list[int](), list[int]()
+    opened, closed = list[re.Match[str]](), list[re.Match[str]]()
     for found in _BRACKET.finditer(line):
-        if found[0] == "(":
-            opened.append(found.start())
+        if found[0] in ("(", "\\lbrack"):
+            opened.append(found)
         elif opened:
             opened.pop()
         else:
-            closed.append(found.start())
+            closed.append(found)
     begin = len(_LEAD.match(line)[0].rstrip("=+- ")) if closed else 0  # type: ignore[index]
-    for place in sorted((*opened, *closed), reverse=True):
-        line = f"{line[:place]}{_OPENED if place in opened else _CLOSED}{line[place + 1 :]}"
+    for found in sorted((*opened, *closed), key=re.Match.start, reverse=True):
+        side = "\\left" if found in opened else " \\right"
+        line = f"{line[: found.start()]}{side}{found[0]} {line[found.end() :]}"
     return f"{line[:begin]}{_NO_LEFT * len(closed)}{line[begin:]}{_NO_RIGHT * len(opened)}"
 
 

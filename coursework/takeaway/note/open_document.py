@@ -15,12 +15,23 @@ from coursework.takeaway.note.archive import unpacked
 from coursework.takeaway.note.dialects import SEQUENCES
 from coursework.takeaway.note.sections import STRUCTURAL
 from coursework.takeaway.note.styles import PAGE, House, open_document_styles
+from coursework.takeaway.note.tree import printed
 
 CONTENT, STYLES, MANIFEST = "content.xml", "styles.xml", "META-INF/manifest.xml"
 _STYLE = r'<style:style\b[^>]*style:name="{}"(?:[^>]*/>|.*?</style:style>)'
 _IMAGE = re.compile(r'<draw:image\b[^>]*xlink:href="([^"]+)"[^>]*?(?:/>|>\s*</draw:image>)')
 _MASTER = re.compile(r"<office:master-styles>.*?</office:master-styles>", re.S)
 _BORDERLESS = re.compile(r'(<style:style style:name="Table(?:Header)?RowCell"[^>]*>).*?</style:style>', re.S)
+_FORMULA = re.compile(r"Formula-\d+/content\.xml")
+_LOW, _END = '<mo accent="true">_</mo>', "</munder>"
+_SIGNS = {  # LibreOffice shows "¿" for a low line below a letter, and a circle under a dot that is to combine with one
+    "<munder><munder>": "<munder>",
+    f"{_LOW}{_END}{_LOW}{_END}": f"<mo>\u2550</mo>{_END}",
+    _LOW: "<mo>\u2015</mo>",
+    "\u0307": "\u02d9", "\u0308": "\u00a8", "\u030a": "\u02da",
+}  # fmt: skip
+_ROW = re.compile(r'<mrow>(<mo stretchy="true" form="prefix">)?|(stretchy="true" form="postfix">[^<]*</mo>)?</mrow>')
+_NO_RIGHT = '<mo stretchy="true" form="postfix"></mo>'  # pandoc leaves it out, and LibreOffice repeats the left one
 BORDER = 'fo:border="0.5pt solid #000000" fo:padding="1mm"'
 HEADER = 8.0  # mm within a margin, for the number of the page
 _HEADING = '<text:h text:style-name="Heading_20_1" text:outline-level="1">'
@@ -54,7 +65,7 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
     """Return the document; `house` None keeps the styles of a department, `drawings` are those that a PNG shows."""
     files = unpacked(content)
     styles = files[STYLES].decode()
-    for name, made in open_document_styles(house or House()).items():
+    for name, made in open_document_styles(house).items():
         found = re.search(_STYLE.format(re.escape(name)), styles, re.S)
         if found is None:
             styles = styles.replace("</office:styles>", f"{made}</office:styles>", 1)
@@ -74,7 +85,25 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
                 f'{_HEADING}<text:bookmark-start text:name="{name}"', f'{_SET}<text:bookmark-start text:name="{name}"'
             )
     files[CONTENT] = _with_drawings(files, text, drawings).encode()
+    for name in filter(_FORMULA.fullmatch, files):
+        formula = _with_right_sides(files[name].decode())
+        for sign, shown in _SIGNS.items():
+            formula = formula.replace(sign, shown)
+        files[name] = formula.encode()
     return zipped(files.items())
+
+
+def _with_right_sides(formula: str) -> str:
+    """Return MathML in which every bracket that goes on in the next line has an empty one on its right."""
+    opened = list[bool]()
+
+    def one(found: re.Match[str]) -> str:
+        if found[0].startswith("<mrow>"):
+            opened.append(found[1] is not None)
+            return found[0]
+        return f"{_NO_RIGHT}{found[0]}" if opened.pop() and not found[2] else found[0]
+
+    return _ROW.sub(one, formula)
 
 
 def _with_pages(styles: str, house: House) -> str:
@@ -128,7 +157,7 @@ def _with_drawings(files: dict[str, bytes], text: str, drawings: Mapping[bytes, 
         if name not in files:
             files[name] = drawing.file.encode()
             listed.append(f'<manifest:file-entry manifest:media-type="image/svg+xml" manifest:full-path="{name}"/>')
-        return f"{found[0].replace(found[1], name)}{found[0]}<svg:desc>{escape(drawing.alt)}</svg:desc>"
+        return f"{found[0].replace(found[1], name)}{found[0]}<svg:desc>{escape(printed(drawing.alt))}</svg:desc>"
 
     text = _IMAGE.sub(with_svg, text)
     known = files[MANIFEST].decode()

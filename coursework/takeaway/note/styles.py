@@ -14,6 +14,7 @@ from coursework.system.frozen import frozen
 TWIPS = 1440 / 25.4  # a mm
 PAGE = (210.0, 297.0)  # mm
 MONO = "Courier New"
+FIRST = "First Paragraph"  # of a section, and behind a formula
 REACH = 5.0  # mm into the right margin, for a drawing true to scale that is hardly wider than the text
 
 
@@ -73,6 +74,11 @@ class Style:
     right: float = 0.0
     typed: bool = False  # in letters of one width
 
+    @property
+    def is_text(self) -> bool:
+        """Whether it keeps to the lines and the indent of the text."""
+        return self.line is None and self.first is None
+
 
 def styles_of(house: House) -> tuple[Style, ...]:
     """Return the styles of a note by the names that pandoc gives them."""
@@ -83,7 +89,7 @@ def styles_of(house: House) -> tuple[Style, ...]:
     return (
         Style("Normal", after=4 if plain else 0),
         Style("Body Text", after=4 if plain else 0),
-        Style("First Paragraph", before=4, after=4 if plain else 0),
+        Style(FIRST, before=4, after=4 if plain else 0),
         Style("Compact", after=0),
         Style("Title", size + 4 if plain else size, bold=True, align="center", before=6, after=12, first=0),
         Style("Subtitle", size, align="center", before=120 if house.by_standard else 12, after=6, first=0),
@@ -112,12 +118,14 @@ def styles_of(house: House) -> tuple[Style, ...]:
     )  # fmt: skip
 
 
-def word_styles(house: House) -> dict[str, str]:
-    """Return the XML of every style by its id in Word's `styles.xml`."""
-    return {style.name.replace(" ", ""): _word_style(style, house) for style in styles_of(house)}
+def word_styles(house: House | None) -> dict[str, str]:
+    """Return the XML of every style by its id in Word's `styles.xml`; None leaves the text as a department has it."""
+    return {
+        style.name.replace(" ", ""): _word_style(style, house or House(), house is None) for style in styles_of(house or House())
+    }
 
 
-def _word_style(style: Style, house: House) -> str:
+def _word_style(style: Style, house: House, lent: bool) -> str:
     identifier = style.name.replace(" ", "")
     first = house.indent if style.first is None else style.first
     line = style.line or house.line
@@ -128,19 +136,29 @@ def _word_style(style: Style, house: House) -> str:
         stops = "".join(f'<w:tab w:val="{kind}" w:pos="{round(at * TWIPS)}"/>' for kind, at in places)
         paragraph += f"<w:tabs>{stops}</w:tabs>"
     paragraph += (
-        f'<w:spacing w:before="{round(style.before * 20)}" w:after="{round(style.after * 20)}" '
-        f'w:line="{round(line * 240)}" w:lineRule="auto"/>'
-        f'<w:ind w:left="0" w:right="{round(style.right * TWIPS)}" w:firstLine="{round(first * TWIPS)}"/>'
-        f'<w:jc w:val="{style.align}"/>'
+        ""
+        if lent and style.is_text
+        else (
+            f'<w:spacing w:before="{round(style.before * 20)}" w:after="{round(style.after * 20)}" '
+            f'w:line="{round(line * 240)}" w:lineRule="auto"/>'
+            f'<w:ind w:left="0" w:right="{round(style.right * TWIPS)}" w:firstLine="{round(first * TWIPS)}"/>'
+            f'<w:jc w:val="{style.align}"/>'
+        )
     )
     paragraph += f'<w:outlineLvl w:val="{style.level - 1}"/>' if style.level else ""
     half = round((style.size or house.size) * 2)
     face = MONO if style.typed else house.face
     faces = f'w:ascii="{face}" w:hAnsi="{face}" w:cs="{face}" w:eastAsia="{house.eastern}"'
-    run = f"<w:rFonts {faces}/>" + ("<w:b/>" if style.bold else "") + ("<w:i/>" if style.italic else "")
+    run = (
+        ("" if lent and not style.typed else f"<w:rFonts {faces}/>")
+        + ("<w:b/>" if style.bold else "")
+        + ("<w:i/>" if style.italic else "")
+    )
     run += "<w:caps/>" if style.capitals else ""
-    run += f'<w:color w:val="{"7F7F7F" if style.grey else "000000"}"/><w:sz w:val="{half}"/><w:szCs w:val="{half}"/>'
-    based = "" if style.name == "Normal" else '<w:basedOn w:val="Normal"/>'
+    run += f'<w:color w:val="{"7F7F7F" if style.grey else "000000"}"/>' if style.grey or not lent else ""
+    run += f'<w:sz w:val="{half}"/><w:szCs w:val="{half}"/>' if style.size or not lent else ""
+    parent = "BodyText" if lent and style.name == FIRST else "Normal"
+    based = "" if style.name == "Normal" else f'<w:basedOn w:val="{parent}"/>'
     default = ' w:default="1"' if style.name == "Normal" else ""
     name = style.name.lower() if style.name.startswith(("Heading ", "TOC ")) and style.name[-1].isdigit() else style.name
     return (
@@ -149,17 +167,18 @@ def _word_style(style: Style, house: House) -> str:
     )
 
 
-def open_document_styles(house: House) -> dict[str, str]:
-    """Return the XML of every style by its name in OpenDocument's `styles.xml`."""
+def open_document_styles(house: House | None) -> dict[str, str]:
+    """Return the XML of every style by its name in OpenDocument's `styles.xml`; None as for Word."""
     names = {"Normal": "Standard", "Body Text": "Text_20_body", "Image Caption": "FigureCaption", "Table Caption": "TableCaption",
              "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents",
-             "Source Code": "Preformatted_20_Text", "First Paragraph": "First_20_paragraph"}  # fmt: skip
+             "Source Code": "Preformatted_20_Text", FIRST: "First_20_paragraph"}  # fmt: skip
     return {
-        (name := names.get(one.name, one.name.replace(" ", "_20_"))): _open_style(one, name, house) for one in styles_of(house)
+        (name := names.get(one.name, one.name.replace(" ", "_20_"))): _open_style(one, name, house or House(), house is None)
+        for one in styles_of(house or House())
     }
 
 
-def _open_style(style: Style, name: str, house: House) -> str:
+def _open_style(style: Style, name: str, house: House, lent: bool) -> str:
     first = house.indent if style.first is None else style.first
     size, align = style.size or house.size, {"both": "justify"}.get(style.align, style.align)
     keep = ' fo:keep-with-next="always"' if style.keep else ""
@@ -173,16 +192,23 @@ def _open_style(style: Style, name: str, house: House) -> str:
     slope = "italic" if style.italic else "normal"
     more = ' fo:text-transform="uppercase"' if style.capitals else ""
     level = f' style:default-outline-level="{style.level}"' if style.level and style.name.startswith("Heading ") else ""
-    parent = "" if name == "Standard" else ' style:parent-style-name="Standard"'
+    above = "Text_20_body" if lent and style.name == FIRST else "Standard"
+    parent = "" if name == "Standard" else f' style:parent-style-name="{above}"'
     shown = style.name if name != "Standard" else "Standard"
     face = MONO if style.typed else house.face
+    faces = f'fo:font-family="{face}" style:font-family-asian="{house.eastern}" ' if style.typed or not lent else ""
+    if style.size or not lent:
+        faces += f'fo:font-size="{size}pt" style:font-size-asian="{size}pt" '
+    colour = f' fo:color="{"#7f7f7f" if style.grey else "#000000"}"' if style.grey or not lent else ""
+    lines = (
+        f' fo:margin-left="0mm" fo:margin-right="{style.right}mm" fo:text-indent="{first}mm" '
+        f'fo:margin-top="{style.before}pt" fo:margin-bottom="{style.after}pt" '
+        f'fo:line-height="{(style.line or house.line):.0%}" fo:text-align="{align}" style:justify-single-word="false"'
+    )
     return (
         f'<style:style style:name="{name}" style:display-name="{shown}" style:family="paragraph"{parent} '
         f'style:class="text"{level}>'
-        f'<style:paragraph-properties fo:margin-left="0mm" fo:margin-right="{style.right}mm" fo:text-indent="{first}mm" '
-        f'fo:margin-top="{style.before}pt" fo:margin-bottom="{style.after}pt" fo:line-height="{(style.line or house.line):.0%}" '
-        f'fo:text-align="{align}" style:justify-single-word="false"{keep}>{tabs}</style:paragraph-properties>'
-        f'<style:text-properties fo:font-family="{face}" style:font-family-asian="{house.eastern}" fo:font-size="{size}pt" '
-        f'style:font-size-asian="{size}pt" fo:font-weight="{weight}" style:font-weight-asian="{weight}" fo:font-style="{slope}" '
-        f'fo:color="{"#7f7f7f" if style.grey else "#000000"}"{more}/></style:style>'
+        f"<style:paragraph-properties{'' if lent and style.is_text else lines}{keep}>{tabs}</style:paragraph-properties>"
+        f'<style:text-properties {faces}fo:font-weight="{weight}" style:font-weight-asian="{weight}" fo:font-style="{slope}"'
+        f"{colour}{more}/></style:style>"
     )

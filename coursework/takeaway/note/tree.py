@@ -17,11 +17,15 @@ def attributes(name: str = "", **values: str) -> list[Any]:
     return [name, [], [[key.replace("_", "-"), value] for key, value in values.items()]]
 
 
+def printed(said: str) -> str:
+    """Return a text in one line, without what does not print: no document holds that."""
+    return "".join(letter for letter in said.replace("\n", " ") if letter.isprintable() or letter in "\u00a0\u2009\u202f\u3000")
+
+
 def text(said: str) -> list[Node]:
-    """Return words and the spaces between them; what does not print is left out."""
+    """Return words and the spaces between them."""
     found: list[Node] = []
-    clean = "".join(letter for letter in said.replace("\n", " ") if letter.isprintable() or letter in "\u00a0\u2009\u202f\u3000")
-    for place, word in enumerate(clean.split(" ")):
+    for place, word in enumerate(printed(said).split(" ")):
         if place:
             found.append({"t": "Space"})
         if word:

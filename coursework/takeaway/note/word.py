@@ -77,7 +77,7 @@ def _lettered(found: re.Match[str]) -> str:
 
 def _with_styles(styles: str, house: House | None) -> str:
     """Return the styles of the house; to those of a department only what it lacks is added."""
-    for identifier, made in word_styles(house or House()).items():
+    for identifier, made in word_styles(house).items():
         pattern = re.compile(_STYLE.format(re.escape(identifier)), re.S)
         if not pattern.search(styles):
             styles = styles.replace("</w:styles>", f"{made}</w:styles>")

@@ -52,6 +52,15 @@ MAX_NUMBERS = 4_000_000  # of a table: rows times columns
 MOST_PERIODS = 10_000  # of one run
 
 
+def _by_name(values: Values | None) -> Values:
+    """Return data by their names; a pandas Series goes through its values, and has no truth."""
+    if values is None:
+        return {}
+    if not hasattr(values, "keys"):
+        raise InputError(say("fault.D017", found=type(values).__name__))
+    return {name: values[name] for name in values.keys()}  # noqa: SIM118  a Series goes through its values
+
+
 def no_column(name: object, known: tuple[str, ...]) -> InputError:
     """Return the error for a name that is none of the columns known."""
     return InputError(say("fault.D028", name=name, hint=closest(str(name), known), known=known))
@@ -278,4 +287,4 @@ class Variant:
             raise InputError(say("fault.D004", name=self.name))
         asked = (("step", step), ("end", end), ("period", period), ("check_row", check_row))
         times = {key: value for key, value in asked if value is not None}
-        return self.reread(self, Changes(given or {}, start or {}, drive or {}, times))
+        return self.reread(self, Changes(_by_name(given), _by_name(start), _by_name(drive), times))

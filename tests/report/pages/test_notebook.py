@@ -52,6 +52,7 @@ def test_drawing_plots_and_checks():
     for check in run.checks:
         assert f'<span class="code">{check.code}</span>' in page
     assert "exact" in page
+    assert re.search(r"\.checks [^{}]*:nth-child[^{}]*\{[^}]*white-space: normal", page), "sentences wrap"
     width = float(re.search(r'<svg[^>]* width="([\d.]+)mm"', page)[1])
     height = float(re.search(r'<svg[^>]* height="([\d.]+)mm"', page)[1])
     assert width > height, "a screen does not turn a wide sheet onto its side"

@@ -112,7 +112,7 @@ def test_both_files_of_pylinkage(folder, name, speed):
 
 
 def test_gears_of_pmks_turn_a_second_crank(folder):
-    run = taken(folder, "geared.pmks.csv", GEARED.encode())
+    run = taken(folder, "geared.csv", GEARED.encode())
     assert [group.kind for group in run.variant.groups] == ["crank", "crank", "RRR"]
     assert not any("G" in remark for remark in run.variant.remarks)
     t = run.motion.t[5]

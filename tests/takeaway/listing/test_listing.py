@@ -141,6 +141,8 @@ def test_words_of_a_file_stay_in_their_comment():
 def test_the_command_prints_or_writes(folder):
     shown = call("listing", "31", "--language", "python")
     assert shown.exit_code == 0 and shown.stdout == written(solved("31"), "python")
+    assert "W011 own.png" in call("listing", "31", "--chart", "own.png").stderr
+    assert "W006 ." in call("listing", "31", "--out", ".").stderr
     done = call("listing", "31", "--language", "c", "--out", "own.c", "--chart", "own.svg")
     assert done.exit_code == 0
     assert [float(size) for size in re.findall(r": (\d+) kB", done.output)] == pytest.approx(

@@ -14,7 +14,9 @@ import pytest
 
 from coursework.report.output.formats import formats_for
 from coursework.report.text.parts import Checks, Claims, Equations, Figure, Panels, Table
+from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.formulas import WIDE, latex_of, letters_wide
+from coursework.takeaway.note.open_document import MANIFEST, _with_drawings
 from coursework.takeaway.note.writer import LANGUAGES
 from coursework.variant.catalogue import names
 from tests.command import call
@@ -123,6 +125,9 @@ def formulas_of_odt(content):
         places = re.findall(r'<draw:object [^>]*xlink:href="(Formula-\d+)', archive.read("content.xml").decode())
         roots = [ElementTree.fromstring(archive.read(f"{place}/content.xml")) for place in places]
     for root in roots:
+        assert not {*"".join(root.itertext())} & {*"_\u0307\u0308\u030a"}  # LibreOffice shows "¿", or a circle below the dot
+        fences = [one.get("form") for one in root.iter() if one.get("stretchy") == "true" and one.get("form")]
+        assert fences.count("prefix") <= fences.count("postfix")  # it repeats the left one
         for above in root.iter():
             for one in [*above]:
                 is_one = above.tag.endswith("mfrac") and one is above[0] and "".join(one.itertext()).strip() == "1"
@@ -215,6 +220,8 @@ def test_a_department_has_styles_of_its_own(folder):
     called = call("run", "v107", "--quantities", "table", "--format", "docx", "--templates", "looks", "--out", "taken")
     assert called.exit_code == 0, called.output
     read = docx.Document(folder / "taken/report.docx")
+    added = read.styles["First Paragraph"]  # python-docx has none
+    assert added.font.name is None and added.font.size is None and added.base_style.name == "Body Text"
     assert read.styles["Normal"].font.name == "Courier New" and round(read.sections[0].left_margin.mm) == 41
     assert "report.docx" in json.loads((folder / "taken/run.json").read_text(encoding="utf-8"))["files"]
 
@@ -249,8 +256,19 @@ def test_a_worked_formula_that_is_too_long_is_broken_before_a_sign_and_has_its_r
     assert letters_wide(made) <= WIDE and made.count("\\\\") == 3 and "2\\\\\n\\quad + a\\cos" in made
     (short,) = latex_of(['& x = 1.5 \\ & quad + 0.0415 dot cos(0.0401) = "0.5"'], ".", aligned=True).values()
     assert short.count("\\\\") == 1 and letters_wide(short) < 30
+    (held,) = latex_of(["& x = [2 (-3)^2 \\ & quad + cos(1)]"], ".", aligned=False).values()
+    first, second = held.removeprefix("\\begin{array}{l}").split("\\\\")
+    for line, sides in ((first, 2), (second, 1)):  # LibreOffice shows "¿" for a bracket without its other one
+        assert line.count("\\left") == line.count("\\right") == sides and line.count("\\left.") + line.count("\\right.") == 1
 
 
 def test_the_two_tables_of_checks_have_a_title_that_keeps_to_them():
     styles = [one.style.name for one in docx.Document(io.BytesIO(note("31", "docx", "en"))).paragraphs]
     assert styles.count("Table Title") == 4  # the claims, and in the appendix the checks
+
+
+def test_a_drawing_whose_title_has_what_does_not_print_leaves_the_text_readable():
+    files = {"a.png": b"PNG", MANIFEST: b"<manifest:manifest></manifest:manifest>"}
+    drawn = {b"PNG": Picture("a", "<svg/>", 1.0, 1.0, "the <wheel>\x07\u202e")}
+    text = _with_drawings(files, '<draw:image xlink:href="a.png"/>', drawn)
+    assert text.endswith("<svg:desc>the &lt;wheel&gt;</svg:desc>") and "a.svg" in files
