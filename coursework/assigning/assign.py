@@ -101,7 +101,7 @@ def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
     """Return the roster for `grade --roster`, with what was drawn and how hard it is; further columns are kept."""
     names = [one.name for one in assignment.ranges.ranges]
     head = ["id", "name", "email", "variant", "least_decimals", ACCEPTED, *names, *MEASURES]
-    more = [key for key in (handouts[0].student.more if handouts else {}) if key not in head]
+    more = [key for key in handouts[0].student.more if key not in head]
     rows = [
         [
             handout.student.id, text_cell(handout.student.name), handout.student.email, f"{handout.stem}.toml",

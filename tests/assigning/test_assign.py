@@ -138,6 +138,9 @@ def test_the_page_of_the_class_shows_how_it_spreads(out):
     assert "3 students have variants of their own from template 31, seed 2026" in page
     assert page.count('<svg class="chart strip"') == 4 + 10  # measures of difficulty, drawn data
     assert page.count("h0") == 3 * 14  # a mark each
+    units = re.findall(r'<span class="unit">(.*?)</span></th>', page)
+    assert units == ["m"] * 3 + ["m/s", "1/s"] + ["rad"] * 4 + [" ", "rad", " ", "rad/s", "rad"]
+    assert "<td>3</td><td>0.895</td><td>0.760</td><td>0.419</td><td>4.3</td><td>13.46</td>" in page
     assert "&lt;script&gt;" in page
     assert "<script" not in page
 
