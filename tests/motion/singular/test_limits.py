@@ -188,7 +188,8 @@ def on_the_way(**more):
     found = more.pop("event", None)
     stand = SimpleNamespace(
         scaled=[1.0], length=0.1, taken=0, end=1.0, way=[np.zeros(2)], near=0.0, slope=np.ones(2), _clock=lambda block: None,
-        _step=lambda clock: next(steps), _determinants=lambda state: [1.0], _inside=lambda *_: (found, 0.0), _pass=lambda *_: False,
+        _step=lambda clock: next(steps), _determinants=lambda state: [1.0], _inside=lambda *_: (found, 0.0),
+        _pass=lambda *_: False,
         _arrive=lambda *_: stand.__dict__.update(arrived=True), _boundless=lambda state: ENDED, arrived=False,
     )  # fmt: skip
     stand.__dict__.update(more)
