@@ -9,7 +9,6 @@ What one student gets depends on that student alone; a further student adds file
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import field
 from pathlib import Path
 
 from coursework.assigning.class_page import class_page
@@ -43,11 +42,11 @@ class Wishes:
     """
 
     seed: str
-    deadline: str = ""
-    pdf: bool = False
-    rubric: Rubric = field(default_factory=Rubric)
-    workbooks: bool = False
-    help_level: int = 0
+    deadline: str
+    pdf: bool
+    rubric: Rubric
+    workbooks: bool
+    help_level: int
 
 
 def assign(
