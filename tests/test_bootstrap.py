@@ -80,6 +80,18 @@ def test_from_a_half_made_environment_to_a_result(checkout):
     assert (third.stdout, third.stderr, third.returncode) == ("ran check mine\n", "", 1)
 
 
+@pytest.mark.parametrize(
+    ("words", "extra"), [(["run", "edit"], ""), (["edit"], "[desk]"), (["serve", "test"], "[desk]"), (["test"], "[test]")]
+)
+def test_a_command_is_prepared_with_what_it_needs(words, extra, monkeypatch):
+    prepared = []
+    monkeypatch.setattr(bootstrap, "prepare", lambda extra: prepared.append(extra) or sys.executable)
+    monkeypatch.setattr(bootstrap, "test", lambda python, more: 0)
+    monkeypatch.setattr(subprocess, "Popen", lambda command: None)
+    monkeypatch.setattr(bootstrap, "ended", lambda process: 0)
+    assert (bootstrap.main(words), prepared) == (0, [extra])
+
+
 @pytest.mark.parametrize("module", ["venv", "ensurepip"])
 def test_the_one_package_to_install_is_named(module, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(bootstrap, "HOME", tmp_path / ".venv")

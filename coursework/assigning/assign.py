@@ -9,7 +9,6 @@ What one student gets depends on that student alone; a further student adds file
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import field
 from pathlib import Path
 
 from coursework.assigning.class_page import class_page
@@ -43,11 +42,11 @@ class Wishes:
     """
 
     seed: str
-    deadline: str = ""
-    pdf: bool = False
-    rubric: Rubric = field(default_factory=Rubric)
-    workbooks: bool = False
-    help_level: int = 0
+    deadline: str
+    pdf: bool
+    rubric: Rubric
+    workbooks: bool
+    help_level: int
 
 
 def assign(
@@ -101,7 +100,7 @@ def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
     """Return the roster for `grade --roster`, with what was drawn and how hard it is; further columns are kept."""
     names = [one.name for one in assignment.ranges.ranges]
     head = ["id", "name", "email", "variant", "least_decimals", ACCEPTED, *names, *MEASURES]
-    more = [key for key in (handouts[0].student.more if handouts else {}) if key not in head]
+    more = [key for key in handouts[0].student.more if key not in head]
     rows = [
         [
             handout.student.id, text_cell(handout.student.name), handout.student.email, f"{handout.stem}.toml",

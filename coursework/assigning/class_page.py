@@ -23,7 +23,7 @@ LONGEST = 120
 
 
 def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, words: Words) -> str:
-    """Return the page of the class."""
+    """Return the page of a class, in which there is somebody."""
     accepted = [handout.individual.accepted for handout in handouts]
     centre = assignment.acceptance.centre
     draws = [one.attempt + 1 for one in accepted]
@@ -31,12 +31,12 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
     ranges = assignment.ranges.ranges
     summary = words.phrases.said(
         "assigned.summary", count=len(handouts), template=clean(assignment.template.name, LONGEST), seed=clean(seed, LONGEST),
-        drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws) if draws else 0.0, most=max(draws, default=0),
+        drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws), most=max(draws),
     )  # fmt: skip
     return fitted(filled("assigned.html.j2", words=words, language=words.phrases.language, summary=summary,
         refused=words("assigned.refused", reasons=words("assign.refused.join").join(refused)) if refused else "",
-        difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES] if accepted else [],
-        data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],
+        difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES],
+        data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1],
         columns=[_column(one, accepted, assignment, words) for one in ranges],
         measures=[(words(f"assigned.{name}"), words.unit(MEASURES[name])) for name in MEASURES],
         students=[_student(handout, words) for handout in handouts],

@@ -59,7 +59,7 @@ def timed_study(run: Run) -> AccuracyStudy:
     scene = run.scene
     if not scene.follows_laws:
         return _by_motor(run)
-    if scene.closure is None and run.exact.evaluations == 0:
+    if not len(run.exact.t):
         raise InputError(say("fault.C022"))
     problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     command = [sys.executable, "-c", "import numpy"]

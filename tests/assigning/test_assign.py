@@ -140,6 +140,9 @@ def test_the_page_of_the_class_shows_how_it_spreads(out):
     assert page.count('<svg class="chart strip"') == 4 + 10  # measures of difficulty, drawn data
     assert page.count("h0") == 3 * 14  # a mark each
     assert float(strip([1.0, 2.0], 1.0, 2.0, 3.0, ("1", "3"), "3").centre) == RIGHT  # beyond the class, on the axis yet
+    units = re.findall(r'<span class="unit">(.*?)</span></th>', page)
+    assert units == ["m"] * 3 + ["m/s", "1/s"] + ["rad"] * 4 + [" ", "rad", " ", "rad/s", "rad"]
+    assert "<td>3</td><td>0.895</td><td>0.760</td><td>0.419</td><td>4.3</td><td>13.46</td>" in page
     assert "&lt;script&gt;" in page
     assert "<script" not in page
 

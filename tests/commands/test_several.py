@@ -51,6 +51,13 @@ def test_each_gets_a_folder_and_the_faulty_ones_a_line(folder):
     assert "5 variants: 2 with status 0, 1 with status 1, 2 with status 2" in result.stdout
 
 
+def test_the_summary_names_what_is_coarse_only_where_that_counts(folder):
+    for strict, status in (([], "0"), (["--strict"], "1")):
+        call("run", "mine", "31", "--step", "0.04", *strict, *CSV, "--out", "o")
+        row = summary(Path("o"))["31"]
+        assert (row["status"], "ACCURACY" in row["sentence"]) == (status, bool(strict))
+
+
 def test_the_same_as_one_by_one(folder):
     assert call("run", "31", "stops.toml", "v108", *CSV, "--out", "o").exit_code == 1
     for name in ("31", "stops.toml", "v108"):

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from coursework.desk.job import Policy
 from coursework.words.data_folders import folder_of_package, standing_in
 from tests.desk.desks import COOKIE, TEXT, desk
 
@@ -53,6 +54,7 @@ def test_the_page_knows_what_was_opened(client, tmp_path):
     assert (config["folder"], config["writable"]) == (str(tmp_path), True)
     assert [name for name, _ in config["languages"]] == ["en", "ru", "uk", "zh"]
     assert ["euler", "явная схема Эйлера"] in config["schemes"]
+    assert {"html", "csv", "pdf"} <= {*config["formats"]}
     (tmp_path / "mine.toml").write_text("another", encoding="utf-8")
     assert config_of(client.get("/").text)["text"] == "another"
 
@@ -96,8 +98,9 @@ def test_nothing_else_is_served(client, name):
 
 
 def test_a_desk_for_others_names_a_browser_without_meaning(reports):
-    with desk(root="/our") as client:
+    with desk(root="/our", policy=Policy(formats=("csv",))) as client:
         page = client.get("/our/")
+        assert config_of(page.text)["formats"] == ["csv"]
         assert config_of(page.text)["root"] == "/our"
         assert config_of(page.text)["mode"] == "serve"
         assert 'src="/our/desk/main.js?v=' in page.text

@@ -248,6 +248,13 @@ def test_what_nobody_can_ask_for_is_told_with_all_other_faults(tmp_path):
         assert '"s3"' not in told.stderr.replace('coordinates = ["phi3", "s3"]', "")
 
 
+def test_a_time_that_could_not_be_read_hides_no_point_that_is_none(tmp_path):
+    text = SHAPER.replace('"0.5 s"', "true").replace('K = "(0, h)"', 'K = "Z + (0, h)"')
+    (tmp_path / "shaper.toml").write_text(text, encoding="utf-8")
+    told = call("check", tmp_path / "shaper.toml").stderr
+    assert "end" in told and "Z" in told
+
+
 def test_of_columns_that_could_not_be_read_nothing_is_said(tmp_path):
     text = SHAPER.replace('s3   = { rate = "u3" }', 's3   = { rat = "u3" }').replace('["table"]', '["table", "u3"]')
     (tmp_path / "shaper.toml").write_text(text, encoding="utf-8")

@@ -100,9 +100,7 @@ def read_cells(content: bytes, file: str) -> CellText:
 
 def _separator(text: str) -> str:
     """Return the sign that stands most often outside quotation marks in the first line."""
-    end = text.find("\n")
-    line = text[: end if end >= 0 else len(text)]
-    outside = "".join(line.split('"')[::2])
+    outside = "".join(text.partition("\n")[0].split('"')[::2])
     return max(_SEPARATORS, key=outside.count)
 
 

@@ -111,6 +111,11 @@ def along(length: Formula, angle: Formula) -> Formula:
 
 
 def across(offset: Formula, angle: Formula) -> tuple[Formula, ...]:
-    """Return the vector `offset` at right angles to `angle`, or nothing where the offset is zero."""
+    """Return the vector `offset` at right angles to `angle`, or nothing where the offset is zero.
+
+    >>> from coursework.variant.formula.tree import spelled
+    >>> spelled(across(named("e"), named("alpha"))[0]), across(number(0), named("alpha"))
+    ('e @ (alpha + pi/2)', ())
+    """
     zero = offset.op == "number" and offset.value == 0
     return () if zero else (along(offset, plus(angle, QUARTER)),)

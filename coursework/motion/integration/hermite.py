@@ -13,6 +13,9 @@ def hermite(begin: Array, end: Array, out: Array, into: Array, part: Array) -> A
     """Return the values at a `part` of the interval, 0 at its begin and 1 at its end; shapes that go together.
 
     `out` and `into`: the slopes at `begin` and `end` times the length of the interval.
+
+    >>> hermite(1.0, 8.0, 3.0, 12.0, 0.25) == 1.25**3
+    True
     """
     rest = 1 - part
     return begin * (1 + 2 * part) * rest**2 + out * part * rest**2 + end * part**2 * (3 - 2 * part) - into * part**2 * rest

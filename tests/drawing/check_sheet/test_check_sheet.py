@@ -7,6 +7,7 @@ import re
 from dataclasses import replace
 from html import unescape
 from pathlib import Path
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -20,6 +21,7 @@ from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.paper.sheet import HEADLESS
 from coursework.variant.catalogue import names
 from coursework.variant.record.variant import Link
+from coursework.words.sentences import say
 from tests.drawing import measured
 from tests.drawing.check_sheet.checked import DRAWABLE, check_of, run_of, scene, sketch_of, svg_of
 
@@ -261,3 +263,13 @@ def test_the_blank_sheet_is_an_option(tmp_path: Path) -> None:
     assert "Construct the centres and velocities here." in page
     assert "V_M/P" not in page
     assert 'stroke-dasharray="2.4 1 0.4 1"' not in page
+
+
+def test_links_without_a_centre_are_told_where_there_is_something_to_ask_of_them():
+    """A link of two points, or the bar in a sleeve; a point alone has no centre of its own."""
+    from coursework.drawing.check_sheet.graph_words import how_found
+
+    bodies = [SimpleNamespace(name=name, points=points, guide=False) for name, points in (("2", "B"), ("3", "CD"), ("4", "E"))]
+    pose = SimpleNamespace(bodies=bodies, slides=[SimpleNamespace(link="2", rider="B")], positions={})
+    findings = SimpleNamespace(planned={"2", "3", "4"}, beyond=(), centres={})
+    assert how_found(SimpleNamespace(pose=pose), findings, None) == [say("drawing.by_lines", links=("2", "3"))]

@@ -229,6 +229,8 @@ def test_the_steps_say_how_it_is_drawn() -> None:
     assert "55.5 mm" in velocity[1]
     assert "25.6 mm" in acceleration[1]
     assert "44.5 mm" in acceleration[1]
+    crossed = drawings_of("v107")["velocity-plan"].steps[3]
+    assert "from the pole at right angles to PA and from b at right angles to BA" in crossed
     assert all(math.isfinite(float(n)) for step in (*velocity, *acceleration) for n in re.findall(r"\d+\.\d+", step))
 
 

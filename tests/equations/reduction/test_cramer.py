@@ -13,9 +13,10 @@ import coursework
 from coursework.equations.algebra.calculus import expand, replaced
 from coursework.equations.algebra.expression import ZERO, add
 from coursework.equations.reduction.cramer import cramer
-from coursework.equations.reduction.sums import gathered
+from coursework.equations.reduction.sums import gathered, written_sums
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_system
+from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import evaluate, spelled
 from coursework.variant.reading.reader import parse_variant
 
@@ -218,6 +219,11 @@ def test_a_sum_that_the_author_wrote_as_one_length_stays_one():
     assert evaluate(first.numerators[0], values) == pytest.approx(
         evaluate(first.right_sides[0], values) * d - b * evaluate(first.right_sides[1], values)
     )
+
+
+@pytest.mark.parametrize(("text", "whole"), [("R0 + R4", True), ("R0 + s", False), ("R0 + R4 + s", False), ("R0*R4", False)])
+def test_only_what_is_a_sum_of_data_alone_is_one(text, whole):
+    assert len(written_sums([parse(f"({text})*sin(phi)")], frozenset({"R0", "R4"}))) == whole
 
 
 def test_a_length_that_is_a_part_of_a_datum_less_stays_one_length():

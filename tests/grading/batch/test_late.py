@@ -138,6 +138,7 @@ def test_a_late_class(tmp_path):
     page = (out / found[2]["page"]).read_text(encoding="utf-8")
     assert '<th scope="row">late</th><td>−10</td>' in page
     assert "(0 d 0 h 16 min): 10 of 100 points are lost." in rows(out)[found[2]["id"]]["sentence"]
+    assert "(69 d 10 h 39 min): 25 of 100" in rows(out)[found[4]["id"]]["sentence"]
     assert "Marked now: 0" in grade(*arguments).output
     sheet = tmp_path / "sheet.csv"
     sheet.write_bytes(sheet.read_bytes().replace(moodle(16).encode(), moodle(15).encode()))

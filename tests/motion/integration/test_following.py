@@ -1,5 +1,7 @@
 """One Newton over all rows finds the rows that following step by step finds, and leaves a row in doubt to it."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -22,6 +24,17 @@ def singles(monkeypatch):
 
     monkeypatch.setattr(_Follower, "single", noted)
     return found
+
+
+@pytest.mark.parametrize(("off", "kept"), [(0.045, 3), (0.055, 1)])
+def test_a_guess_that_is_far_off_leaves_its_row_in_doubt(off, kept):
+    guess = np.zeros((3, 2))
+    found = guess + np.array([[0, 0], [0, off], [0, 0]])
+    stand = SimpleNamespace(
+        closure=SimpleNamespace(newton_rows=lambda *_: (found, np.ones(3, dtype=bool))),
+        rates=SimpleNamespace(table=lambda *_: (None, np.ones((3, 1)))), signs=np.ones(1),
+    )  # fmt: skip
+    assert len(_Follower.certain(stand, np.arange(3.0), guess, guess)) == kept
 
 
 def step_by_step(closure, rates, times, monkeypatch):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.integration import integrate
 from coursework.motion.integration.integrate import Correction, march
 from coursework.motion.integration.loops import generate_rows
 from coursework.motion.schemes import SCHEMES
@@ -78,3 +79,10 @@ def test_a_start_at_a_dead_point_leaves_no_row():
     assert len(rows.t) == len(steps.t) == 0
     assert rows.stop == steps.stop
     assert rows.stop.kind == "not finite"
+
+
+def test_a_step_that_turns_too_far_is_told_with_the_row_it_leaves(monkeypatch):
+    monkeypatch.setattr(integrate, "_named", lambda rates, q: {})
+    stop = integrate._too_wide("phi", 1.7, 4, 0.08, 0.02, np.zeros(1), None)
+    assert (stop.row, stop.time) == (4.0, 0.08)
+    assert "At row 5 (t = 0.08 s) one step of 0.02 s would turn phi by 1.7 rad (97°)" in str(stop.cause)

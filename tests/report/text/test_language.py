@@ -8,7 +8,7 @@ import pickle
 import re
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import pytest
@@ -17,6 +17,7 @@ from click.testing import CliRunner
 import coursework
 from coursework.commands.cli import main
 from coursework.report.pages import build_model, render_html
+from coursework.report.pages.model import heading_of
 from coursework.report.text import words
 from coursework.report.text.parts import Paragraph
 from coursework.scene.scene_run import SceneRun
@@ -256,3 +257,21 @@ def test_numbers_with_a_decimal_comma_are_listed_with_semicolons(language: str, 
     decimal = load_phrases(language).template("decimal")
     listed = load_phrases(language).written(joined(values, "join.numbers"))
     assert listed == f"phi1 1{decimal}63{between}w1 -1{decimal}5"
+
+
+@pytest.mark.parametrize(
+    ("language", "numbered", "named"),
+    [
+        ("en", "Variant 31: x", "Variant mine: x"),
+        ("ru", "Вариант 31. x", "x"),
+        ("uk", "Варіант 31. x", "x"),
+        ("zh", "第 31 题　x", "x"),
+    ],
+)
+def test_only_a_number_is_that_of_a_task_in_a_heading(language: str, numbered: str, named: str) -> None:
+    for name, heading in (("31", numbered), ("mine", named)):
+        variant = SimpleNamespace(name=name, title="x")
+        context = SimpleNamespace(
+            run=SimpleNamespace(variant=variant), variant=variant, is_about_accuracy=False, words=words.load_words(language)
+        )
+        assert heading_of(context) == heading

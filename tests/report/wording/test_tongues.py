@@ -163,7 +163,7 @@ def test_rows_up_to_a_stop_are_said_to_be_right_up_to_it(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize(
-    ("student", "missing"), [("王鑫淼", ""), ("𐘀𐘁𐘂", "𐘀𐘁𐘂")], ids=["a name of GB 2312", "a name that no face here has"]
+    ("student", "missing"), [("王鑫淼", ""), ("𐘀𐘁 𐘂", "𐘀𐘁𐘂")], ids=["a name of GB 2312", "a name that no face here has"]
 )
 def test_a_letter_that_no_face_has_is_named(student: str, missing: str, tmp_path: Path) -> None:
     told = CliRunner().invoke(main, ["run", "31", "--student", student, "--format", "pdf", "--out", str(tmp_path)])

@@ -1,6 +1,7 @@
 """The step advised is a whole part of the run's, was run, and is spelled as the command line reads it; else a scheme is named."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -122,3 +123,15 @@ def test_the_exact_motion_between_its_rows(name, parts):
     scale = np.ptp(close.rows, axis=0) + 0.1 * np.max(np.abs(close.rows), axis=0)
     assert np.max(np.abs(made.rows - close.rows) / np.where(scale > 0, scale, 1.0)) < 1e-4
     assert finer(run.exact, run.scene.rates, parts, 10 * len(close.t)) is None
+
+
+@pytest.mark.parametrize(("shares", "looked_at", "told"), [
+    ({10: 0.04, 15: 0.04}, [10, 15], None), ({10: 0.04, 15: 0.06}, [10, 15], (15, 0.06)), ({10: 0.06}, [10], (10, 0.06)),
+])  # fmt: skip
+def test_a_half_and_a_third_of_an_advised_step_have_to_do_as_well(shares, looked_at, told, monkeypatch):
+    tried = []
+    monkeypatch.setattr(advice, "_affordable", lambda *_: True)
+    monkeypatch.setattr(advice, "_spelled", lambda evidence, parts: ("", parts))
+    monkeypatch.setattr(advice, "_glanced", lambda evidence, motion, parts: shares[parts])
+    judged = SimpleNamespace(rerun=lambda own, parts: tried.append(parts) or "rows")
+    assert (advice._worse(judged, "euler", 5, 1), tried) == (told, looked_at)

@@ -2,12 +2,13 @@
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import coursework
-from coursework.results.checks import evidence
+from coursework.results.checks import check, evidence
 from coursework.results.checks.close_to_motion import closeness, period, rows, sinusoid
 from coursework.results.checks.computed_right import beginning, conditioning, equations
 from coursework.results.checks.evidence import Evidence
@@ -227,3 +228,12 @@ def test_rows_that_end_beside_a_run_without_a_stated_period_are_not_wrong():
     """Thirteen steps and seven tenths: no row is near the end, and nobody said that the motion repeats there."""
     run = solve(V31.replace("\nperiod", "\n# period"), end=0.5, step=0.5 / 13.7)
     assert found(run, "PERIOD-POSITION").verdict == found(run, "PERIOD-VELOCITY").verdict == "SKIP"
+
+
+@pytest.mark.parametrize(("digits", "too_few"), [(1.5, True), (1.7, False)])
+def test_digits_are_too_few_for_the_way_of_a_coordinate_in_its_own_scale(digits, too_few, monkeypatch):
+    """A slide goes 0.2 m, twice its scale: 2 / 10^digits is more than 5 % of that, or less."""
+    monkeypatch.setattr(check, "condition", lambda evidence: SimpleNamespace(value=digits))
+    exact = SimpleNamespace(coordinate_names=("s",), column=lambda name: np.array([0.1, 0.3, 0.2]))
+    judged = SimpleNamespace(restricted=False, exact=exact, names=("s", "u"), scale={"s": 0.1, "u": 1.0})
+    assert check._too_few(judged) == (digits if too_few else None)

@@ -5,6 +5,7 @@ import pandas as pd
 import pytest
 
 import coursework
+from coursework.scene.model.one_set import with_numbers
 
 MODEL = coursework.compile_model("31")
 
@@ -59,3 +60,11 @@ def test_the_largest_number_is_still_one():
 
 def test_no_sets_are_no_fault():
     assert MODEL.data({"p": []}).count == 0
+
+
+def test_a_set_alone_has_its_own_numbers_and_starts():
+    data = MODEL.data({"r1": [0.9, 0.95], "phi1": [1.7, 1.8]})
+    data.start[:, 2] = np.nan  # as where a file leaves it open
+    alone = with_numbers(MODEL.variant, data, 1)
+    assert alone.values == MODEL.variant.values | {"r1": 0.95}
+    assert [one.start for one in alone.coordinates] == [1.8, 3.37, None]

@@ -8,6 +8,8 @@ import coursework
 from coursework.motion.geometry.drive import resolved
 from coursework.motion.schemes import SCHEMES
 from coursework.scene.model.sets import prepare
+from coursework.scene.model.start import start_of
+from coursework.scene.model.watch import fewest_steps
 from coursework.variant.catalogue import find, names
 from tests.sample import sampled
 
@@ -213,6 +215,16 @@ def test_the_whole_motion_lasts_through_a_period_that_is_longer_than_the_table()
         assert possible.tolist() == [True, seen]
         assert (possible[1], reasons[1]) == coursework.feasible(variant.with_data(given={"alpha": 0.02}))
         assert seen or "0.116889" in reasons[1]
+
+
+@pytest.mark.parametrize(("end", "steps"), [(0.5, 12), (10.0, 200), (1000.0, 4000)])
+def test_in_a_step_of_the_first_look_no_drive_turns_further_than_half_a_radian(end, steps):
+    """The crank of Example 1 turns at 10 rad/s; there are 12 steps at least and 4000 at most."""
+    example = model("example-1")
+    data = example.data({})
+    numbers = example.numbers(data)
+    start = start_of(example, data, numbers).closed
+    assert fewest_steps(example, numbers, np.zeros(1), start, end) == steps
 
 
 def test_each_set_is_followed_for_its_own_time():
