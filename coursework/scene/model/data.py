@@ -15,7 +15,7 @@ import numpy as np
 from coursework.system.arrays import Array
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import MAX_NUMBER, UnitFault, kind_of, read, unlike
-from coursework.variant.record.variant import Variant
+from coursework.variant.record.variant import Variant, not_by_name
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
@@ -58,7 +58,7 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
     """
     columns = {} if columns is None else columns
     if not hasattr(columns, "keys"):
-        raise _fault(variant, say("fault.D017", found=type(columns).__name__))
+        raise _fault(variant, not_by_name(columns))
     places = {c.name: place for place, c in enumerate(variant.coordinates)}
     units = {given.name: given.si for given in variant.given} | {c.name: c.unit for c in variant.coordinates}
     found: dict[str, Array] = {}

@@ -32,6 +32,7 @@ from coursework.variant.record.texts import Texts
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import InputError, visible
 from coursework.words.html_table import html_table
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
@@ -52,12 +53,17 @@ MAX_NUMBERS = 4_000_000  # of a table: rows times columns
 MOST_PERIODS = 10_000  # of one run
 
 
+def not_by_name(values: object) -> Sentence:
+    """Return the fault of data without names."""
+    return say("fault.D017", found=type(values).__name__)
+
+
 def _by_name(values: Values | None) -> Values:
     """Return data by their names; a pandas Series goes through its values, and has no truth."""
     if values is None:
         return {}
     if not hasattr(values, "keys"):
-        raise InputError(say("fault.D017", found=type(values).__name__))
+        raise InputError(not_by_name(values))
     return {name: values[name] for name in values.keys()}  # noqa: SIM118  a Series goes through its values
 
 

@@ -60,7 +60,7 @@ def test_a_new_format_is_offered_and_written_everywhere(folder, study):
     coursework.write_report(coursework.solve("31", quantities=["table"]), folder / "page.dummy")
     assert (folder / "page.dummy").is_file()
     assert re.search(r"Formats: html, pdf, csv, .*dummy\.", call("run", "31", "--format", "rtf").stderr)
-    with pytest.raises(OutputError, match=r"ends in \.html, \.pdf or \.dummy"):
+    with pytest.raises(OutputError, match=r"end in \.html, \.pdf or \.dummy"):
         coursework.write_report(coursework.solve("31"), "a.docx")
 
 

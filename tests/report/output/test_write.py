@@ -23,7 +23,7 @@ def test_suffix_decides(tmp_path: Path) -> None:
 
 
 def test_another_suffix_is_refused_before_anything_is_written(real: ModuleType, tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match=r"ends in \.html or \.pdf \(found \.docx\)"):
+    with pytest.raises(OutputError, match=r"end in \.html or \.pdf \(found \.docx\)"):
         write_report(real.full(), tmp_path / "a.html", tmp_path / "a.docx")
     assert not list(tmp_path.iterdir())
 
