@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.effects import dynamics_checks
 from coursework.effects.checks import check_forces
 from coursework.effects.effects import _springs
 from coursework.effects.rows import PLACE
@@ -178,3 +179,17 @@ def test_a_spring_pulls_with_its_stretch_and_the_rate_of_it_whatever_its_length(
     )  # fmt: skip
     found = {action.body: action.force[0] for action in _springs(rows)}
     assert found == {"1": pytest.approx(16 * (0.6 + 0.8j)), "2": pytest.approx(-16 * (0.6 + 0.8j))}
+
+
+@pytest.mark.parametrize(("count", "rows"), [(1, [0]), (39, [*range(39)]), (200, [*range(0, 200, 5)])])
+def test_how_fast_deviations_die_out_and_swing_is_looked_at_in_forty_rows_from_the_first_on(count, rows, monkeypatch):
+    looked = []
+    t = np.arange(float(count))
+    motion = SimpleNamespace(t=t, coordinates=t[:, None], column=lambda name: t)
+    monkeypatch.setattr(
+        dynamics_checks, "_slopes", lambda *given: looked.append(int(given[1])) or (np.array([[-3.0]]), np.array([[-4.0]]))
+    )
+    variant = SimpleNamespace(forces=SimpleNamespace(motor=SimpleNamespace(rates=("w",))))
+    exact = SimpleNamespace(rows=SimpleNamespace(motion=motion), equations=SimpleNamespace(variant=variant))
+    stands = SimpleNamespace(exact=exact, dynamics=SimpleNamespace(rubbing=None))
+    assert (dynamics_checks.stiffness(stands), looked) == ((3.0, 2.0), rows)
