@@ -9,6 +9,7 @@ import pytest
 
 from coursework.commands import desk as command
 from coursework.desk.policy import read_policy
+from coursework.desk.serving import server
 from coursework.desk.serving.config import opened
 from coursework.words.errors import InputError
 from tests.command import call
@@ -24,6 +25,15 @@ def test_a_missing_extra_is_told_with_the_line_that_installs_it(folder, monkeypa
     assert result.exit_code == 2
     assert "-m pip install" in result.output
     assert "[desk]" in result.output
+
+
+def test_a_desk_for_others_bounds_what_a_text_may_take_and_an_own_one_as_it_is_told(folder, monkeypatch):
+    wishes = []
+    monkeypatch.setattr(server, "serve", lambda wish, told: wishes.append(wish))
+    assert call("serve", "--port", "0").exit_code == 0
+    assert call("edit", "31", "--no-browser", "--port", "0", "--budget", "7", "--memory", "300").exit_code == 0
+    assert [(wish.bounds.seconds, wish.bounds.memory) for wish in wishes] == [(5.0, 512.0), (7.0, 300.0)]
+    assert [wish.folder for wish in wishes] == [None, folder]
 
 
 @pytest.mark.parametrize("name", ["../x", "a/b", "CON", ".toml", "a b"])

@@ -3,12 +3,16 @@
 import json
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import coursework
+from coursework.effects import dynamics_checks
 from coursework.effects.checks import check_forces
+from coursework.effects.effects import _springs
+from coursework.effects.rows import PLACE
 from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of
 from coursework.variant.catalogue import names
@@ -163,3 +167,29 @@ def test_the_inertia_reduced_to_the_crank_and_its_slope_give_the_moment_that_the
     assert np.abs(power - found.energy.drive)[2:-2].max() < 2e-2 * np.abs(found.energy.drive).max()
     assert found.names[-2:] == ("J", "dJ")
     assert "J" not in of("31-forces").beside
+
+
+def test_a_spring_pulls_with_its_stretch_and_the_rate_of_it_whatever_its_length():
+    """From (0, 0) to (3, 4) m: 5 m long, stretched by 1 m at 2 m/s, it pulls with 10 * 1 + 3 * 2 N along (0.6, 0.8)."""
+    spring = SimpleNamespace(ends=("A", "B"), stiffness=10.0, free=4.0, damping=3.0, name="s")
+    at = {"A": (0j, 0j), "B": (3 + 4j, 1.2 + 1.6j)}
+    rows = SimpleNamespace(
+        scheme=SimpleNamespace(forces=SimpleNamespace(springs=[spring]), holder={"A": "1", "B": "2"}.get),
+        scalar=np.float64, vector=lambda formula, level=PLACE: np.array([at[formula.name][level]]),
+    )  # fmt: skip
+    found = {action.body: action.force[0] for action in _springs(rows)}
+    assert found == {"1": pytest.approx(16 * (0.6 + 0.8j)), "2": pytest.approx(-16 * (0.6 + 0.8j))}
+
+
+@pytest.mark.parametrize(("count", "rows"), [(1, [0]), (39, [*range(39)]), (200, [*range(0, 200, 5)])])
+def test_how_fast_deviations_die_out_and_swing_is_looked_at_in_forty_rows_from_the_first_on(count, rows, monkeypatch):
+    looked = []
+    t = np.arange(float(count))
+    motion = SimpleNamespace(t=t, coordinates=t[:, None], column=lambda name: t)
+    monkeypatch.setattr(
+        dynamics_checks, "_slopes", lambda *given: looked.append(int(given[1])) or (np.array([[-3.0]]), np.array([[-4.0]]))
+    )
+    variant = SimpleNamespace(forces=SimpleNamespace(motor=SimpleNamespace(rates=("w",))))
+    exact = SimpleNamespace(rows=SimpleNamespace(motion=motion), equations=SimpleNamespace(variant=variant))
+    stands = SimpleNamespace(exact=exact, dynamics=SimpleNamespace(rubbing=None))
+    assert (dynamics_checks.stiffness(stands), looked) == ((3.0, 2.0), rows)

@@ -28,7 +28,11 @@ class Additions:
 
 
 def value_place(text: str, path: KeyPath) -> dict[str, int] | None:
-    """Return where a value stands, None where the file does not write it."""
+    r"""Return where a value stands, None where the file does not write it.
+
+    >>> value_place('[given]\nr = 2.5', ("given", "r")), value_place('[given]\nr = 2.5', ("given", "s"))
+    ({'line': 2, 'column': 5, 'end_line': 2, 'end_column': 8}, None)
+    """
     found = place_of(text, path)
     return None if found is None else _place(text, *found)
 
