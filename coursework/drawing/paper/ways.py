@@ -6,7 +6,7 @@ Enters: points in mm.  Leaves: the d of a path.  Used by `sheet.py` and by the g
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -35,7 +35,7 @@ def numbers_of(numbers: Iterable[int], decimals: int = 2) -> str:
     return "".join(_behind(number, decimals) for number in numbers).lstrip()
 
 
-@cache
+@lru_cache(maxsize=2048)
 def _behind(number: int, decimals: int) -> str:
     """Return a number as it stands behind another, as short as SVG reads it: " .34", "-.3"."""
     text = f"{abs(number) / 10**decimals:.{decimals}f}".rstrip("0").rstrip(".")

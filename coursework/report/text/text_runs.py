@@ -17,7 +17,7 @@ from coursework.words.line_ends import KEPT
 from coursework.words.scripts import HAN_HERE, made_for
 
 LONGEST_NAME = 200  # characters of a name or title
-MOST_KEPT = 2048  # sentences: the pages of a desk, or of a class, repeat nearly all of them
+MOST_KEPT = 384  # sentences: the pages of a desk, or of a class, repeat nearly all of them
 
 Run = dict[str, str]
 
