@@ -11,7 +11,7 @@ from coursework.report.pages import build_model, render_html
 from coursework.report.pages.pdf import render_pages
 
 WARM, MEASURED = 2, 4  # reports
-LEFT = 1100  # blocks of memory that a report may leave behind: its formulas and sentences stay set, up to a fixed number; 900 measured
+LEFT = 1100  # blocks of memory that a report may leave: its formulas and sentences stay set, up to a fixed number; 900 measured
 
 
 def _page(number: int) -> tuple[object, str]:
