@@ -1,7 +1,7 @@
 """Newton's correction of the coordinates that follow from others by closed positions, as lines of code.
 
 Enters: velocity equations with their positions, the start, the places of those coordinates.  Leaves: statements.
-Used by `equations_of_motion.py`.
+Used by `motion_writer.py`.
 """
 
 from __future__ import annotations

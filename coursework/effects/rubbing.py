@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.effects.held import STILL, Held
+from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -25,7 +26,7 @@ from coursework.system.frozen import frozen
 ROUNDS, SETTLED = 200, 4e-16  # of a fixed point that shrinks by a third or more a round
 MOST_TURNS = 4  # guesses which way pairs go that stand still
 LATER = 1e-5  # s
-TRIALS, SHARP = 60, 1e-14  # of a step: so well is known where a pair turns round
+SHARP = 1e-14  # of a step: so well is known where a pair turns round
 STANDS = 1e-9  # of the speeds: a pair stands there
 Moving = Callable[..., list[float]]  # a state, its time last -> how it changes
 Where = Callable[..., tuple[float, ...]]  # the same -> time, closed position, free rates
@@ -168,7 +169,9 @@ class Rubbing:
             return taken, after
         sizes = [abs(v) for v in ends[taken][1]]
         at_begin = min(sign * v for sign, v in zip(self.held, self.speeds(where, state), strict=True))
-        length = _crossing(left, taken, (at_begin, at_end))
+        length = crossing(left, (0.0, taken), (max(at_begin, 0.0), at_end), SHARP) or 0.0
+        if length not in ends:
+            left(length)
         end, found = ends[length]
         self.begin(moving, where, end, [abs(v) <= STANDS * max(size, *sizes) for v, size in zip(found, sizes, strict=True)])
         return length, end
@@ -189,20 +192,3 @@ class Rubbing:
 
 def _signs(speeds: Sequence[float]) -> list[float]:
     return [math.copysign(1.0, v) if v else 0.0 for v in speeds]
-
-
-def _crossing(left: Callable[[float], float], high: float, ends: tuple[float, float]) -> float:
-    """Return the length of a step at whose end nothing is `left`; at 0 and `high` are `ends` left, the second one below 0."""
-    low, side, width, (at_low, at_high) = 0.0, 0, high, ends
-    for _ in range(TRIALS):
-        # The straight line through both ends; one that stays twice counts half (Illinois), so that both close in.
-        between = (low * at_high - high * at_low) / (at_high - at_low)
-        between = between if low < between < high else (low + high) / 2
-        value = left(between)
-        if value == 0 or high - low <= SHARP * width:
-            return between
-        if value < 0:
-            high, at_high, at_low, side = between, value, at_low / (2 if side < 0 else 1), -1
-        else:
-            low, at_low, at_high, side = between, value, at_high / (2 if side > 0 else 1), 1
-    return high

@@ -16,7 +16,8 @@ import numpy as np
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.dynamics import Dynamics, FreeMotion
 from coursework.effects.dynamics_checks import check_dynamics
-from coursework.effects.equations_of_motion import EquationsOfMotion, MotionWriter
+from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.motion_writer import MotionWriter
 from coursework.effects.regime import Regime, find_regime
 from coursework.effects.scheme import read_scheme
 from coursework.motion.integration.motion import Motion, Stop

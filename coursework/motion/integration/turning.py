@@ -15,6 +15,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.finer import at_times, finer
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
@@ -25,8 +26,8 @@ Slope = Callable[[Motion], Array]
 _SAMPLES, _MOST_PARTS = 2000, 16
 # A slope of this part of its largest size is none: what round-off leaves of a position that is dead, or of a drive that rests.
 STANDS = 1e-11
-# A root is sought to this part of the time between two samples, in at most so many trials.
-_SETTLED, _TRIALS = 1e-13, 80
+# A root is sought to this part of the time between two samples.
+_SETTLED = 1e-13
 
 
 def closer(exact: Motion, rates: Rates) -> Motion:
@@ -50,7 +51,7 @@ def turns(slopes: Array) -> list[tuple[int, int]]:
 
 def root(exact: Motion, rates: Rates, slope: Slope, bracket: tuple[float, float]) -> float | None:
     """Return the time (s) in a bracket at which a slope of the exact motion is zero; None where it cannot be followed there."""
-    (low, high), width = bracket, bracket[1] - bracket[0]
+    low, high = bracket
     begin = at_times(exact, rates, [low])
     if begin is None:
         return None
@@ -59,24 +60,5 @@ def root(exact: Motion, rates: Rates, slope: Slope, bracket: tuple[float, float]
         motion = at_times(begin, rates, [time])  # a short way to follow, where that from the row before it is longer
         return math.nan if motion is None else float(slope(motion)[0])
 
-    at_low, at_high = float(slope(begin)[0]), value(high)
-    if not at_low * at_high <= 0:
-        return None
-    time, side = (low, 0) if abs(at_low) < abs(at_high) else (high, 0)
-    for _ in range(_TRIALS):
-        # The straight line through both ends; one that stays twice counts half (Illinois), so that both close in.
-        between = (low * at_high - high * at_low) / (at_high - at_low) if at_high != at_low else time
-        if not low < between < high or min(high - low, abs(between - time)) <= _SETTLED * width:
-            break
-        time, found = between, value(between)
-        if not math.isfinite(found):
-            return None
-        if found == 0:
-            break
-        if found * at_high > 0:
-            at_low = at_low / 2 if side == 1 else at_low
-            high, at_high, side = time, found, 1
-        else:
-            at_high = at_high / 2 if side == -1 else at_high
-            low, at_low, side = time, found, -1
-    return time
+    ends = float(slope(begin)[0]), value(high)
+    return crossing(value, bracket, ends, _SETTLED) if ends[0] * ends[1] <= 0 else None

@@ -13,7 +13,7 @@ from typing import Any
 
 from coursework.effects.acting import COUPLE, Acting, accelerated, acting_on
 from coursework.effects.closed_positions import newton_statements
-from coursework.effects.equations_of_motion import MotionWriter
+from coursework.effects.motion_writer import MotionWriter
 from coursework.effects.scheme import read_scheme
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import acceleration, private
