@@ -143,6 +143,8 @@ class Rubbing:
             signs = self.held = self.signs(*where(*state.tolist()), still=still)
         except Held as error:
             raise error.seen(float(state[-1])) from None
+        if all(signs):
+            return
         # A pair whose speed and acceleration both are 0, as in a dead position from rest, is seen to go a little later.
         later, _ = dormand_prince_8(moving, state, np.array(moving(*state.tolist())), LATER)
         found = self.speeds(where, later)

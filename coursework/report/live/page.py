@@ -94,18 +94,23 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
     script = script_of("", _RECORDED)
     room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
     part = _part(run, phrases, script, said | frames_of(run, drawn, room))
-    forces = run.variant.forces
-    why = "sudden" if sudden else "rubbing" if not driven and forces is not None and forces.friction else "no_laboratory"
+    why = "sudden" if sudden else "rubbing" if _rubs(run) else "no_laboratory"
     return replace(part, words=part.words | {"no_laboratory": part.words[why]})
+
+
+def _rubs(run: SceneRun) -> bool:
+    """Return whether forces move the mechanism against friction, which no script of a page does."""
+    forces = run.variant.forces
+    return not run.scene.follows_laws and forces is not None and bool(forces.friction)
 
 
 def _laboratories(
     run: SceneRun, drawn: Drawn, said: dict[str, Any], phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
 ) -> Iterator[LivePart]:
     """Yield the laboratory of a run: with forces where they are asked for, without them."""
-    forces, laws = run.variant.forces, run.scene.follows_laws
-    # The script of a page moves no mechanism against friction: there the rows alone are shown.
-    if forces is not None and ((run.asks(FORCES) or run.asks(ENERGY)) if laws else not forces.friction):
+    if _rubs(run):
+        return
+    if not run.scene.follows_laws or (run.variant.forces is not None and (run.asks(FORCES) or run.asks(ENERGY))):
         from coursework.report.live.by_forces import moved_by, said_of
 
         found = moved_by(run, drawn.places)
@@ -116,7 +121,7 @@ def _laboratories(
         script = script_of(shortened(found.functions.text), found.pieces(_LABORATORY))
         part = _part(run, phrases, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
         yield replace(part, forces=True)
-    if laws:
+    if run.scene.follows_laws:
         functions = live_functions(run.scene, drawn.places)
         data = said | live_numbers(run, functions) | {"sliders": sliders_of(run, unit), "given_order": list(run.variant.values)}
         script = script_of(functions.text, _LABORATORY)
