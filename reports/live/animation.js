@@ -112,5 +112,6 @@ addEventListener("DOMContentLoaded", () => {
   furnish();
   cursors.find();
   show(now);
-  stops();
+  // What can be moved sideways is known when all is laid out, which a browser does once before it draws.
+  requestAnimationFrame(stops);
 });

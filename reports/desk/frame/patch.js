@@ -17,8 +17,9 @@ const partsOf = (page) => {
   return parts;
 };
 
-/** What is read: the part a third down the window, and how far above the window it begins. */
+/** What is read: the part a third down the window, and how far above the window it begins; null at the head of the page. */
 const topmost = () => {
+  if (!scrollY) return null;
   for (const element of document.querySelectorAll("body > .top, main > *")) {
     const { top, bottom } = element.getBoundingClientRect();
     if (bottom > innerHeight / 3 && element.id) return { id: element.id, top };
@@ -122,7 +123,7 @@ const patch = (html, later) => {
     laboratory.restore();
   }
   const place = at && document.getElementById(at.id);
-  if (place && at && scrollY) scrollBy({ top: place.getBoundingClientRect().top - at.top, behavior: "instant" });
+  if (place && at) scrollBy({ top: place.getBoundingClientRect().top - at.top, behavior: "instant" });
   return made;
 };
 /** What stands on the page by the name of its part.
