@@ -1,5 +1,7 @@
 // Requests to the server: JSON, the desk's name, and what was refused with its sentence.
 
+import { say } from "./words.js";
+
 /** A request that the server answered with a refusal; `seconds` tells when to ask again. */
 export class Refused extends Error {
   /**
@@ -64,6 +66,16 @@ export function postAtOnce(path, json) {
   } catch {
     return null;
   }
+}
+
+/**
+ * What came of a text; throws where it has faults instead, with the first of them.
+ * @param {any} answer
+ */
+export function faultless(answer) {
+  if (answer.faults?.length)
+    throw new Error(`${say("state_faulty", { n: answer.faults.length })} · ${answer.faults[0].sentence}`);
+  return answer;
 }
 
 /**

@@ -21,7 +21,7 @@ export interface Ask {
   text: string; language: string; name?: string; scheme?: string; step?: string; tables?: Record<string, string>;
   study?: boolean;
 }
-export interface Policy { equations: boolean; exact: boolean; formats: string[] }
+export interface Policy { equations: boolean; exact: boolean }
 export interface Config {
   root: string; mode: "edit" | "serve"; name: string; text: string; etag: string | null; language: string;
   languages: [string, string][]; schemes: [string, string][]; formats: string[]; policy: Policy; writable: boolean;

@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 
 from coursework.desk.job import Policy
+from coursework.report.output import formats
+from coursework.report.output.formats import formats_for
 from coursework.words.data_folders import folder_of_package, standing_in
 from tests.desk.desks import COOKIE, TEXT, desk
 
@@ -54,7 +56,8 @@ def test_the_page_knows_what_was_opened(client, tmp_path):
     assert (config["folder"], config["writable"]) == (str(tmp_path), True)
     assert [name for name, _ in config["languages"]] == ["en", "ru", "uk", "zh"]
     assert ["euler", "явная схема Эйлера"] in config["schemes"]
-    assert {"html", "csv", "pdf"} <= {*config["formats"]}
+    assert config["formats"] == [*formats_for("run")]
+    assert all(f"format_{suffix}" in config["words"] for suffix in config["formats"])
     (tmp_path / "mine.toml").write_text("another", encoding="utf-8")
     assert config_of(client.get("/").text)["text"] == "another"
 
@@ -95,6 +98,13 @@ def test_a_file_is_loaded_once(client):
 @pytest.mark.parametrize("name", ["index.html.j2", "../words.en.toml", "%2e%2e/words.en.toml", "nothing.js", "%00.js", "x" * 300])
 def test_nothing_else_is_served(client, name):
     assert client.get(f"/desk/{name}").status_code == 404
+
+
+def test_an_extra_that_is_missing_is_told_to_who_can_install_it_alone(client, monkeypatch):
+    monkeypatch.setattr(formats, "find_spec", lambda name: None if name == "ezdxf" else name)
+    assert "dxf" in config_of(client.get("/").text)["formats"]
+    with desk() as others:
+        assert config_of(others.get("/").text)["formats"] == [each for each in formats_for("run") if each != "dxf"]
 
 
 def test_a_desk_for_others_names_a_browser_without_meaning(reports):

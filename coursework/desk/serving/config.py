@@ -16,7 +16,7 @@ from coursework.desk.serving.files import Files
 from coursework.desk.serving.folder import SUFFIX, Folder, etag_of
 from coursework.desk.serving.replies import languages
 from coursework.motion.schemes import SCHEMES, title_of
-from coursework.report.output.formats import chosen
+from coursework.report.output.formats import formats_for
 from coursework.system.version import VERSION
 from coursework.variant.catalogue import names
 from coursework.variant.record.vocabulary import EXACT
@@ -53,7 +53,7 @@ def config_of(
         **now, "root": root, "mode": "edit" if files else "serve", "version": VERSION, "language": language,
         "languages": [[each, load_phrases(each).template("desk.language_name")] for each in languages()],
         "schemes": [[name, phrases.written(title)] for name, title in _schemes(policy)],
-        "formats": [each.suffix for each in chosen(None, "run") if not policy.formats or each.suffix in policy.formats],
+        "formats": [*_formats(policy, is_own=files is not None)],
         "policy": {"equations": policy.equations, "exact": policy.exact, "language": policy.language},
         "folder": str(files.folder.path) if files else None, "writable": bool(files and files.folder.is_writable()),
         "words": shell_words(language),
@@ -70,3 +70,10 @@ def _schemes(policy: Policy) -> Iterator[tuple[str, Sentence]]:
     yield from ((name, title_of(scheme)) for name, scheme in SCHEMES.items())
     if policy.exact:
         yield EXACT, say("exact.title")
+
+
+def _formats(policy: Policy, *, is_own: bool) -> Iterator[str]:
+    """Yield what can be taken away; what misses an extra is told with the line that installs it to who can do so."""
+    for suffix, each in formats_for("run").items():
+        if (is_own or each.is_here()) and suffix in (policy.formats or (suffix,)):
+            yield suffix

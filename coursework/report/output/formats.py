@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from coursework.system.frozen import frozen
@@ -25,7 +26,8 @@ Files = Iterator[tuple[str, bytes]]
 class Format:
     """`suffix` is its word on the command line and the ending of its files; `write` yields the name and bytes of each file;
     `serves` lists who offers it: the commands "run" and "accuracy", and `write_report`, which writes a page alone.  One that is
-    `asked` for by name alone is left out where a run cannot have it; `paged` ones are made of the page.
+    `asked` for by name alone is left out where a run cannot have it; `paged` ones are made of the page; `package` is what of
+    an extra it needs.
     """
 
     suffix: str
@@ -33,6 +35,11 @@ class Format:
     serves: tuple[str, ...]
     paged: bool = True
     asked: bool = False
+    package: str = ""
+
+    def is_here(self) -> bool:
+        """Return whether this installation can write it."""
+        return not self.package or find_spec(self.package) is not None
 
 
 def _html(results: Results) -> Files:
@@ -69,12 +76,12 @@ FORMATS: tuple[Format, ...] = (
     Format("html", _html, ("run", "accuracy", "write_report")),
     Format("pdf", _pdf, ("run", "accuracy", "write_report")),
     Format("csv", _csv, ("run", "accuracy"), paged=False),
-    Format("xlsx", _above("workbook.book:write"), ("run",), paged=False, asked=True),
+    Format("xlsx", _above("workbook.book:write"), ("run",), paged=False, asked=True, package="xlsxwriter"),
     Format("figures", _above("figures.pictures:write"), ("run",), asked=True),
-    Format("docx", _above("note.writer:write_docx"), ("run",), asked=True),
-    Format("odt", _above("note.writer:write_odt"), ("run",), asked=True),
-    Format("tex", _above("note.writer:write_tex"), ("run",), asked=True),
-    Format("dxf", _above("figures.dxf:write"), ("run",), asked=True),
+    Format("docx", _above("note.writer:write_docx"), ("run",), asked=True, package="pypandoc"),
+    Format("odt", _above("note.writer:write_odt"), ("run",), asked=True, package="pypandoc"),
+    Format("tex", _above("note.writer:write_tex"), ("run",), asked=True, package="pypandoc"),
+    Format("dxf", _above("figures.dxf:write"), ("run",), asked=True, package="ezdxf"),
 )
 
 

@@ -1,7 +1,7 @@
 // Try your own table: a file is dropped, and the page says what `precheck` says of it.  It goes nowhere else.
 
 import { make } from "../elements.js";
-import { post } from "../requests.js";
+import { faultless, post } from "../requests.js";
 import { say } from "../words.js";
 import { openDialog } from "./dialog.js";
 
@@ -46,7 +46,7 @@ export function openTable({ view, given }) {
     told.replaceChildren(say("waiting"));
     try {
       const json = { ...given(), text: view.state.doc.toString(), name: chosen.name, data: await base64(chosen) };
-      const { state, sentences } = await post("/api/table", json);
+      const { state, sentences } = faultless(await post("/api/table", json));
       told.dataset.state = state;
       told.replaceChildren(
         make("h3", {}, chosen.name),

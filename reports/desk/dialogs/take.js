@@ -1,9 +1,9 @@
 // Give me: the page, the paper, the table, the text, in every format there is; all my work as one zip, and that opened again.
 
 import { download, make } from "../elements.js";
-import { request } from "../requests.js";
+import { faultless, request } from "../requests.js";
 import { say } from "../words.js";
-import { zipped } from "../work/zip.js";
+import { unzipped, zipped } from "../work/zip.js";
 import { openDialog } from "./dialog.js";
 
 /** @import { Desk } from "../commands.js" */
@@ -43,10 +43,16 @@ export function openTake(host, { config, works, view, given, saving }) {
   async function take(format) {
     const json = { ...given(), text: view.state.doc.toString() };
     const response = await request("POST", `/api/take/${format}`, { json });
-    const named = /filename="?([^";]+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1];
-    download(await response.blob(), named ?? `${name()}.${format}`);
+    const named = /filename\*=UTF-8''(.+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1];
+    if (named) download(await response.blob(), decodeURIComponent(named));
+    else faultless(await response.json());
   }
-  const formats = (config.policy.formats ?? config.formats).filter((format) => config.formats.includes(format));
+  /** All work as it is now: what is not saved yet stands in the place of what was saved. */
+  async function everything() {
+    const files = await unzipped(await works.zip());
+    for (const [title, text] of Object.entries(saving.drafts())) files[`${title || say("unnamed")}.toml`] = text;
+    return zipped(files);
+  }
   const file = make("input", {
     type: "file",
     className: "unseen",
@@ -75,7 +81,7 @@ export function openTake(host, { config, works, view, given, saving }) {
     make(
       "p",
       { className: "row" },
-      ...formats.map((format) => button(say(`format_${format}`), format, () => take(format))),
+      ...config.formats.map((format) => button(say(`format_${format}`), format, () => take(format))),
       button(say("format_toml"), "toml", async () =>
         download(new Blob([view.state.doc.toString()], { type: "application/toml" }), `${name()}.toml`),
       ),
@@ -85,7 +91,7 @@ export function openTake(host, { config, works, view, given, saving }) {
     make(
       "p",
       { className: "row" },
-      button(say("zip"), "zip", async () => download(await works.zip(), "coursework.zip")),
+      button(say("zip"), "zip", async () => download(await everything(), "coursework.zip")),
       make("label", { className: "file" }, say("unzip"), file),
     ),
     told,

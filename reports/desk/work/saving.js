@@ -2,7 +2,7 @@
 
 import { rewrite } from "../text/editor.js";
 import { say } from "../words.js";
-import { keep, kept } from "./store.js";
+import { keep, kept, keptNames } from "./store.js";
 
 /** @import { EditorView } from "@codemirror/view" */
 /** @import { Kept, Works } from "../types" */
@@ -16,6 +16,8 @@ import { keep, kept } from "./store.js";
  * }} Parts
  */
 
+const DRAFT = "draft.";
+
 /** @param {Parts} parts */
 export function savingIn({ works, view, state, notices, named, began, askName, compare }) {
   let name = "",
@@ -28,7 +30,7 @@ export function savingIn({ works, view, state, notices, named, began, askName, c
   let writing = Promise.resolve();
 
   const text = () => view.state.doc.toString();
-  const draft = () => `draft.${name}`;
+  const draft = () => DRAFT + name;
 
   function tell() {
     const same = text() === base.text && base.etag !== null;
@@ -145,6 +147,14 @@ export function savingIn({ works, view, state, notices, named, began, askName, c
     save,
     begin,
     changed,
+    /** What is not saved yet by its name, the text that is open too. */
+    drafts() {
+      /** @type {Record<string, string>} */
+      const found = {};
+      for (const one of keptNames(DRAFT)) found[one] = kept(DRAFT + one).text;
+      if (base.etag === null && text()) found[name] = text();
+      return found;
+    },
     get name() {
       return name;
     },

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Callable
 from typing import Any
 
@@ -54,6 +55,19 @@ def test_a_slip_is_underlined_and_a_mend_is_one_click(desk: Callable[..., Any]) 
     one.rest("faulty")
     one.page.click("#desk-faults .go")
     assert one.page.evaluate("getSelection().toString()") == "ph3"
+    # There is no file of a text with faults, but its first fault; all work is what stands there, saved or not.
+    one.page.click("#desk-take")
+    one.page.click("[data-format=xlsx]")
+    one.until(lambda: "ph3" in one.page.inner_text("dialog .told"))
+    with one.page.expect_download() as taken:
+        one.page.click("[data-format=zip]")
+    with zipfile.ZipFile(taken.value.path()) as packed:
+        assert {name: packed.read(name).decode() for name in packed.namelist()} == {"31.toml": one.text}
+    one.page.keyboard.press("Escape")
     one.page.click("#desk-faults .mend")
     one.rest("changed")
     assert one.text == before
+    one.page.click("#desk-take")
+    with one.page.expect_download() as taken:
+        one.page.click("[data-format=dxf]")
+    assert taken.value.suggested_filename == "31-dxf.zip"
