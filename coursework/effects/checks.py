@@ -70,7 +70,7 @@ def _groups(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 def outer_sum(own: ForceAnalysis) -> Array:
     """Return what is left (n, 3) of all forces from outside and of inertia, and of their moments about the origin."""
     rows = own.rows
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     total = np.zeros((rows.count, 3))
 
     def add(force: Complex | None, at: Complex | None, couple: Array | None) -> None:

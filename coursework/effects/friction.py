@@ -65,7 +65,7 @@ def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
 
 def _turning(rows: Rows, one: Unknown, couple: Array) -> Iterator[Action]:
     """Yield a couple against the turning of two bodies about each other."""
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     other = partner(rows.scheme, one)
     if one.on == other or one.on not in bodies:
         return
@@ -80,7 +80,7 @@ def _turning(rows: Rows, one: Unknown, couple: Array) -> Iterator[Action]:
 def _sliding(rows: Rows, one: Unknown, values: Array, place: int, rubs: Friction) -> Iterator[Action]:
     """Yield a force against the sliding of a block along its guide."""
     assert one.at is not None
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     at, along = rows.vector(one.at), rows.along(one) / 1j
     speeds = []
     for name in (one.on, one.off):

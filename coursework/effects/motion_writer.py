@@ -230,8 +230,7 @@ class MotionWriter:
         return force[0] * self._analog_of(at[0], k) + force[1] * self._analog_of(at[1], k)
 
     def _turn_of(self, name: str, k: int) -> Expression:
-        body = next(one for one in self.scheme.bodies if one.name == self.scheme.body_named(name))
-        return self.rate_of(body.rate, k)
+        return self.rate_of(self.scheme.by_name[self.scheme.body_named(name)].rate, k)
 
     def _stretched(self) -> Iterator[Expression]:
         symbols = self.equations.symbols
