@@ -25,13 +25,15 @@ MOST_SHOTS, REPEATS = 30, 1e-11  # of the speed: so well it repeats
 
 @frozen
 class Regime:
-    """Speed at the first angle (rad/s), `period` (s), mean, largest and least speed, `delta` the unevenness."""
+    """Speed at the first angle (rad/s), `period` (s), mean, largest and least speed, where (rad), `delta` the unevenness."""
 
     speed: float
     period: float
     mean: float
     largest: float
+    largest_at: float
     least: float
+    least_at: float
 
     @property
     def delta(self) -> float:
@@ -82,14 +84,15 @@ def _told(motion: EquationsOfMotion, places: list[float], speed: float) -> Regim
     ends = []
     for sign in (1, -1):
         crossed = np.flatnonzero((sign * slope[:-1] > 0) & (sign * slope[1:] <= 0))
-        speeds = [_between(angle, w, slope, int(k)) for k in crossed]
-        ends.append(max(speeds, key=lambda one: sign * one, default=float(w[0])))
+        places_of = [_between(angle, w, slope, int(k)) for k in crossed]
+        ends.append(max(places_of, key=lambda one: sign * one[1], default=(float(angle[0]), float(w[0]))))
+    (largest_at, largest), (least_at, least) = ends
     period = float(t[-1])
-    return Regime(speed, period, float(abs(angle[-1] - angle[0])) / period, *ends)
+    return Regime(speed, period, float(abs(angle[-1] - angle[0])) / period, largest, largest_at, least, least_at)
 
 
-def _between(angle: Array, w: Array, slope: Array, k: int) -> float:
-    """Return the speed where between two rows the slope is zero: the cubic through four slopes, integrated."""
+def _between(angle: Array, w: Array, slope: Array, k: int) -> tuple[float, float]:
+    """Return where between two rows the slope is zero and the speed there: the cubic through four slopes, integrated."""
     low = min(max(k - 2, 0), len(angle) - 6)
     x = (angle[low : low + 6] - angle[k]) / (angle[k + 1] - angle[k])
     cubic = np.polynomial.Polynomial.fit(x, slope[low : low + 6], 5).convert()
@@ -97,4 +100,5 @@ def _between(angle: Array, w: Array, slope: Array, k: int) -> float:
     roots = [one.real for one in found if abs(one.imag) < 1e-9 and -1e-9 <= one.real <= 1 + 1e-9]
     at = roots[0] if roots else 0.0
     whole = cubic.integ()
-    return float(w[k]) + float(angle[k + 1] - angle[k]) * float(whole(at) - whole(0.0))
+    step = float(angle[k + 1] - angle[k])
+    return float(angle[k]) + at * step, float(w[k]) + step * float(whole(at) - whole(0.0))

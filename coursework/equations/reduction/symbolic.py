@@ -18,7 +18,7 @@ from coursework.equations.algebra.functions import call, cosine, sine
 from coursework.equations.codegen.names import derivative as name_of_derivative
 from coursework.equations.codegen.names import private, public
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, FormulaFault, bounded, division_by_zero, no_number
+from coursework.variant.formula.tree import ARITHMETIC, Formula, FormulaFault, bounded, division_by_zero, no_number
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -243,17 +243,11 @@ class Symbols:
 
 
 def _combine(tree: Formula, args: list[Expression]) -> Expression:
-    match tree.op:
-        case "neg":
-            return -args[0]
-        case "+":
-            return args[0] + args[1]
-        case "-":
-            return args[0] - args[1]
-        case "*":
-            return args[0] * args[1]
-        case "/":
-            if args[1] is ZERO:
-                raise division_by_zero(tree)
-            return args[0] / args[1]
-    return args[0] ** args[1].value
+    if tree.op == "neg":
+        return -args[0]
+    if tree.op == "^":
+        return args[0] ** args[1].value
+    if tree.op == "/" and args[1] is ZERO:
+        raise division_by_zero(tree)
+    found: Expression = ARITHMETIC[tree.op](*args)
+    return found
