@@ -106,6 +106,17 @@ class Definitions(Mapping[Expression, Expression]):
     def __len__(self) -> int:
         return len(self._laws)
 
+    def behind(self, symbols: Iterable[Expression]) -> set[Expression]:
+        """Return some symbols and all that their definitions need."""
+        found: set[Expression] = set()
+        waiting = [*symbols]
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                waiting += self[name].free_symbols if name in self else ()
+        return found
+
     def without(self, names: set[Expression]) -> Definitions:
         """Return the definitions of all other symbols: those left out are given as numbers."""
         return Definitions(*({n: v for n, v in part.items() if n not in names} for part in (self._laws, self._derived)))

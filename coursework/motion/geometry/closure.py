@@ -219,13 +219,7 @@ def _blocks(
     definitions = equations.symbols.definitions
 
     def inside(expr: Expression) -> frozenset[int]:
-        todo, found = list(expr.free_symbols), set()
-        while todo:
-            name = todo.pop()
-            if name not in found:
-                found.add(name)
-                todo.extend(definitions[name].free_symbols if name in definitions else ())
-        return frozenset(places[name] for name in found if name in places)
+        return frozenset(places[name] for name in definitions.behind(expr.free_symbols) if name in places)
 
     count = len(expressions)
     combination = np.eye(count)

@@ -60,7 +60,12 @@ def breaks(variant: Variant) -> tuple[float, ...]:
 
 def drive_values(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
     """Return the named drives at times (*shape) as columns (*shape, len(names)); what has no value is not finite."""
-    _, rows = compile_values(equations, [symbol(name) for name in names])
+    return values_of_time(equations, [symbol(name) for name in names], times)
+
+
+def values_of_time(equations: VelocityEquations, wanted: Sequence[Expression], times: Array) -> Array:
+    """Return expressions of time alone at times (*shape) as columns (*shape, len(wanted)); what has no value is not finite."""
+    _, rows = compile_values(equations, wanted)
     with np.errstate(all="ignore"):
         return as_columns(rows(times, *np.zeros(len(equations.variant.coordinates))), times.shape)
 
