@@ -109,6 +109,5 @@ def _power(rows: Rows, actions: Iterable[Action]) -> Array:
         if action.couple is not None:
             total += action.couple * rows.omega(body)
         elif action.force is not None and action.at is not None:
-            moved = rows.vector(body.centre, RATE) + 1j * rows.omega(body) * (action.at - rows.vector(body.centre))
-            total += (np.conj(action.force) * moved).real
+            total += (np.conj(action.force) * rows.velocity(body, action.at)).real
     return total

@@ -34,7 +34,7 @@ Entries = dict[tuple[int, int], Expression]  # row and column of the equations o
 
 def rubbed_motion(writer: MotionWriter) -> EquationsOfMotion:
     """Return equations of motion with the friction of the file.  Raises `InputError` where reactions are not unique."""
-    ideal, own = writer.made(), _Writer(writer, ActingWriter(writer.equations, writer.scheme)).made()
+    ideal, own = writer.made(), _Writer(writer, writer.acting).made()
 
     def table(*rows: Any) -> Any:
         return ideal.table(*rows, *own.taken(len(ideal.free), *np.broadcast_arrays(*rows)))
