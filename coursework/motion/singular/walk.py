@@ -91,7 +91,7 @@ class Walk:
             sizes = [abs(size) for size in self.scaled]
             block = sizes.index(min(sizes))
             self.length = self.length or self.end / 200 / sizes[block]
-            clock = self._clock(block)
+            clock = self.flow.clock(block, 1 if self.scaled[block] > 0 else -1)
             taken = self._step(clock)
             if taken is None:
                 return None
@@ -146,9 +146,6 @@ class Walk:
     def _determinants(self, state: Array) -> list[float]:
         *q, t = state.tolist()
         return self.flow.scaled(t, q)
-
-    def _clock(self, block: int) -> Clock:
-        return self.flow.clock(block, 1 if self.scaled[block] > 0 else -1)
 
     def _step(self, clock: Clock) -> tuple[Array, float, float] | None:
         """Return the next state that is accurate enough, its distance and the next length; None where the law of a table ends."""
