@@ -13,10 +13,10 @@ import numpy as np
 
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import private
-from coursework.equations.codegen.programs import Assign, Bound, Program, Statement, as_columns, compile_later, program
+from coursework.equations.codegen.programs import Assign, Bound, Program, Statement, compile_later, program
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import constants, local, symbol
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 from coursework.system.frozen import frozen
 
 

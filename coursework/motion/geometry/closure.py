@@ -12,14 +12,13 @@ from typing import Any
 import numpy as np
 
 from coursework.equations.algebra.expression import Expression
-from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import blocks as block_order
 from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import frozen
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Coordinate

@@ -12,11 +12,11 @@ from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.calculus import replaced
 from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.codegen.names import acceleration, private
-from coursework.equations.codegen.programs import as_columns, compile_function
+from coursework.equations.codegen.programs import compile_function
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, local, symbol
 from coursework.equations.reduction.system import bound_values
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 
 RowFunction = Callable[..., Any]
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coursework.equations.codegen.names import private
-from coursework.equations.codegen.programs import Assign, Bound, Program, as_columns, compile_function, compile_later
+from coursework.equations.codegen.programs import Assign, Bound, Program, compile_function, compile_later
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.statements import block_statements
@@ -22,7 +22,7 @@ from coursework.equations.reduction.system import scene_program
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Slopes
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 from coursework.system.frozen import caching, frozen
 
 if TYPE_CHECKING:

@@ -29,7 +29,7 @@ from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of
 from coursework.scene.model.data import Data, read_data
 from coursework.scene.scene import Scene
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 from coursework.variant.catalogue import variant_from
 from coursework.variant.formula.tree import evaluate
 from coursework.variant.record.changes import follow_from
@@ -219,9 +219,7 @@ class Model:
             shape = np.broadcast_shapes(shape, (sets.count, *[1] * (len(shape) - 1)))
         numbers = self.numbers(sets, max(0, len(shape) - 1))
         found = function(times, *(positions[..., place] for place in range(len(self.coordinates))), *more, *numbers)
-        values = np.empty((*shape, len(found)))
-        for place, value in enumerate(found):
-            values[..., place] = value
+        values = as_columns(found, shape)
         values[~np.isfinite(values)] = np.nan
         return values
 

@@ -12,6 +12,7 @@ from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
 from coursework.variant.record.forces import GRAVITY, MEASURED, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say, say_count
@@ -60,11 +61,7 @@ def _body(key: str, parts: Parts) -> str:
 def _value(path: KeyPath, value: str | int | float, si: str, parts: Parts, least: bool = False) -> Formula:
     """Return a formula of data that measures `si`; with `least` one that must not be negative."""
     tree = parts.scalar(path, value, "force", si)
-    try:
-        negative = least and parts.sound and evaluate(tree, parts.values) < 0
-    except (KeyError, FormulaFault):
-        negative = False  # it changes with the motion, or has no value: told elsewhere
-    if negative:
+    if least and parts.sound and (known_value(tree, parts.values) or 0.0) < 0:  # what has no value yet is told elsewhere
         parts.say(path, say("fault.V704", found=str(value)))
     return tree
 
@@ -96,14 +93,13 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
         return
     ends = entry.spring or entry.damper
     if ends:
-        for place, point in enumerate(ends):
-            parts.known_point((*path, "spring" if entry.spring else "damper", place), point)
-        if len(ends) == 2 and parts.names.canonical(ends[0]) == parts.names.canonical(ends[1]):
+        kind = "spring" if entry.spring else "damper"
+        both = parts.known_point((*path, kind, 0), ends[0]), parts.known_point((*path, kind, 1), ends[1])
+        if both[0] == both[1]:
             parts.say(path, say("fault.V745", name=key, point=ends[0]))
         missing = [name for name in (("stiffness", "free") if entry.spring else ("damping",)) if getattr(entry, name) is None]
         if missing:
             parts.say(path, say("fault.V706", name=key, missing=missing[0]))
-        both = parts.names.canonical(ends[0]), parts.names.canonical(ends[1])
         yield Spring(key, both, **_values(path, entry, ("stiffness", "free", "damping"), parts))
         return
     if entry.on is None or (entry.force is None) == (entry.torque is None):
@@ -120,11 +116,11 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
 
 def _friction(key: str, entry: schema.FrictionEntry, parts: Parts) -> Friction:
     path: KeyPath = ("friction", key)
-    parts.known_point(path, key)
+    point = parts.known_point(path, key)
     found = _values(path, entry, ("coefficient", "radius", "length", "arm"), parts, True)
     if entry.coefficient is None and entry.arm is None:
         parts.say(path, say("fault.V709", name=key))
-    return Friction(parts.names.canonical(key), **found)
+    return Friction(point, **found)
 
 
 def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:

@@ -11,14 +11,13 @@ from functools import cache
 
 import numpy as np
 
-from coursework.equations.codegen.programs import as_columns
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_system, compile_values
 from coursework.results.checks.close_to_motion.drift import shortest_length
 from coursework.results.checks.evidence import LIMIT, Evidence, scales_of
 from coursework.results.checks.result import Finding, Verdict, percent, skipped
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Law
 from coursework.words.sentences import joined, say
