@@ -22,6 +22,7 @@ from coursework.mechanism.joints import FRAME
 from coursework.motion.geometry.time_derivatives import acceleration_rest, derivative, second_rate
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
+from coursework.variant.record.forces import Spring
 
 COUPLE = 2
 _KINDS = {"x": 0, "y": 1, "couple": COUPLE}  # an unknown along a line has 3 and the number of its direction
@@ -41,8 +42,8 @@ class Acting:
     places: int
 
 
-def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[Statement]:
-    """Yield the derivatives of the velocities of every block, where laws drive the mechanism."""
+def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[list[Statement]]:
+    """Yield what gives the derivatives of the velocities of each block, where laws drive the mechanism."""
     rests = {one.name: acceleration_rest(equations, one) for one in equations.equations}
     slopes = {one.name: one.coefficients for one in equations.equations}
     earlier: list[str] = []
@@ -51,7 +52,7 @@ def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[
             rests[name] - add(ZERO, *[slopes[name][e] * derivative(e) for e in earlier if e in slopes[name]])
             for name in block.equations
         )
-        yield from block_statements(replace(block, sides=sides), index, [derivative(name) for name in block.unknowns])
+        yield block_statements(replace(block, sides=sides), index, [derivative(name) for name in block.unknowns])
         earlier += block.unknowns
 
 
@@ -132,11 +133,16 @@ class ActingWriter:
         found: Expression = inertia_of(self.scheme, body, self.scalar, self.square)
         return found
 
+    @property
+    def gravity(self) -> Vector:
+        """Return what every mass is drawn with (m/s²)."""
+        x, y = map(self.scalar, self.scheme.forces.gravity or (None, None))
+        return x, y
+
     def wrench(self, body: Body) -> Iterator[Expression]:
         """Yield the centre of a body, the force on it and its moment about the centre: inertia, weight, loads, springs."""
-        centre, mass, forces = self.vector(body.centre), self.scalar(body.mass), self.scheme.forces
-        gravity = tuple(map(self.scalar, forces.gravity)) if forces.gravity else (ZERO, ZERO)
-        x, y = (mass * (g - self.second(part)) for g, part in zip(gravity, centre, strict=True))
+        centre, mass = self.vector(body.centre), self.scalar(body.mass)
+        x, y = (mass * (g - self.second(part)) for g, part in zip(self.gravity, centre, strict=True))
         inertia = self.inertia(body)
         moment = -inertia * self.turned(body)[1] if inertia is not ZERO else ZERO
         for at, force, torque in (*self.loads(body), *self.pulls(body)):
@@ -158,12 +164,24 @@ class ActingWriter:
         for spring in self.scheme.forces.springs:
             first, last = (self.vector(named(end)) for end in spring.ends)
             way = last[0] - first[0], last[1] - first[1]
-            length = call("sqrt", way[0] ** 2 + way[1] ** 2)
-            pull = self.scalar(spring.stiffness) * (length - self.scalar(spring.free)) if spring.stiffness is not None else ZERO
-            pull = (pull + self.scalar(spring.damping) * self.equations.symbols.rate(length)) / length
+            length, pull = self.pull(spring)
+            pull = pull / length
             for end, at, sign in ((spring.ends[0], first, ONE), (spring.ends[1], last, -ONE)):
                 if self.scheme.holder(end) == body.name:
                     yield at, (sign * pull * way[0], sign * pull * way[1]), ZERO
+
+    def pull(self, spring: Spring) -> tuple[Expression, Expression]:
+        """Return the length of a spring and how it pulls its ends together."""
+        length = call("sqrt", self.square(*map(named, spring.ends)))
+        pull = self.scalar(spring.stiffness) * (length - self.scalar(spring.free)) if spring.stiffness is not None else ZERO
+        return length, pull + self.scalar(spring.damping) * self.equations.symbols.rate(length)
+
+    def stretched(self) -> Iterator[Expression]:
+        """Yield the energy of every spring."""
+        for spring in self.scheme.forces.springs:
+            if spring.stiffness is not None:
+                stretch = call("sqrt", self.square(*map(named, spring.ends))) - self.scalar(spring.free)
+                yield HALF * self.scalar(spring.stiffness) * stretch**2
 
     def along(self, one: Unknown) -> Vector:
         """Return the unit vector of an unknown, or the force at the end of an arm that is a couple on it (1/m)."""
@@ -182,8 +200,7 @@ class ActingWriter:
         return {"along": unit, "across": (-unit[1], unit[0]), "tangent": (unit[1], -unit[0])}[way.kind]
 
     def energies(self) -> Vector:
-        forces = self.scheme.forces
-        gravity = tuple(map(self.scalar, forces.gravity)) if forces.gravity else (ZERO, ZERO)
+        gravity = self.gravity
         kinetic, potential = [ZERO], [ZERO]
         for body in self.scheme.bodies:
             centre, mass = self.vector(body.centre), self.scalar(body.mass)
@@ -191,12 +208,7 @@ class ActingWriter:
             kinetic += [HALF * mass * (x**2 + y**2)]
             kinetic += [HALF * inertia * self.turned(body)[0] ** 2] if inertia is not ZERO else []
             potential.append(-mass * (gravity[0] * centre[0] + gravity[1] * centre[1]))
-        for spring in forces.springs:
-            if spring.stiffness is not None:
-                (ax, ay), (bx, by) = (self.vector(named(end)) for end in spring.ends)
-                stretch = call("sqrt", (bx - ax) ** 2 + (by - ay) ** 2) - self.scalar(spring.free)
-                potential.append(HALF * self.scalar(spring.stiffness) * stretch**2)
-        return add(*kinetic), add(*potential)
+        return add(*kinetic), add(*potential, *self.stretched())
 
 
 def cross(arm: Vector, force: Vector) -> Expression:

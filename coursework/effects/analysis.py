@@ -89,9 +89,13 @@ class ForceAnalysis:
             speed = np.abs(moved)
             found["F_path"] = np.where(speed > 0, (np.conj(moved) * force).real / np.where(speed > 0, speed, 1.0), 0.0)
         drives = drives_of(self.rows.scheme)
-        cranks = [body for body in self.rows.scheme.bodies if len(drives) == 1 and drives[0].on == body.name]
-        if cranks and drives[0].direction.kind == "couple" and drives[0].off == FRAME:
-            rate, change = self.rows.turns[cranks[0].name]
+        if (
+            len(drives) == 1
+            and drives[0].direction.kind == "couple"
+            and drives[0].off == FRAME
+            and drives[0].on in self.rows.turns
+        ):
+            rate, change = self.rows.turns[drives[0].on]
             found["J"], found["dJ"] = reduced_inertia(self.rows, rate, change)
         for name, (value, angle) in self.reactions.partly.items():
             found |= {f"{name}.across": value, f"{name}.angle": angle}
@@ -149,7 +153,7 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
     listed += [(("forces", load.name, "at"), load.on, load.at) for load in scheme.forces.loads if load.force is not None]
     faults = []
     for path, name, at in listed:
-        body = next(one for one in scheme.bodies if one.name == scheme.body_named(name))
+        body = scheme.by_name[scheme.body_named(name)]
         own = scheme.own_point(name)
         if own is None or at is None or own == at or not rows.count:
             continue

@@ -11,11 +11,11 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.effects import Action
+from coursework.effects.effects import Action, add_wrench
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
-from coursework.results.checks.result import Finding, Group, floored, judged, skipped
-from coursework.system.arrays import Array, Complex
+from coursework.results.checks.result import Finding, Group, Verdict, floored, judged, skipped
+from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
@@ -36,6 +36,15 @@ class ForceCheck:
     is_least: bool = False
 
 
+def _graded(
+    key: str, value: float, limit: float, worse: Verdict, row: int, column: str | None = None, /, **told: object
+) -> Finding:
+    """Return the finding of a share that is to stay below a limit; beyond it the verdict is the worse one."""
+    verdict = "PASS" if value <= limit else worse
+    sentence = say(f"check.{key}.{verdict.lower()}", row=row, **told)
+    return Finding(verdict, sentence, value, limit, say("unit.relative"), column, row)
+
+
 def _agreement(found: Array | None, other: Array, names: tuple[str, ...], largest: float, code: str) -> Finding:
     if found is None:
         return skipped(say(f"check.{code}.skip"))
@@ -44,12 +53,8 @@ def _agreement(found: Array | None, other: Array, names: tuple[str, ...], larges
         return skipped(say("check.forces.none"))
     share = np.where(known, np.abs(np.nan_to_num(found) - np.nan_to_num(other)), 0.0) / largest
     row, column = np.unravel_index(int(np.argmax(share)), share.shape)
-    value = float(share[row, column])
-    verdict = "PASS" if value <= AGREE else "FAIL"
-    sentence = say(f"check.{code}.{verdict.lower()}", value=value, name=names[int(column)], row=int(row) + 1)
-    return Finding(
-        "PASS" if verdict == "PASS" else "FAIL", sentence, value, AGREE, say("unit.relative"), names[int(column)], int(row) + 1
-    )
+    value, name = float(share[row, column]), names[int(column)]
+    return _graded(code, value, AGREE, "FAIL", int(row) + 1, name, value=value, name=name)
 
 
 def _virtual_power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
@@ -70,29 +75,21 @@ def _groups(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 def outer_sum(own: ForceAnalysis) -> Array:
     """Return what is left (n, 3) of all forces from outside and of inertia, and of their moments about the origin."""
     rows = own.rows
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     total = np.zeros((rows.count, 3))
 
-    def add(force: Complex | None, at: Complex | None, couple: Array | None) -> None:
-        if couple is not None:
-            total[:, 2] += couple
-        if force is not None and at is not None:
-            total[:, 0] += force.real
-            total[:, 1] += force.imag
-            total[:, 2] += (np.conj(at) * force).imag
-
-    actions: tuple[Action, ...] = own.actions
-    for action in actions:
-        add(action.force, action.at, action.couple)
+    actions = list(own.actions)
     for name, unknown in zip(own.reactions.names, rows.scheme.unknowns, strict=True):
         outside = (unknown.off == FRAME and unknown.on in bodies) or (unknown.on == FRAME and unknown.off in rows.scheme.pins)
         if not outside:
             continue
         value = np.nan_to_num(own.column(name)) * (1.0 if unknown.off == FRAME else -1.0)
         if unknown.direction.kind == "couple":
-            add(None, None, value)
+            actions.append(Action("reactions", unknown.on, couple=value))
         elif unknown.at is not None:
-            add(value * rows.along(unknown), rows.vector(unknown.at), None)
+            actions.append(Action("reactions", unknown.on, value * rows.along(unknown), rows.vector(unknown.at)))
+    for action in actions:
+        add_wrench(total, action, 0.0)
     return total
 
 
@@ -104,9 +101,7 @@ def _sum(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     if not largest:
         return skipped(say("check.forces.none"))
     value, row = float(left.max()) / largest, int(np.argmax(left.max(axis=1))) + 1
-    good = value <= AGREE
-    sentence = say("check.REACTIONS-SUM.pass" if good else "check.REACTIONS-SUM.fail", value=value, row=row)
-    return Finding("PASS" if good else "FAIL", sentence, value, AGREE, say("unit.relative"), row=row)
+    return _graded("REACTIONS-SUM", value, AGREE, "FAIL", row, value=value)
 
 
 def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
@@ -124,9 +119,7 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
         return skipped(say("check.forces.none"))
     off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are coarser by far
     row, value = int(np.argmax(off)) + 3, float(off.max())
-    good = value <= POWER_SHARE
-    sentence = say("check.POWER.pass" if good else "check.POWER.coarse", value=value, row=row)
-    return Finding("PASS" if good else "COARSE", sentence, value, POWER_SHARE, say("unit.relative"), row=row)
+    return _graded("POWER", value, POWER_SHARE, "COARSE", row, value=value)
 
 
 def contacts(own: ForceAnalysis) -> list[tuple[str, Array, Array]]:
@@ -159,18 +152,13 @@ def _condition(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
         return skipped(say("check.forces.none"))
     if not np.isfinite(condition).any():
         names = tuple(n for n, column in zip(own.reactions.names, own.reactions.rows.T, strict=True) if np.isnan(column).any())
-        return skipped(
-            say("check.FORCE-CONDITION.redundant", names=names, number=len(own.reactions.names), count=_equations(own))
-        )
+        unknowns, equations = len(own.reactions.names), int(own.reactions.matrix.shape[1])
+        return skipped(say("check.FORCE-CONDITION.redundant", names=names, number=unknowns, count=equations))
     row = int(np.argmax(condition)) + 1
     digits = floored(max(0.0, _ALL_DIGITS - float(np.log10(condition.max()))), 1) if np.isfinite(condition.max()) else 0.0
     good = digits >= LEAST_DIGITS
     sentence = say("check.FORCE-CONDITION.pass" if good else "check.FORCE-CONDITION.coarse", digits=digits, row=row)
     return Finding("PASS" if good else "COARSE", sentence, digits, LEAST_DIGITS, say("unit.digits", number=digits), row=row)
-
-
-def _equations(own: ForceAnalysis) -> int:
-    return int(own.reactions.matrix.shape[1])
 
 
 def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
@@ -184,12 +172,8 @@ def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
         return skipped(say("check.forces.none"))  # nothing drives it
     row = int(np.nanargmax(np.abs(found - true)))
     share = float(abs(found[row] - true[row]) / np.nanmax(np.abs(true)))
-    good = share <= _CLOSE
-    sentence = say(
-        "check.FORCE-ACCURACY.pass" if good else "check.FORCE-ACCURACY.coarse", name=name, row=row + 1, found=float(found[row]),
-        true=float(true[row]), unit=own.units[own.names.index(name)], share=share,
-    )  # fmt: skip
-    return Finding("PASS" if good else "COARSE", sentence, share, _CLOSE, say("unit.relative"), name, row + 1)
+    told = {"name": name, "found": float(found[row]), "true": float(true[row]), "unit": own.units[own.names.index(name)]}
+    return _graded("FORCE-ACCURACY", share, _CLOSE, "COARSE", row + 1, name, **told, share=share)
 
 
 def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
@@ -207,10 +191,8 @@ def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     power = own.energy.friction
     row = int(np.argmin(power))
     lost, still = float(-power[row]), np.flatnonzero(standing(own.reactions.friction))
-    if not len(still):
-        return Finding("PASS", say("check.FRICTION.pass", power=lost, row=row + 1), row=row + 1)
-    sentence = say("check.FRICTION.still", power=lost, row=row + 1, count=len(still), still=int(still[0]) + 1)
-    return Finding("PASS", sentence, row=row + 1)
+    told = {"count": len(still), "still": int(still[0]) + 1} if len(still) else {}
+    return Finding("PASS", say(f"check.FRICTION.{'still' if told else 'pass'}", power=lost, row=row + 1, **told), row=row + 1)
 
 
 FORCE_CHECKS: tuple[ForceCheck, ...] = (

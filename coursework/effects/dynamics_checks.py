@@ -74,12 +74,16 @@ def _energy(e: Evidence) -> Finding:
         return skipped(say("check.ENERGY.rest" if not np.any(e.exact.rows.motion.velocities) else "check.forces.none"))
     row = int(np.argmax(np.abs(left)))
     share = float(abs(left[row]) / exchanged)
-    told = {"energy": float(left[row]), "share": percent(share), "row": row + 1, "exchanged": exchanged}
+    return _graded(e, "ENERGY", share, row, energy=float(left[row]), share=percent(share), row=row + 1, exchanged=exchanged)
+
+
+def _graded(e: Evidence, code: str, share: float, row: int, column: str | None = None, /, **told: object) -> Finding:
+    """Return the finding of a share, with a step that would do where it is too large."""
     if share <= LIMIT or e.scheme is None:
-        return Finding("PASS", say("check.ENERGY.pass", **told), share, LIMIT, say("unit.relative"), row=row + 1)
+        return Finding("PASS", say(f"check.{code}.pass", **told), share, LIMIT, say("unit.relative"), column, row + 1)
     parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
-    sentence = say("check.ENERGY.coarse", **told, step=e.step / parts)
-    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), row=row + 1)
+    sentence = say(f"check.{code}.coarse", **told, step=e.step / parts)
+    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), column, row + 1)
 
 
 def _accuracy(e: Evidence) -> Finding:
@@ -98,12 +102,7 @@ def _accuracy(e: Evidence) -> Finding:
             worst = (name, row, float(off[row] / scale), float(off[row]))
     name, row, share, off_by = worst
     unit = e.own.equations.variant.unit_of(name)
-    told = {"name": name, "row": row + 1, "off": off_by, "unit": unit, "share": percent(share)}
-    if share <= LIMIT:
-        return Finding("PASS", say("check.MOTION.pass", **told), share, LIMIT, say("unit.relative"), name, row + 1)
-    parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
-    sentence = say("check.MOTION.coarse", **told, step=e.step / parts)
-    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), name, row + 1)
+    return _graded(e, "MOTION", share, row, name, name=name, row=row + 1, off=off_by, unit=unit, share=percent(share))
 
 
 def stiffness(e: Evidence) -> tuple[float, float]:

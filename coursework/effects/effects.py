@@ -119,11 +119,15 @@ def wrenches(rows: Rows, actions: tuple[Action, ...]) -> Array:
     total = np.zeros((rows.count, len(places), 3))
     for action in actions:
         place = places[action.body]
-        if action.couple is not None:
-            total[:, place, 2] += action.couple
-        if action.force is not None and action.at is not None:
-            arm = action.at - rows.vector(rows.scheme.bodies[place].centre)
-            total[:, place, 0] += action.force.real
-            total[:, place, 1] += action.force.imag
-            total[:, place, 2] += (np.conj(arm) * action.force).imag
+        add_wrench(total[:, place], action, rows.vector(rows.scheme.bodies[place].centre))
     return total
+
+
+def add_wrench(total: Array, action: Action, about: Complex | float) -> None:
+    """Add an action to sums (n, 3) of forces along x and y and of moments about a place."""
+    if action.couple is not None:
+        total[:, 2] += action.couple
+    if action.force is not None and action.at is not None:
+        total[:, 0] += action.force.real
+        total[:, 1] += action.force.imag
+        total[:, 2] += (np.conj(action.at - about) * action.force).imag

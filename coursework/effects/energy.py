@@ -43,7 +43,7 @@ class Energy:
 
 def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:
     """Return the velocity (n,) that a driving couple or force has its power with, of what it drives against what it stands on."""
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     if drive.direction.kind == "couple":
         turned = rows.omega(bodies[drive.off]) if drive.off in bodies else 0.0
         return rows.omega(bodies[drive.on]) - turned
@@ -102,13 +102,12 @@ def reduced_inertia(rows: Rows, rate: Array, change: Array) -> tuple[Array, Arra
 
 def _power(rows: Rows, actions: Iterable[Action]) -> Array:
     """Return the power (n,) of forces and couples on bodies that move."""
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     total = np.zeros(rows.count)
     for action in actions:
         body = bodies[action.body]
         if action.couple is not None:
             total += action.couple * rows.omega(body)
         elif action.force is not None and action.at is not None:
-            moved = rows.vector(body.centre, RATE) + 1j * rows.omega(body) * (action.at - rows.vector(body.centre))
-            total += (np.conj(action.force) * moved).real
+            total += (np.conj(action.force) * rows.velocity(body, action.at)).real
     return total

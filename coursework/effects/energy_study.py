@@ -16,7 +16,7 @@ from coursework.effects.equations_of_motion import EquationsOfMotion
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import PRECISE, SCHEMES, SEMI_IMPLICIT, Scheme, title_of
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
-from coursework.results.accuracy.trace import slope
+from coursework.results.accuracy.trace import orders_of
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Time
 from coursework.words.sentence import Sentence
@@ -47,7 +47,7 @@ def energy_study(
             if parts == 1:
                 rates[title_of(scheme)] = tried.error
     floor = 64 * float(np.finfo(float).eps) * max(scale, float(np.abs(energy).max()))
-    orders = dict(_orders(rows, scale, floor))
+    orders = orders_of(rows, floor, 0.0, scale=scale)
     title = title_of(own)
     mine = next(row for row in rows if row.method == title)
     point = None if mine.failed else (title, mine.evaluations, mine.max_error, None)
@@ -66,14 +66,6 @@ def _row(scheme: Scheme, tried: Trial, energy: Array, steps: int) -> StudyRow:
         return StudyRow(title, str(steps), 0, np.nan, np.nan, None, say("study.cut_off", row=tried.row), "J", "J")
     off = np.abs(tried.energy - energy)
     return StudyRow(title, str(steps), tried.slopes, float(off.max()), float(off[-1]), None, "", "J", "J")
-
-
-def _orders(rows: Sequence[StudyRow], scale: float, floor: float) -> Iterator[tuple[str, float]]:
-    for method in dict.fromkeys(row.method for row in rows):
-        own = [row for row in rows if row.method == method and not row.failed]
-        found = slope([row.evaluations for row in own], [row.max_error / scale for row in own], floor / scale)
-        if found is not None and found > 0:
-            yield method, found
 
 
 def _told(rows: Sequence[StudyRow], rates: dict[str, float], own: StudyRow, scale: float) -> Iterator[Sentence]:

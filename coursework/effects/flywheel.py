@@ -63,7 +63,7 @@ def find_flywheel(own: ForceAnalysis, period: float | None) -> Flywheel | None:
     forces = own.rows.scheme.forces
     uneven = own.rows.scalar(forces.flywheel.unevenness)[0] if forces.flywheel and forces.flywheel.unevenness else None
     inertia = excess / (float(uneven) * omega**2) if uneven else None
-    body = next(one for one in own.rows.scheme.bodies if one.name == drives_of(own.rows.scheme)[0].on)
+    body = own.rows.scheme.by_name[drives_of(own.rows.scheme)[0].on]
     arm = np.abs(own.rows.vector(body.centre)[0] - _pivot(own))
     crank_inertia = float(own.rows.inertia(body)[0] + own.rows.mass(body)[0] * arm**2)
     return Flywheel(mean, excess, crossings, inertia, crank_inertia, None if inertia is None else inertia - crank_inertia)

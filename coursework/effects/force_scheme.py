@@ -77,9 +77,14 @@ class ForceScheme:
     forces: Forces
     holds: Mapping[str, tuple[str, ...]]
 
+    @property
+    def by_name(self) -> dict[str, Body]:
+        """Return the bodies by their names."""
+        return {body.name: body for body in self.bodies}
+
     def body_named(self, name: str) -> str:
         """Return the body that a key means, by its name or by the point of a block."""
-        return name if any(body.name == name for body in self.bodies) else self.holder(name)
+        return name if name in self.by_name else self.holder(name)
 
     def own_point(self, name: str) -> Formula | None:
         """Return a point that the body of a key holds, None where the file names none."""

@@ -16,7 +16,7 @@ import numpy as np
 from coursework.effects.effects import Action
 from coursework.effects.force_scheme import ForceScheme, Unknown
 from coursework.effects.held import STILL
-from coursework.effects.rows import RATE, Rows
+from coursework.effects.rows import Rows
 from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array, Flags
 from coursework.variant.record.forces import Friction
@@ -65,7 +65,7 @@ def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
 
 def _turning(rows: Rows, one: Unknown, couple: Array) -> Iterator[Action]:
     """Yield a couple against the turning of two bodies about each other."""
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     other = partner(rows.scheme, one)
     if one.on == other or one.on not in bodies:
         return
@@ -80,15 +80,10 @@ def _turning(rows: Rows, one: Unknown, couple: Array) -> Iterator[Action]:
 def _sliding(rows: Rows, one: Unknown, values: Array, place: int, rubs: Friction) -> Iterator[Action]:
     """Yield a force against the sliding of a block along its guide."""
     assert one.at is not None
-    bodies = {body.name: body for body in rows.scheme.bodies}
+    bodies = rows.scheme.by_name
     at, along = rows.vector(one.at), rows.along(one) / 1j
-    speeds = []
-    for name in (one.on, one.off):
-        if name == FRAME:
-            speeds.append(np.zeros(rows.count, dtype=complex))
-            continue
-        centre = bodies[name].centre
-        speeds.append(rows.vector(centre, RATE) + 1j * rows.omega(bodies[name]) * (at - rows.vector(centre)))
+    still = np.zeros(rows.count, dtype=complex)
+    speeds = [still if name == FRAME else rows.velocity(bodies[name], at) for name in (one.on, one.off)]
     relative = (np.conj(along) * (speeds[0] - speeds[1])).real
     size = np.abs(values[:, place])
     following = rows.scheme.unknowns[place + 1] if place + 1 < len(rows.scheme.unknowns) else None

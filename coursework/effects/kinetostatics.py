@@ -15,9 +15,9 @@ from dataclasses import field, replace
 import numpy as np
 
 from coursework.effects.effects import Action, actions_of, wrenches
-from coursework.effects.force_scheme import ForceScheme, Unknown, names_of
+from coursework.effects.force_scheme import ForceScheme, names_of
 from coursework.effects.rows import Rows
-from coursework.system.arrays import Array, Complex, Flags
+from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
 # A direction of a null vector below this share is none: the unknown is unique.
@@ -63,27 +63,20 @@ def matrix_of(rows: Rows) -> Array:
     scheme, places = rows.scheme, places_of(rows.scheme)
     found = np.zeros((rows.count, 3 * len(scheme.bodies) + 2 * len(scheme.pins), len(scheme.unknowns)))
     centres = {body.name: rows.vector(body.centre) for body in scheme.bodies}
-    for column, unknown in enumerate(scheme.unknowns):
+    for place, unknown in enumerate(scheme.unknowns):
+        column, is_couple = found[..., place], unknown.direction.kind == "couple"
+        unit = np.zeros(rows.count) if is_couple else rows.along(unknown)
         for name, sign in ((unknown.on, 1.0), (unknown.off, -1.0)):
-            _place(found[..., column], rows, places, unknown, name, sign, centres)
+            first = places.get(name)
+            if first is None:
+                continue  # the frame
+            column[:, first] = sign * unit.real
+            column[:, first + 1] = sign * unit.imag
+            if is_couple:
+                column[:, first + 2] = sign
+            elif name in centres and unknown.at is not None:
+                column[:, first + 2] = sign * (np.conj(rows.vector(unknown.at) - centres[name]) * unit).imag
     return found
-
-
-def _place(
-    column: Array, rows: Rows, places: dict[str, int], unknown: Unknown, name: str, sign: float, centres: dict[str, Complex]
-) -> None:
-    if name not in places:
-        return  # the frame
-    first = places[name]
-    if unknown.direction.kind == "couple":
-        column[:, first + 2] = sign
-        return
-    unit = rows.along(unknown)
-    column[:, first] = sign * unit.real
-    column[:, first + 1] = sign * unit.imag
-    if name in centres and unknown.at is not None:
-        arm = rows.vector(unknown.at) - centres[name]
-        column[:, first + 2] = sign * (np.conj(arm) * unit).imag
 
 
 def react(rows: Rows) -> Reactions:

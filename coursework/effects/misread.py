@@ -6,90 +6,72 @@ Used by `grading/marking/forces.py`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import Action
-from coursework.effects.force_scheme import Body
 from coursework.effects.kinetostatics import react_to
 from coursework.effects.rows import PLACE, SECOND, Rows
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
-Slip = Callable[[ForceAnalysis], Iterator[Action]]
+Slip = Callable[[Rows, Action], Action | None]  # what is made of an action, None where it is forgotten
 
 
-def _no_weight(found: ForceAnalysis) -> Iterator[Action]:
+def _no_weight(_: Rows, one: Action) -> Action | None:
     """The weight is forgotten."""
-    yield from (one for one in found.actions if one.effect != "weight")
+    return None if one.effect == "weight" else one
 
 
-def _no_inertia(found: ForceAnalysis) -> Iterator[Action]:
+def _no_inertia(_: Rows, one: Action) -> Action | None:
     """The forces of inertia are forgotten: statics."""
-    yield from (one for one in found.actions if one.effect != "inertia")
+    return None if one.effect == "inertia" else one
 
 
-def _inertia_turned(found: ForceAnalysis) -> Iterator[Action]:
+def _inertia_turned(rows: Rows, one: Action) -> Action | None:
     """The forces and couples of inertia have the wrong sign."""
-    for one in found.actions:
-        if one.effect != "inertia":
-            yield one
-        elif one.couple is not None:
-            yield replace(one, couple=-one.couple)
-        elif one.force is not None:
-            yield replace(one, force=-one.force)
+    if one.effect == "inertia" and one.couple is None and one.force is not None:
+        return replace(one, force=-one.force)
+    return _couple_turned(rows, one)
 
 
-def _couple_turned(found: ForceAnalysis) -> Iterator[Action]:
+def _couple_turned(_: Rows, one: Action) -> Action | None:
     """The couples of inertia alone have the wrong sign."""
-    for one in found.actions:
-        yield replace(one, couple=-one.couple) if one.effect == "inertia" and one.couple is not None else one
+    return replace(one, couple=-one.couple) if one.effect == "inertia" and one.couple is not None else one
 
 
-def _joint_of(rows: Rows, body: str) -> Formula | None:
-    """Return the joint of a link in which somebody may think its forces act, None where it has no known place."""
-    own = rows.scheme.own_point(body)
+def _joint_of(rows: Rows, one: Action, *effects: str) -> Formula | None:
+    """Return the joint of a link in which somebody may think what these effects do acts, None where it has no known place."""
+    own = rows.scheme.own_point(one.body) if one.effect in effects else None
     return own if own is not None and (own, True, PLACE) in rows.values else None
 
 
-def _about_the_joint(found: ForceAnalysis) -> Iterator[Action]:
+def _about_the_joint(rows: Rows, one: Action) -> Action | None:
     """J is taken about a joint of the link, J + m d^2, although the force of inertia stands in S."""
-    rows = found.rows
-    for one in found.actions:
-        if one.effect == "inertia" and one.couple is not None and (own := _joint_of(rows, one.body)) is not None:
-            body = _body(rows, one)
-            far = np.abs(rows.vector(body.centre) - rows.vector(own)) ** 2 * rows.mass(body)
-            yield replace(one, couple=one.couple - far * rows.epsilon(body))
-        else:
-            yield one
+    if one.couple is None or (own := _joint_of(rows, one, "inertia")) is None:
+        return one
+    body = rows.scheme.by_name[one.body]
+    far = np.abs(rows.vector(body.centre) - rows.vector(own)) ** 2 * rows.mass(body)
+    return replace(one, couple=one.couple - far * rows.epsilon(body))
 
 
-def _acceleration_of_the_joint(found: ForceAnalysis) -> Iterator[Action]:
+def _acceleration_of_the_joint(rows: Rows, one: Action) -> Action | None:
     """The acceleration of a joint of the link stands for that of its centre of mass."""
-    rows = found.rows
-    for one in found.actions:
-        if one.effect == "inertia" and one.force is not None and (own := _joint_of(rows, one.body)) is not None:
-            body = _body(rows, one)
-            arm = rows.vector(own) - rows.vector(body.centre)
-            second = rows.vector(body.centre, SECOND) + (1j * rows.epsilon(body) - rows.omega(body) ** 2) * arm
-            yield replace(one, force=np.asarray(-rows.mass(body) * second))
-        else:
-            yield one
+    if one.force is None or (own := _joint_of(rows, one, "inertia")) is None:
+        return one
+    body = rows.scheme.by_name[one.body]
+    arm = rows.vector(own) - rows.vector(body.centre)
+    second = rows.vector(body.centre, SECOND) + (1j * rows.epsilon(body) - rows.omega(body) ** 2) * arm
+    return replace(one, force=np.asarray(-rows.mass(body) * second))
 
 
-def _arm_of_the_joint(found: ForceAnalysis) -> Iterator[Action]:
+def _arm_of_the_joint(rows: Rows, one: Action) -> Action | None:
     """Forces of inertia and weight act in a joint of the link, not in S: their moment arms lead to the wrong point."""
-    rows = found.rows
-    for one in found.actions:
-        own = _joint_of(rows, one.body) if one.effect in {"inertia", "weight"} and one.force is not None else None
-        yield one if own is None else replace(one, at=rows.vector(own))
-
-
-def _body(rows: Rows, action: Action) -> Body:
-    return next(body for body in rows.scheme.bodies if body.name == action.body)
+    own = _joint_of(rows, one, "inertia", "weight")
+    return one if one.force is None or own is None else replace(one, at=rows.vector(own))
 
 
 SLIPS: dict[str, Slip] = {
@@ -101,4 +83,6 @@ SLIPS: dict[str, Slip] = {
 
 def slipped(found: ForceAnalysis) -> dict[str, Array]:
     """Return the unknown forces that each slip gives."""
-    return {code: react_to(found.rows, tuple(slip(found))).rows for code, slip in SLIPS.items()}
+    rows, actions = found.rows, found.actions
+    changed = {code: [slip(rows, one) for one in actions] for code, slip in SLIPS.items()}
+    return {code: react_to(rows, tuple(one for one in kept if one is not None)).rows for code, kept in changed.items()}

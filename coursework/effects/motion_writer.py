@@ -14,13 +14,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from coursework.effects.acting import ActingWriter, accelerated
 from coursework.effects.closed_positions import newton_statements
 from coursework.effects.equations_of_motion import EquationsOfMotion
 from coursework.effects.force_scheme import Body, ForceScheme, inertia_of
-from coursework.equations.algebra.calculus import derivative
+from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, add
-from coursework.equations.algebra.functions import call
-from coursework.equations.codegen.names import acceleration, private
+from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Statement, compile_function, program
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
@@ -28,8 +28,7 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, placed, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.joints import FRAME
-from coursework.motion.geometry.time_derivatives import acceleration_rest, second_rate
-from coursework.variant.formula.tree import Formula
+from coursework.motion.geometry.time_derivatives import derivative, second_rate
 from coursework.variant.record.forces import Load
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -50,6 +49,11 @@ class MotionWriter:
     def rates(self) -> tuple[str, ...]:
         assert self.scheme.forces.motor is not None
         return self.scheme.forces.motor.rates
+
+    @property
+    def acting(self) -> ActingWriter:
+        """Return what writes what acts on the bodies."""
+        return ActingWriter(self.equations, self.scheme)
 
     @property
     def free(self) -> tuple[int, ...]:
@@ -108,22 +112,18 @@ class MotionWriter:
     def _velocities(self) -> Iterator[Statement]:
         """Yield the analogs of all velocities, the velocities, and their derivatives for free accelerations of 0."""
         earlier: list[str] = []
-        rests = {one.name: acceleration_rest(self.equations, one) for one in self.equations.equations}
-        slopes = {one.name: one.coefficients for one in self.equations.equations}
-        for index, block in enumerate(self.reduction.blocks):
+        both = zip(self.reduction.blocks, accelerated(self.equations, self.reduction), strict=True)
+        for index, (block, changes) in enumerate(both):
             for k, rate in enumerate(self.rates):
                 sides = tuple(
-                    derivative(side, symbol(rate)) + add(*[derivative(side, symbol(e)) * _analog(k, e) for e in earlier])
+                    derivative_by(side, symbol(rate)) + add(*[derivative_by(side, symbol(e)) * _analog(k, e) for e in earlier])
                     for side in block.sides
                 )
                 targets = [_analog(k, name) for name in block.unknowns]
                 yield from block_statements(replace(block, sides=sides), index, targets)
             for name in block.unknowns:
                 yield Assign(symbol(name), add(*[_analog(k, name) * symbol(rate) for k, rate in enumerate(self.rates)]))
-            sides = tuple(
-                rests[name] - add(*[slopes[name][e] * _bias(e) for e in earlier if e in slopes[name]]) for name in block.equations
-            )
-            yield from block_statements(replace(block, sides=sides), index, [_bias(name) for name in block.unknowns])
+            yield from changes
             earlier += block.unknowns
 
     def _weigh(self) -> None:
@@ -133,13 +133,11 @@ class MotionWriter:
             with placed(self.equations.variant, "masses", 1):
                 if body.mass is not None:
                     wanted[f"_m{place}"] = symbols.scalar(body.mass)
-                inertia = inertia_of(self.scheme, body, lambda one: ZERO if one is None else symbols.scalar(one), self._square)
+                inertia = inertia_of(
+                    self.scheme, body, lambda one: ZERO if one is None else symbols.scalar(one), self.acting.square
+                )
             if inertia is not ZERO:
                 wanted[f"_j{place}"] = inertia
-
-    def _square(self, first: Formula, last: Formula) -> Expression:
-        (ax, ay), (bx, by) = map(self.equations.symbols.vector, (first, last))
-        return (bx - ax) ** 2 + (by - ay) ** 2
 
     def _analog_of(self, expression: Expression, k: int) -> Expression:
         """Return how fast an expression of the positions changes with the free rate k."""
@@ -162,7 +160,9 @@ class MotionWriter:
             line = self.scheme.forces.lines.get(("masses", body.name), 1)
             raise InputError([Fault(say("fault.V741", name=body.name), self.equations.variant.file, line)])
         free = body.rate in self.rates
-        return [self.rate_of(body.rate, k) for k in range(len(self.rates))], ZERO if free or not body.rate else _bias(body.rate)
+        return [self.rate_of(body.rate, k) for k in range(len(self.rates))], ZERO if free or not body.rate else derivative(
+            body.rate
+        )
 
     def _motion(self) -> Iterator[Statement]:
         """Yield M, Q - h, kinetic and potential energy."""
@@ -170,7 +170,7 @@ class MotionWriter:
         matrix = [[ZERO for _ in range(count)] for _ in range(count)]
         right = [ZERO for _ in range(count)]
         potential = [ZERO]
-        gravity = tuple(map(symbols.scalar, self.scheme.forces.gravity)) if self.scheme.forces.gravity else (ZERO, ZERO)
+        gravity = self.acting.gravity
         for place, body in enumerate(self.scheme.bodies):
             mass, inertia = (local(name) if name in self.weights else ZERO for name in (f"_m{place}", f"_j{place}"))
             if mass is inertia:
@@ -188,7 +188,7 @@ class MotionWriter:
             potential.append(-mass * (gravity[0] * centre[0] + gravity[1] * centre[1]))
         for k in range(count):
             right[k] += add(ZERO, *self._powers(k))
-        potential += self._stretched()
+        potential += self.acting.stretched()
         for k in range(count):
             for other in range(k, count):
                 yield Assign(local(f"_mass{k}{other}"), matrix[k][other])
@@ -203,20 +203,13 @@ class MotionWriter:
 
     def _powers(self, k: int) -> Iterator[Expression]:
         """Yield the power of each load, spring and motor over the motion of the free rate k alone."""
-        symbols, forces = self.equations.symbols, self.scheme.forces
+        forces = self.scheme.forces
         for load in (*forces.loads, *(forces.motor.torques if forces.motor else ())):
             with placed(self.equations.variant, f"forces.{load.name}", 1):
                 yield self._power(load, k)
         for spring in forces.springs:
-            (ax, ay), (bx, by) = (symbols.vectors[end] for end in spring.ends)
-            length = call("sqrt", (bx - ax) ** 2 + (by - ay) ** 2)
-            pull = ZERO if spring.stiffness is None else symbols.scalar(spring.stiffness) * (length - self._free(spring.free))
-            if spring.damping is not None:
-                pull = pull + symbols.scalar(spring.damping) * symbols.rate(length)
+            length, pull = self.acting.pull(spring)
             yield -pull * self._analog_of(length, k)
-
-    def _free(self, free: Any) -> Expression:
-        return ZERO if free is None else self.equations.symbols.scalar(free)
 
     def _power(self, load: Load, k: int) -> Expression:
         symbols = self.equations.symbols
@@ -230,16 +223,7 @@ class MotionWriter:
         return force[0] * self._analog_of(at[0], k) + force[1] * self._analog_of(at[1], k)
 
     def _turn_of(self, name: str, k: int) -> Expression:
-        body = next(one for one in self.scheme.bodies if one.name == self.scheme.body_named(name))
-        return self.rate_of(body.rate, k)
-
-    def _stretched(self) -> Iterator[Expression]:
-        symbols = self.equations.symbols
-        for spring in self.scheme.forces.springs:
-            if spring.stiffness is not None:
-                (ax, ay), (bx, by) = (symbols.vectors[end] for end in spring.ends)
-                length = call("sqrt", (bx - ax) ** 2 + (by - ay) ** 2)
-                yield HALF * symbols.scalar(spring.stiffness) * (length - self._free(spring.free)) ** 2
+        return self.rate_of(self.scheme.by_name[self.scheme.body_named(name)].rate, k)
 
     def _solved(self, targets: Sequence[Expression]) -> Iterator[Statement]:
         """Yield the free accelerations."""
@@ -257,7 +241,7 @@ class MotionWriter:
         free = free or self.solved
         if name in self.rates:
             return free[self.rates.index(name)]
-        return _bias(name) + add(*[_analog(k, name) * one for k, one in enumerate(free)])
+        return derivative(name) + add(*[_analog(k, name) * one for k, one in enumerate(free)])
 
     def _table(self, common: Sequence[Statement]) -> Callable[..., Any]:
         variant = self.equations.variant
@@ -277,7 +261,3 @@ class MotionWriter:
 
 def _analog(k: int, name: str) -> Expression:
     return local(f"_u{k}_{private(name)}")
-
-
-def _bias(name: str) -> Expression:
-    return local(acceleration(name))

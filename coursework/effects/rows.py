@@ -90,6 +90,10 @@ class Rows:
         omega = (np.conj(way) * rate).imag / np.abs(way) ** 2
         return omega, (np.conj(way) * second).imag / np.abs(way) ** 2
 
+    def velocity(self, body: Body, at: Complex) -> Complex:
+        """Return the velocity (n,) complex m/s of that point of a body which stands at a place."""
+        return self.vector(body.centre, RATE) + 1j * self.omega(body) * (at - self.vector(body.centre))
+
     def mass(self, body: Body) -> Array:
         """Return the mass (n,) kg."""
         return self.scalar(body.mass)

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.effects.acting import ActingWriter, cross
 from coursework.effects.equations_of_motion import EquationsOfMotion
-from coursework.effects.force_scheme import Body, Unknown
+from coursework.effects.force_scheme import Unknown
 from coursework.effects.friction import partner, rubbing
 from coursework.effects.kinetostatics import places_of
 from coursework.effects.motion_writer import MotionWriter
@@ -34,7 +34,7 @@ Entries = dict[tuple[int, int], Expression]  # row and column of the equations o
 
 def rubbed_motion(writer: MotionWriter) -> EquationsOfMotion:
     """Return equations of motion with the friction of the file.  Raises `InputError` where reactions are not unique."""
-    ideal, own = writer.made(), _Writer(writer, ActingWriter(writer.equations, writer.scheme)).made()
+    ideal, own = writer.made(), _Writer(writer, writer.acting).made()
 
     def table(*rows: Any) -> Any:
         return ideal.table(*rows, *own.taken(len(ideal.free), *np.broadcast_arrays(*rows)))
@@ -113,7 +113,7 @@ class _Writer:
         self.force(entries, places, column, name, one, (sign * x, sign * y))
 
     def force(self, entries: Entries, places: Mapping[str, int], column: int, name: str, one: Unknown, force: Vector) -> None:
-        first, body = places[name], self.body(name)
+        first, body = places[name], self.motion.scheme.by_name.get(name)
         entries[first, column], entries[first + 1, column] = force
         if body is not None and one.at is not None:
             at, centre = self.acting.vector(one.at), self.acting.vector(body.centre)
@@ -122,14 +122,11 @@ class _Writer:
     def unit(self, one: Unknown) -> Vector:
         return {"x": (ONE, ZERO), "y": (ZERO, ONE)}.get(one.direction.kind) or self.acting.along(one)
 
-    def body(self, name: str) -> Body | None:
-        return next((body for body in self.motion.scheme.bodies if body.name == name), None)
-
     def turns(self, entries: Entries, places: Mapping[str, int], column: int, one: Unknown) -> Expression:
         """Write a couple on two bodies that turn about each other, and return how fast they do."""
         speed = ZERO
         for name, sign in ((one.on, ONE), (partner(self.motion.scheme, one), -ONE)):
-            if (body := self.body(name)) is not None:
+            if (body := self.motion.scheme.by_name.get(name)) is not None:
                 entries[places[name] + 2, column] = sign
                 speed = speed + sign * self.acting.turned(body)[0]
         return speed
@@ -140,7 +137,7 @@ class _Writer:
         (x, y), at, speed = self.unit(one), self.acting.vector(one.at), ZERO
         along = y, -x
         for name, sign in ((one.on, ONE), (one.off, -ONE)):
-            if (body := self.body(name)) is not None:
+            if (body := self.motion.scheme.by_name.get(name)) is not None:
                 self.force(entries, places, column, name, one, (sign * along[0], sign * along[1]))
                 centre, turned = self.acting.vector(body.centre), self.acting.turned(body)[0]
                 (u, v), arm = self.acting.rate(centre), (at[0] - centre[0], at[1] - centre[1])

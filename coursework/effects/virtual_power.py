@@ -75,14 +75,10 @@ def twists(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array
 def drive_by_power(rows: Rows, equations: VelocityEquations, wrench: Array) -> Array | None:
     """Return what each drive must do (n, drives) against wrenches (n, bodies, 3); None where the geometry does not tell."""
     velocities = unit_motions(rows, equations)
-    if velocities is None or any(not body.rate and body.span for body in rows.scheme.bodies if _turns_unnamed(rows, body.name)):
+    if velocities is None or any(not body.rate and body.span and np.any(rows.omega(body)) for body in rows.scheme.bodies):
         return None
     needed = -np.einsum("nbi,nbik->nk", wrench, twists(rows, equations, velocities))
     return np.asarray(np.linalg.solve(_shares(rows, equations, velocities), needed[..., None])[..., 0])
-
-
-def _turns_unnamed(rows: Rows, name: str) -> bool:
-    return bool(np.any(rows.turns[name][0])) and not next(body.rate for body in rows.scheme.bodies if body.name == name)
 
 
 def _shares(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array:

@@ -6,6 +6,7 @@ Used by every floor above that computes; a docstring beside a value says shape a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -30,3 +31,11 @@ def median(values: NDArray[Any]) -> NDArray[Any]:
     """
     ordered, rows = np.sort(values, axis=0), len(values)
     return np.asarray((ordered[(rows - 1) // 2] + ordered[rows // 2]) / 2)
+
+
+def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
+    """Return numbers and arrays (*shape) as the columns of one array (*shape, k)."""
+    columns = np.empty((*shape, len(values)))
+    for place, value in enumerate(values):
+        columns[..., place] = value
+    return columns

@@ -126,13 +126,8 @@ class Plan:
         left = [
             (name, say("plan.only_for", users=users) if users else say("plan.not_asked")) for name, users in self.left_out.items()
         ]
-        lines = [say("plan.line", name=f"{name:<20}", why=why) for name, why in (*computed, *left)]
-        return [
-            say("plan.computed"),
-            *lines[: len(computed)],
-            say("plan.left_out"),
-            *(lines[len(computed) :] or [say("plan.nothing")]),
-        ]
+        first, rest = ([say("plan.line", name=f"{name:<20}", why=why) for name, why in part] for part in (computed, left))
+        return [say("plan.computed"), *first, say("plan.left_out"), *(rest or [say("plan.nothing")])]
 
 
 def make_plan(needs: Needs, wanted: Iterable[str]) -> Plan:

@@ -16,6 +16,7 @@ from coursework.words.line_ends import line_groups
 _ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&#34;", "'": "&#39;"})
 # Around what no line may break: an element of three letters that says nothing of its content, two hundred times a page.
 _BEGIN, _END = "<bdi>", "</bdi>"
+_FORMS = {"t": "{}", "o": '<span class="paper">{}</span>', "p": "<sup>{}</sup>"}
 
 
 def said(runs: Sequence[dict[str, str]]) -> Markup:
@@ -58,12 +59,9 @@ def _written(runs: Sequence[dict[str, str]], kept: bool) -> str:
 
 
 def _one(run: dict[str, str], kept: bool) -> str:
-    if "t" in run:
-        return run["t"].translate(_ESCAPED)
-    if "o" in run:
-        return f'<span class="paper">{run["o"].translate(_ESCAPED)}</span>'
-    if "p" in run:
-        return f"<sup>{run['p'].translate(_ESCAPED)}</sup>"
+    for key, form in _FORMS.items():
+        if key in run:
+            return form.format(run[key].translate(_ESCAPED))
     if "c" in run:
         typed = run["c"].translate(_ESCAPED)
         return typed if kept else f"{_BEGIN}{typed}{_END}"

@@ -21,7 +21,6 @@ import numpy as np
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.straight_line import CALLS, Line, StraightLine
 from coursework.equations.codegen.tabulated import TableLaw
-from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
@@ -156,14 +155,6 @@ def compile_later(
         return compiled[0](*values)
 
     return call
-
-
-def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
-    """Return numbers and arrays (*shape) as the columns of one array (*shape, k)."""
-    columns = np.empty((*shape, len(values)))
-    for place, value in enumerate(values):
-        columns[..., place] = value
-    return columns
 
 
 def in_formula(error: Exception) -> bool:

@@ -41,13 +41,13 @@ class TableLaw:
         self.first, self.last = rows[0][0], rows[-1][0]
         self.intervals = len(rows) - 1
         self.step = (self.last - self.first) / self.intervals
+        self.values = np.array([row[1] for row in rows])
         self._functions: dict[int, Callable[[Any], Any]] = {}
 
     @cached_property
     def pieces(self) -> list[Array]:
         """Return the coefficients of the value and of both derivatives."""
-        values = np.array([row[1] for row in self.rows])
-        return _cubics(values, self.step) if self.method == "spline" else _quartics(values, self.step)
+        return _cubics(self.values, self.step) if self.method == "spline" else _quartics(self.levels)
 
     @property
     def levels(self) -> list[Array]:
@@ -55,10 +55,12 @@ class TableLaw:
 
         A slope is that of `spline_slopes`, per interval.  A page that carries these needs a fifth of the numbers.
         """
-        values = np.array([row[1] for row in self.rows])
         if self.method == "spline":
-            return [values, spline_slopes(values.tolist())]
-        return _levels(values, self.step)
+            return [self.values, spline_slopes(self.values.tolist())]
+        from coursework.equations.five_point import five_point_derivative
+
+        first = five_point_derivative(self.values, self.step)
+        return [self.values, first, five_point_derivative(first, self.step)]
 
     @property
     def nodes(self) -> Array:
@@ -107,23 +109,15 @@ class TableLaw:
         return OutsideTable(told, self.name)
 
 
-def _levels(values: Array, step: float) -> list[Array]:
-    """Return the values of a table, their derivatives, and those of these."""
-    from coursework.equations.five_point import five_point_derivative
-
-    first = five_point_derivative(values, step)
-    return [values, first, five_point_derivative(first, step)]
-
-
-def _quartics(values: Array, step: float) -> list[Array]:
+def _quartics(levels: list[Array]) -> list[Array]:
     """Return the quartics through five nodes around each interval: of the values, their derivatives, and those of these."""
     from coursework.equations.five_point import NODES
 
-    intervals = np.arange(len(values) - 1)
+    intervals = np.arange(len(levels[0]) - 1)
     # The five nodes begin one before the interval, at the ends as far from them as must be.
-    starts = np.clip(intervals - 1, 0, len(values) - NODES)
+    starts = np.clip(intervals - 1, 0, len(levels[0]) - NODES)
     pieces = []
-    for level in _levels(values, step):
+    for level in levels:
         around = level[starts[:, None] + np.arange(NODES)]
         found = np.empty_like(around)
         for offset in np.unique(starts - intervals):

@@ -10,7 +10,7 @@ contact moves as what it touches; the sleeve turns with its bar.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression
 from coursework.equations.algebra.functions import cosine, sine
@@ -39,7 +39,7 @@ class Speed:
         return Speed({name: slope for name, slope in total.items() if slope is not ZERO}, self.rest + factor * other.rest)
 
 
-_STILL = Speed({}, ZERO)
+STILL = Speed({}, ZERO)
 
 
 @frozen
@@ -100,19 +100,12 @@ class Geometry:
         moved = self._moved(point)
         if binding.relative:
             moved = _minus(moved, self._material(binding.relative, point, binding))
-        return _STILL.plus(moved[0], cosine(angle)).plus(moved[1], sine(angle))
+        return STILL.plus(moved[0], cosine(angle)).plus(moved[1], sine(angle))
 
     def _moved(self, point: Vector) -> tuple[Speed, Speed]:
         """Return the velocity of a point by its position."""
-        sought, parts = set(self.variant.sought), []
-        for part in point:
-            speed = Speed({}, self._symbols.partial(part, TIME))
-            for coordinate in self.variant.coordinates:
-                slope = self._symbols.partial(part, symbol(coordinate.name))
-                if slope is not ZERO:
-                    speed = speed.plus(_of(coordinate.rate) if coordinate.rate in sought else _known(coordinate.rate), slope)
-            parts.append(speed)
-        return parts[0], parts[1]
+        x, y = (rate_of(part, self.variant, self._symbols) for part in point)
+        return x, y
 
     def _material(self, link: str, at: Vector, binding: Binding) -> tuple[Speed, Speed]:
         """Return the velocity of that point of a link which stands where `at` is."""
@@ -125,14 +118,14 @@ class Geometry:
     def _rate(self, link: str, binding: Binding) -> Speed:
         body = self._body(link, binding)
         if body.rate is not None and body.rate != binding.name:
-            return _of(body.rate) if body.rate in self.variant.sought else _known(body.rate)
+            return speed_of(body.rate, self.variant.sought)
         # A link without a rate of its own: r AB^2 = ..., solved for r, which stands nowhere else.
         found = self._from_points(body.link, _of(_HELD)) if body.link is not None else None
         if found is None:
             raise self._nothing(link, binding)
         slope = found.coefficients[_HELD]
         others = Speed({name: part for name, part in found.coefficients.items() if name != _HELD}, found.rest)
-        return _STILL.plus(others, -1 / slope)
+        return STILL.plus(others, -1 / slope)
 
     def _from_points(self, link: Link, rate: Speed) -> Speed | None:
         """Return what is zero for the `rate` of a link, None where its points do not tell."""
@@ -143,16 +136,16 @@ class Geometry:
             arm = vectors[link.contact][0] - centre[0], vectors[link.contact][1] - centre[1]
             if touched is not None and arm != (ZERO, ZERO):
                 slip = _minus(_turned(self._moved(centre), rate, arm), touched)
-                return _STILL.plus(slip[0], -arm[1]).plus(slip[1], arm[0])
+                return STILL.plus(slip[0], -arm[1]).plus(slip[1], arm[0])
         points = [*link.points, *([link.wheel] if link.wheel else [])]
         for other in points[1:]:
             arm = vectors[other][0] - vectors[points[0]][0], vectors[other][1] - vectors[points[0]][1]
             if any(part.free_symbols for part in arm):
                 gap = _minus(self._moved(vectors[other]), self._moved(vectors[points[0]]))
-                return _STILL.plus(gap[1], arm[0]).plus(gap[0], -arm[1]).plus(rate, -(arm[0] ** 2 + arm[1] ** 2))
+                return STILL.plus(gap[1], arm[0]).plus(gap[0], -arm[1]).plus(rate, -(arm[0] ** 2 + arm[1] ** 2))
         bar = self._bodies.get(link.slides or "")
         if bar is not None and bar.rate is not None:
-            along = _of(bar.rate) if bar.rate in self.variant.sought else _known(bar.rate)
+            along = speed_of(bar.rate, self.variant.sought)
             return rate.plus(along, MINUS) if along != rate else None
         return None
 
@@ -168,12 +161,12 @@ class Geometry:
             ):
                 return None
             at = self._symbols.vectors[own]
-            rate = _of(body.rate) if body.rate in self.variant.sought else _known(body.rate)
+            rate = speed_of(body.rate, self.variant.sought)
             return _turned(self._moved(at), rate, (contact[0] - at[0], contact[1] - at[1]))
         frame, rails = self.variant.frame, {through.name for through, _ in self.variant.frame.rails}
         others = [link for link in self.variant.links if link.contact and link.contact not in rails]
         # A contact on no rail is on a circle of the frame, where there is one for each such wheel.
-        return (_STILL, _STILL) if wheel.contact in rails or 0 < len(others) <= len(frame.circles) else None
+        return (STILL, STILL) if wheel.contact in rails or 0 < len(others) <= len(frame.circles) else None
 
     def _body(self, name: str, binding: Binding) -> _Body:
         if name not in self._bodies:
@@ -211,8 +204,19 @@ def _of(name: str) -> Speed:
     return Speed({name: ONE}, ZERO)
 
 
-def _known(name: str) -> Speed:
-    return Speed({}, symbol(name))
+def speed_of(name: str, sought: Collection[str]) -> Speed:
+    """Return a velocity by its name: an unknown one where it is `sought`, else a known one."""
+    return _of(name) if name in sought else Speed({}, symbol(name))
+
+
+def rate_of(expression: Expression, variant: Variant, symbols: Symbols) -> Speed:
+    """Return how fast an expression of the positions changes."""
+    speed = Speed({}, symbols.partial(expression, TIME))
+    for coordinate in variant.coordinates:
+        slope = symbols.partial(expression, symbol(coordinate.name))
+        if slope is not ZERO:
+            speed = speed.plus(speed_of(coordinate.rate, variant.sought), slope)
+    return speed
 
 
 def _minus(one: tuple[Speed, Speed], other: tuple[Speed, Speed]) -> tuple[Speed, Speed]:

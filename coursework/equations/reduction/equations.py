@@ -11,10 +11,10 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeVar, cast
 
-from coursework.equations.algebra.expression import ONE, ZERO, Expression, add
+from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression, add
 from coursework.equations.codegen.tabulated import TableLaw
-from coursework.equations.reduction.bound import Geometry
-from coursework.equations.reduction.symbolic import TIME, Symbols, placed, symbol
+from coursework.equations.reduction.bound import STILL, Geometry, Speed, rate_of, speed_of
+from coursework.equations.reduction.symbolic import Symbols, placed, symbol
 from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
@@ -24,7 +24,6 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 Fact = TypeVar("Fact")
-Linear = tuple[dict[str, Expression], Expression]
 _LONGEST_WRITTEN = 60  # characters of an expression that stands within a sentence
 
 
@@ -197,32 +196,16 @@ def _reason(position: Position) -> str:
 
 
 def _derived(position: Position, because: str, variant: Variant, symbols: Symbols, line: int = 0) -> VelocityEquation:
-    sought = set(variant.sought)
-    coefficients = {}
-    rest = symbols.partial(position.expression, TIME)
-    for coordinate in variant.coordinates:
-        slope = symbols.partial(position.expression, symbol(coordinate.name))
-        if slope is ZERO:
-            continue
-        if coordinate.rate in sought:
-            coefficients[coordinate.rate] = slope
-        else:
-            rest += slope * symbol(coordinate.rate)
+    moved = rate_of(position.expression, variant, symbols)
     drive = ZERO if position.target in {"zero", "start"} else symbol(position.target)
-    return VelocityEquation(position.name, because, coefficients, drive - rest, line=line)
+    return VelocityEquation(position.name, because, dict(moved.coefficients), drive - moved.rest, line=line)
 
 
 def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> VelocityEquation:
     unknown = set(variant.sought)
-    left, left_rest = _linear(constraint.left, unknown, symbols)
-    right, right_rest = _linear(constraint.right, unknown, symbols)
-    coefficients = {}
-    for name in variant.sought:
-        slope = left.get(name, ZERO) - right.get(name, ZERO)
-        if slope is not ZERO:
-            coefficients[name] = slope
-    written = constraint.left, constraint.right
-    return VelocityEquation(constraint.name, constraint.because, coefficients, right_rest - left_rest, written, constraint.line)
+    gap = _linear(constraint.left, unknown, symbols).plus(_linear(constraint.right, unknown, symbols), MINUS)
+    coefficients = {name: gap.coefficients[name] for name in variant.sought if name in gap.coefficients}
+    return VelocityEquation(constraint.name, constraint.because, coefficients, -gap.rest, constraint.sides, constraint.line)
 
 
 _WHERE = {"*": "product", "/": "denominator", "^": "power", "call": "function"}
@@ -238,28 +221,24 @@ class NonLinear(ValueError):
         super().__init__(self.message)
 
 
-def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Linear:
-    """Return ({velocity: coefficient}, rest) of a scalar formula."""
+def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Speed:
+    """Return a scalar formula as a sum over the unknown velocities."""
     inside = unknown & set(tree.names())
     if not inside:
-        return {}, symbols.scalar(tree)
+        return Speed({}, symbols.scalar(tree))
     if tree.op == "name":
-        return {tree.name: ONE}, ZERO
+        return speed_of(tree.name, unknown)
     if tree.op == "neg":
-        part, rest = _linear(tree.args[0], unknown, symbols)
-        return {name: -slope for name, slope in part.items()}, -rest
+        return STILL.plus(_linear(tree.args[0], unknown, symbols), MINUS)
     if tree.op in {"+", "-"}:
-        sign = 1 if tree.op == "+" else -1
-        (first, a), (second, b) = (_linear(arg, unknown, symbols) for arg in tree.args)
-        both = {name: first.get(name, ZERO) + sign * second.get(name, ZERO) for name in {**first, **second}}
-        return both, a + sign * b
+        first, second = (_linear(arg, unknown, symbols) for arg in tree.args)
+        return first.plus(second, ONE if tree.op == "+" else MINUS)
     if tree.op in {"*", "/"}:
         carrier, factor = tree.args
         if tree.op == "*" and not unknown & set(carrier.names()):
             carrier, factor = factor, carrier
         if unknown & set(factor.names()):
             raise NonLinear(tree, inside)
-        part, rest = _linear(carrier, unknown, symbols)
         scale = symbols.scalar(factor) if tree.op == "*" else 1 / symbols.scalar(factor)
-        return {name: slope * scale for name, slope in part.items()}, rest * scale
+        return STILL.plus(_linear(carrier, unknown, symbols), scale)
     raise NonLinear(tree, inside)

@@ -7,7 +7,7 @@ Used by `blocks.py`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -92,17 +92,20 @@ def _kept(matrix: Array) -> list[int]:
     return kept
 
 
+def _left_out(matrix: Array, kept: list[int], names: list[str]) -> Iterator[tuple[int, Array, list[str]]]:
+    """Yield each row that is not kept, the weights of the kept ones in it, and the names of those that count."""
+    for index in sorted({*range(len(names))} - {*kept}):
+        weights = np.linalg.lstsq(matrix[kept].T, matrix[index], rcond=None)[0]
+        yield index, weights, [names[k] for k, weight in zip(kept, weights, strict=True) if abs(weight) > DEPENDENT]
+
+
 def _judge_dropped(
     matrix: Array, right: Array, kept: list[int], names: list[str]
 ) -> tuple[list[tuple[str, list[str]]], list[tuple[str, list[str], float]]]:
     """Return (name, names it repeats) and (name, names it contradicts, by how much) of the rows left out."""
     sames: list[tuple[str, list[str]]] = []
     conflicts: list[tuple[str, list[str], float]] = []
-    for index in range(len(names)):
-        if index in kept:
-            continue
-        weights = np.linalg.lstsq(matrix[kept].T, matrix[index], rcond=None)[0]
-        involved = [names[k] for k, weight in zip(kept, weights, strict=True) if abs(weight) > DEPENDENT]
+    for index, weights, involved in _left_out(matrix, kept, names):
         gap = float(right[index] - weights @ right[kept])
         scale = abs(right[index]) + float(np.abs(weights) @ np.abs(right[kept]))
         if abs(gap) > DEPENDENT * max(scale, 1e-300) and abs(gap) > 1e-12:
@@ -115,14 +118,11 @@ def _judge_dropped(
 def _nearly(matrix: Array, kept: list[int], names: list[str]) -> list[tuple[str, list[str], float]]:
     """Return (name, names it nearly repeats, part in which it differs) of the rows left out that are no exact repetition."""
     found = []
-    for index in sorted({*range(len(names))} - {*kept}):
-        weights = np.linalg.lstsq(matrix[kept].T, matrix[index], rcond=None)[0]
+    for index, weights, involved in _left_out(matrix, kept, names):
         size = float(np.linalg.norm(matrix[index]))
         part = float(np.linalg.norm(matrix[index] - weights @ matrix[kept])) / size if size else 0.0
         if part > EXACTLY * (1 + float(np.max(np.abs(weights), initial=0.0))):
-            found.append(
-                (names[index], [names[k] for k, weight in zip(kept, weights, strict=True) if abs(weight) > DEPENDENT], part)
-            )
+            found.append((names[index], involved, part))
     return found
 
 

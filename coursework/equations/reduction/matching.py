@@ -6,7 +6,7 @@ Source: Duff, Reid, "An implementation of Tarjan's algorithm for block triangula
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 Rows = Sequence[frozenset[int]]
 
@@ -78,20 +78,18 @@ def blocks(rows: Rows, owner: Sequence[int]) -> list[list[int]]:
 def over_and_under(rows: Rows, owner: Sequence[int]) -> tuple[tuple[list[int], list[int]], tuple[list[int], list[int]]]:
     """Return (rows, columns) of the over-determined and of the under-determined part."""
     matched = {row: column for column, row in enumerate(owner) if row >= 0}
-    over_rows = {row for row in range(len(rows)) if row not in matched}
-    over_columns: set[int] = set()
-    grew = True
-    while grew:
-        over_columns |= {c for row in over_rows for c in rows[row]}
-        wider = over_rows | {owner[c] for c in over_columns if owner[c] >= 0}
-        grew = wider != over_rows
-        over_rows = wider
-    under_columns = {column for column, row in enumerate(owner) if row < 0}
-    under_rows: set[int] = set()
-    grew = True
-    while grew:
-        wider = under_rows | {row for row in range(len(rows)) if rows[row] & under_columns}
-        under_columns |= {matched[row] for row in wider if row in matched}
-        grew = wider != under_rows
-        under_rows = wider
-    return (sorted(over_rows), sorted(over_columns)), (sorted(under_rows), sorted(under_columns))
+    over = _reached((row for row in range(len(rows)) if row not in matched), rows, owner)
+    holding = [frozenset(row for row in range(len(rows)) if column in rows[row]) for column in range(len(owner))]
+    partners = [matched.get(row, -1) for row in range(len(rows))]
+    under = _reached((column for column, row in enumerate(owner) if row < 0), holding, partners)
+    return over, (under[1], under[0])
+
+
+def _reached(waiting: Iterable[int], beside: Rows, partners: Sequence[int]) -> tuple[list[int], list[int]]:
+    """Return what is reached from some rows by what stands beside a row and is matched to another, and what stands beside."""
+    found, near = [*waiting], set[int]()
+    for one in found:  # grows
+        fresh = beside[one] - near
+        near |= fresh
+        found += {partners[other] for other in fresh if partners[other] >= 0} - {*found}
+    return sorted(found), sorted(near)

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import link_names, linkage
 from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, factors, product_of, spelled, terms
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
@@ -68,10 +69,8 @@ def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] |
 
 def _is_nothing(factor: Formula, variant: Variant) -> bool:
     """Return whether a factor of given data alone, such as the sine of the angle between two guides, is zero."""
-    try:
-        return abs(evaluate(factor, variant.values)) < _ROUNDING
-    except (FormulaFault, KeyError):
-        return False
+    size = known_value(factor, variant.values)
+    return size is not None and abs(size) < _ROUNDING
 
 
 def _factor(tree: Formula, variant: Variant) -> str:

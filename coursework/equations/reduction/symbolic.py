@@ -18,7 +18,7 @@ from coursework.equations.algebra.functions import call, cosine, sine
 from coursework.equations.codegen.names import derivative as name_of_derivative
 from coursework.equations.codegen.names import private, public
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, FormulaFault, bounded, division_by_zero, no_number
+from coursework.variant.formula.tree import ARITHMETIC, Formula, FormulaFault, bounded, division_by_zero, no_number
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -105,6 +105,17 @@ class Definitions(Mapping[Expression, Expression]):
 
     def __len__(self) -> int:
         return len(self._laws)
+
+    def behind(self, symbols: Iterable[Expression]) -> set[Expression]:
+        """Return some symbols and all that their definitions need."""
+        found: set[Expression] = set()
+        waiting = [*symbols]
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                waiting += self[name].free_symbols if name in self else ()
+        return found
 
     def without(self, names: set[Expression]) -> Definitions:
         """Return the definitions of all other symbols: those left out are given as numbers."""
@@ -243,17 +254,11 @@ class Symbols:
 
 
 def _combine(tree: Formula, args: list[Expression]) -> Expression:
-    match tree.op:
-        case "neg":
-            return -args[0]
-        case "+":
-            return args[0] + args[1]
-        case "-":
-            return args[0] - args[1]
-        case "*":
-            return args[0] * args[1]
-        case "/":
-            if args[1] is ZERO:
-                raise division_by_zero(tree)
-            return args[0] / args[1]
-    return args[0] ** args[1].value
+    if tree.op == "neg":
+        return -args[0]
+    if tree.op == "^":
+        return args[0] ** args[1].value
+    if tree.op == "/" and args[1] is ZERO:
+        raise division_by_zero(tree)
+    found: Expression = ARITHMETIC[tree.op](*args)
+    return found

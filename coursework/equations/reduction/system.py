@@ -13,10 +13,10 @@ import numpy as np
 
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import private
-from coursework.equations.codegen.programs import Assign, Program, Statement, as_columns, compile_later, program
+from coursework.equations.codegen.programs import Assign, Bound, Program, Statement, compile_later, program
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import constants, local, symbol
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 from coursework.system.frozen import frozen
 
 
@@ -65,11 +65,18 @@ def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation
 
 def compile_values(equations: VelocityEquations, wanted: Sequence[Expression]) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """Return (scalar, rows) functions of (t, *coordinates) that give the values of `wanted`."""
+    body, results = bound_values(equations, wanted)
+    arguments = [private(name) for name in ("t", *(c.name for c in equations.variant.coordinates))]
+    return compile_later("values", arguments, body, results), compile_later("values", arguments, body, results, numpy=True)
+
+
+def bound_values(
+    equations: VelocityEquations, wanted: Sequence[Expression], given: Sequence[Expression] = ()
+) -> tuple[Bound, list[str]]:
+    """Return a program of some values with the data of the variant, and the names of its results; `given` as above."""
     results = [f"_out{place}" for place in range(len(wanted))]
 
     def written() -> Program:
-        return scene_program(equations, [Assign(local(name), value) for name, value in zip(results, wanted, strict=True)])
+        return scene_program(equations, [Assign(local(name), value) for name, value in zip(results, wanted, strict=True)], given)
 
-    body = equations.once(("values", *wanted), written).bind(constants(equations.variant))
-    arguments = [private(name) for name in ("t", *(c.name for c in equations.variant.coordinates))]
-    return compile_later("values", arguments, body, results), compile_later("values", arguments, body, results, numpy=True)
+    return equations.once(("values", *given, None, *wanted), written).bind(constants(equations.variant)), results

@@ -17,6 +17,7 @@ from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.addition_theorems import common, pair_angles
 from coursework.equations.reduction.sums import gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
+from coursework.mechanism.groups.kind import summed
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, product_of
 from coursework.variant.formula.tree import number as in_digits
@@ -174,15 +175,8 @@ def _factors(numeral: Formula, powers: Mapping[Expression, Fraction], terms: Seq
 
 
 def _sum(terms: Sequence[Expression], order: Order) -> Formula:
-    total: Formula | None = None
-    for term in terms:
-        factor, rest = term.split()
-        part = _fraction(abs(factor), rest, (), (), order)
-        if total is None:
-            total = Formula("neg", (part,)) if factor < 0 else part
-        else:
-            total = Formula("-" if factor < 0 else "+", (total, part))
-    return total or in_digits(0)
+    parts = [term.split() for term in terms]
+    return summed((_fraction(abs(factor), rest, (), (), order), -1 if factor < 0 else 1) for factor, rest in parts)
 
 
 def _plain(expr: Expression, order: Order) -> Formula:

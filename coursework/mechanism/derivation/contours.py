@@ -55,10 +55,8 @@ def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
 def _without_zeros(formula: Formula) -> Formula:
     """Return a formula without the zeros that stand in its sums: a guide along x has the angle 0, across it 0 + pi/2."""
     args = tuple(map(_without_zeros, formula.args))
-    if formula.op in {"+", "-"} and constant(args[1]) == 0:
-        return args[0]
-    if formula.op in {"+", "-"} and constant(args[0]) == 0:
-        return args[1] if formula.op == "+" else _negative(args[1])
+    if formula.op in {"+", "-"}:
+        return _sum(formula.op, *(ZERO if constant(arg) == 0 else arg for arg in args))
     return replace(formula, args=args)
 
 

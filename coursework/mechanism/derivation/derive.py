@@ -95,9 +95,10 @@ def derive(mechanism: Mechanism, rows: Sequence[Mapping[str, float]]) -> Derivat
     dependent = [_combination(name, row.ravel(), kept) for name, (_, row) in zip(names, found, strict=True) if name not in kept]
     used = {name for path in paths for name in path.points}
     known = tuple(one for one in graph.known if one.point in used)
+    drawn = tuple(path for path in paths if any(one.projection.path is path for one in numbered))
     beyond = tuple(name for name in written if name not in followed)
     return Derivation(
-        PointGraph(known, graph.segments), _drawn(paths, numbered), numbered, rank,
+        PointGraph(known, graph.segments), drawn, numbered, rank,
         tuple(one for one in dependent if one is not None), followed, beyond,
     )  # fmt: skip
 
@@ -113,11 +114,6 @@ def _chosen(
         if first or any(_is_multiple(row.ravel(), other.ravel()) for _, row in rows for other in written.values()):
             found += rows
     return found
-
-
-def _drawn(paths: tuple[Path, ...], numbered: tuple[Numbered, ...]) -> tuple[Path, ...]:
-    """Return the paths that give an equation."""
-    return tuple(path for path in paths if any(one.projection.path is path for one in numbered))
 
 
 @frozen

@@ -84,10 +84,7 @@ def unknowns(group: Group) -> list[Formula]:
 
 def plus(*terms: Formula) -> Formula:
     """Return the sum of formulas."""
-    total = terms[0]
-    for term in terms[1:]:
-        total = Formula("+", (total, term))
-    return total
+    return summed((term, 1) for term in terms)
 
 
 def summed(terms: Iterable[tuple[Formula, int]]) -> Formula:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.assembly import numbers
 from coursework.mechanism.groups.plane import Vectors, rows_of, vectors
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 
 STILL = (0.0, 0.0)
 
@@ -197,9 +197,7 @@ def group_motion(
 
 
 def _side_by_side(group: str, n: int, columns: tuple[Array, ...]) -> Array:
-    table = np.empty((n, len(columns)))
-    for place, column in enumerate(columns):
-        table[:, place] = column
+    table = as_columns(columns, (n,))
     finite = np.isfinite(table)
     if not finite.all():
         row = int(np.argmin(finite.all(axis=1)))

@@ -12,14 +12,13 @@ from typing import Any
 import numpy as np
 
 from coursework.equations.algebra.expression import Expression
-from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import blocks as block_order
 from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import frozen
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Coordinate
@@ -219,13 +218,7 @@ def _blocks(
     definitions = equations.symbols.definitions
 
     def inside(expr: Expression) -> frozenset[int]:
-        todo, found = list(expr.free_symbols), set()
-        while todo:
-            name = todo.pop()
-            if name not in found:
-                found.add(name)
-                todo.extend(definitions[name].free_symbols if name in definitions else ())
-        return frozenset(places[name] for name in found if name in places)
+        return frozenset(places[name] for name in definitions.behind(expr.free_symbols) if name in places)
 
     count = len(expressions)
     combination = np.eye(count)

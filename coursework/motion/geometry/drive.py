@@ -13,14 +13,13 @@ import numpy as np
 
 from coursework.equations.algebra.calculus import derivative, expand
 from coursework.equations.algebra.expression import ZERO, Expression, multiply
-from coursework.equations.codegen.programs import as_columns
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.enclosures import Laws
 from coursework.motion.geometry.quadrature import POINTS, WANTED, Resolution, left_open, resolve
-from coursework.system.arrays import Array, Flags, distinct
+from coursework.system.arrays import Array, Flags, as_columns, distinct
 from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -60,7 +59,12 @@ def breaks(variant: Variant) -> tuple[float, ...]:
 
 def drive_values(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
     """Return the named drives at times (*shape) as columns (*shape, len(names)); what has no value is not finite."""
-    _, rows = compile_values(equations, [symbol(name) for name in names])
+    return values_of_time(equations, [symbol(name) for name in names], times)
+
+
+def values_of_time(equations: VelocityEquations, wanted: Sequence[Expression], times: Array) -> Array:
+    """Return expressions of time alone at times (*shape) as columns (*shape, len(wanted)); what has no value is not finite."""
+    _, rows = compile_values(equations, wanted)
     with np.errstate(all="ignore"):
         return as_columns(rows(times, *np.zeros(len(equations.variant.coordinates))), times.shape)
 

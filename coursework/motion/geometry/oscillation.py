@@ -14,7 +14,7 @@ from coursework.equations.algebra.calculus import derivative, expand, replaced
 from coursework.equations.algebra.expression import Expression, number
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, local, symbol
-from coursework.equations.reduction.system import compile_values
+from coursework.motion.geometry.drive import values_of_time
 from coursework.system.arrays import Array
 
 # A harmonic counts from this part of the power of the largest one on: of abs(sin) the first, of sin cubed the third.
@@ -52,7 +52,7 @@ def turns_repeat(equations: VelocityEquations) -> float:
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
     if any(definition.has(TIME) for definition in definitions) or not {law.name for law in variant.drive} <= angles:
         return math.inf
-    rates = np.abs([float(values[0]) for values in _values(definitions, np.zeros(1), equations)])
+    rates = np.abs([float(values[0]) for values in values_of_time(equations, definitions, np.zeros(1)).T])
     base = _common(rates[rates > 0]) if np.any(rates > 0) else 0.0
     return 2 * math.pi / base if base else math.inf
 
@@ -71,7 +71,7 @@ def _highest(expr: Expression, equations: VelocityEquations) -> float:
     if not waves:
         return 0.0
     looks = np.linspace(0.0, equations.variant.time.end, _LOOKS)
-    steepest = np.array([float(np.max(np.abs(values))) for values in _values(slopes, looks, equations)])
+    steepest = np.array([float(np.max(np.abs(values))) for values in values_of_time(equations, slopes, looks).T])
     if not even or not np.all(np.isfinite(steepest)):
         return float(np.max(steepest[np.isfinite(steepest)], initial=0.0))
     base = _common(steepest)
@@ -83,7 +83,7 @@ def _highest(expr: Expression, equations: VelocityEquations) -> float:
     middle = number(Fraction(equations.variant.time.end / 2))
     wave = expr if still is None else replaced(replaced(still, {TIME: middle}), {dummy: wave for wave, dummy in waves})
     count = _SAMPLES * round(float(np.max(steepest)) / base)
-    (values,) = _values([wave], 2 * np.pi / base * np.arange(count) / count, equations)
+    values = values_of_time(equations, [wave], 2 * np.pi / base * np.arange(count) / count)[:, 0]
     power = np.abs(np.fft.rfft(values)[1:]) ** 2
     if not np.all(np.isfinite(power)) or not np.max(power) > (1e-12 * count) ** 2:
         return float(np.max(steepest))
@@ -100,13 +100,6 @@ def _waves(expr: Expression) -> tuple[list[tuple[Expression, Expression]], list[
     slopes = [derivative(wave.args[0], TIME) for wave in found]
     still = replaced(expr, dict(waves))
     return waves, slopes, not any(slope.has(TIME) for slope in slopes), still if still.has(TIME) else None
-
-
-def _values(wanted: list[Expression], times: Array, equations: VelocityEquations) -> list[Array]:
-    _, rows = compile_values(equations, wanted)
-    with np.errstate(all="ignore"):
-        found = rows(times, *np.zeros(len(equations.variant.coordinates)))
-    return [np.broadcast_to(np.asarray(value, dtype=float), times.shape) for value in found]
 
 
 def _common(frequencies: Array) -> float:

@@ -12,11 +12,11 @@ from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.calculus import replaced
 from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.codegen.names import acceleration, private
-from coursework.equations.codegen.programs import Assign, Program, as_columns, compile_function
+from coursework.equations.codegen.programs import compile_function
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.equations.reduction.symbolic import TIME, constants, local, symbol
-from coursework.equations.reduction.system import scene_program
-from coursework.system.arrays import Array
+from coursework.equations.reduction.symbolic import TIME, local, symbol
+from coursework.equations.reduction.system import bound_values
+from coursework.system.arrays import Array, as_columns
 
 RowFunction = Callable[..., Any]
 
@@ -32,24 +32,16 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], ord
     `t` (n,), `q` (n, m) coordinates, `u` (n, k) rates then unknowns in file order, `du` (n, k) their derivatives.
     """
     variant = equations.variant
-    names = [c.name for c in variant.coordinates]
-    velocities = [*variant.rates, *(name for name, _ in variant.unknowns)]
-    arguments = [private(name) for name in ("t", *names, *(velocities if order >= 1 else ()))]
+    velocities = [*variant.rates, *(name for name, _ in variant.unknowns)] if order >= 1 else []
+    arguments = [private(name) for name in ("t", *(c.name for c in variant.coordinates), *velocities)]
     if order >= 2:
         arguments += map(acceleration, velocities)
-    results = [f"_out{place}" for place in range(len(wanted))]
-    known = [symbol(name) for name in velocities] if order >= 1 else ()
-
-    def written() -> Program:
-        return scene_program(equations, [Assign(local(name), value) for name, value in zip(results, wanted, strict=True)], known)
-
-    body = equations.once(("rows", order, *wanted), written).bind(constants(variant))
+    body, results = bound_values(equations, wanted, list(map(symbol, velocities)))
     function: RowFunction = compile_function("rows", arguments, body, results, numpy=True)
 
     def rows(t: Array, q: Array, u: Array | None = None, du: Array | None = None) -> Array:
         columns = [*q.T, *(u.T if u is not None and order >= 1 else ()), *(du.T if du is not None and order >= 2 else ())]
-        values = function(t, *columns)
-        return as_columns(values, t.shape)
+        return as_columns(function(t, *columns), t.shape)
 
     return rows
 

@@ -14,7 +14,8 @@ from dataclasses import replace
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.motion.geometry.agreement import agrees, require_agreement
 from coursework.motion.geometry.closure import Closure, compile_closure
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, on_axes, signed, spelled
+from coursework.variant.formula.tree import Formula, on_axes, signed, spelled
+from coursework.variant.record.no_value import known_value
 from coursework.words.errors import InputError
 
 # Of a datum, or of one that is zero (rad, m): so far it is moved.
@@ -53,20 +54,14 @@ def _zeros(one: VelocityEquation, equations: VelocityEquations) -> list[Formula]
     names = {name for side in one.written or () for name in side.names()}
     values = {name: data.get(name, _ANY * (2 + place)) for place, name in enumerate(sorted(names))}
     terms = [term for side in one.written or () for term in _terms(side)]
-    return [term for term in terms if data.keys() & {*term.names()} and _is_zero(term, values)]
+    sizes = [(term, known_value(term, values)) for term in terms if data.keys() & {*term.names()}]
+    return [term for term, size in sizes if size is not None and abs(size) < _ZERO]
 
 
 def _terms(formula: Formula) -> Iterator[Formula]:
     """Yield the terms of every sum in a formula, the outer ones first."""
     for part in (formula, *(node for node in formula.walk() if node.op in {"+", "-"})):
         yield from (term for term, _ in signed(part))
-
-
-def _is_zero(term: Formula, values: dict[str, float]) -> bool:
-    try:
-        return abs(evaluate(term, values)) < _ZERO
-    except (FormulaFault, ArithmeticError, ValueError, KeyError):  # a point's part, or no value there: not known to be zero
-        return False
 
 
 def _agrees_otherwise(one: VelocityEquation, zero: list[Formula], equations: VelocityEquations, closure: Closure) -> bool:

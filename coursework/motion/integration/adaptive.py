@@ -7,7 +7,7 @@ Source: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae"
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
 import numpy as np
@@ -18,16 +18,16 @@ from coursework.system.arrays import Array
 Field = Callable[..., Sequence[float]]
 
 _NODES = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
-_ROWS = (
-    (),
-    (1 / 5,),
-    (3 / 40, 9 / 40),
-    (44 / 45, -56 / 15, 32 / 9),
-    (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
-    (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
-    (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
+_ROWS: tuple[dict[int, float], ...] = (
+    {},
+    {0: 1 / 5},
+    {0: 3 / 40, 1: 9 / 40},
+    {0: 44 / 45, 1: -56 / 15, 2: 32 / 9},
+    {0: 19372 / 6561, 1: -25360 / 2187, 2: 64448 / 6561, 3: -212 / 729},
+    {0: 9017 / 3168, 1: -355 / 33, 2: 46732 / 5247, 3: 49 / 176, 4: -5103 / 18656},
+    {0: 35 / 384, 2: 500 / 1113, 3: 125 / 192, 4: -2187 / 6784, 5: 11 / 84},
 )
-_ERROR = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
+_ERROR = {0: 71 / 57600, 2: -71 / 16695, 3: 71 / 1920, 4: -17253 / 339200, 5: 22 / 525, 6: -1 / 40}
 SLOPES = 6  # new slopes a step: the last one is the first of the next step
 
 
@@ -35,21 +35,23 @@ SLOPES = 6  # new slopes a step: the last one is the first of the next step
 def _written_out(size: int) -> Callable[..., tuple[list[float], list[float], list[float]]]:
     """Return (field, at, length, *state, *slope) -> the state after a step, its estimated error, the slope there."""
     parts = range(size)
-    lines = [f"def step(field, at, length, {_listed('y', parts)}, {_listed('k0_', parts)}):"]
+    lines = [f"def step(field, at, length, {listed('y', parts)}, {listed('k0_', parts)}):"]
     for stage, (node, row) in enumerate(zip(_NODES[1:], _ROWS[1:], strict=True), start=1):
-        lines += [f"    p{part} = y{part} + length * ({_sum(row, part)})" for part in parts]
-        lines.append(f"    {_listed(f'k{stage}_', parts)}, *_ = field(at + {node!r} * length, {_listed('p', parts)})")
-    error = ", ".join(f"length * ({_sum(_ERROR, part)})" for part in parts)
-    lines.append(f"    return [{_listed('p', parts)}], [{error}], [{_listed('k6_', parts)}]")
+        lines += [f"    p{part} = y{part} + length * ({weighed(row, part)})" for part in parts]
+        lines.append(f"    {listed(f'k{stage}_', parts)}, *_ = field(at + {node!r} * length, {listed('p', parts)})")
+    error = ", ".join(f"length * ({weighed(_ERROR, part)})" for part in parts)
+    lines.append(f"    return [{listed('p', parts)}], [{error}], [{listed('k6_', parts)}]")
     return build("\n".join(lines), "step", Bound((), {}, {}))
 
 
-def _listed(name: str, parts: Sequence[int]) -> str:
+def listed(name: str, parts: Sequence[int]) -> str:
+    """Return a name for each part of a state."""
     return ", ".join(f"{name}{part}" for part in parts)
 
 
-def _sum(weights: Sequence[float], part: int) -> str:
-    return " + ".join(f"{weight!r} * k{stage}_{part}" for stage, weight in enumerate(weights) if weight)
+def weighed(weights: Mapping[int, float], part: int) -> str:
+    """Return the sum of one part of the slopes, each with its weight."""
+    return " + ".join(f"{weight!r} * k{stage}_{part}" for stage, weight in weights.items())
 
 
 def next_length(length: float, ratio: float, order: int = 5) -> float:

@@ -107,7 +107,11 @@ class _Follower:
             with suppress(ArithmeticError, ValueError):  # where the guess meets a dead point a shorter one does not
                 guess = _placed(self._predicted(begin, end - begin, q), self.closure, known)
                 found = self.closure.newton(end, guess, target)
-                if found is not None and np.max(np.abs(found - guess)) < FAR and np.all(self._signs(end, found) == self.signs):
+                if (
+                    found is not None
+                    and np.max(np.abs(found - guess)) < FAR
+                    and np.all(_signs(self.rates, found, end) == self.signs)
+                ):
                     return found
             if depth == _MOST_HALVINGS or parts > _MOST_PARTS or self.parts > _MOST_ALTOGETHER:
                 return None
@@ -124,9 +128,6 @@ class _Follower:
         for part in range(_SUBSTEPS):
             q = PRECISE.step(slopes, t + part * h / _SUBSTEPS, q, h / _SUBSTEPS)
         return q
-
-    def _signs(self, t: float, q: Array) -> Array:
-        return _signs(self.rates, q, t)
 
 
 def _signs(rates: Rates, q: Array, t: float = 0.0) -> Array:

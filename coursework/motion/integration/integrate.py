@@ -69,7 +69,8 @@ def march(
     tableau = scheme_of(scheme)
     rows = [] if correction else _generated(rates, tableau, start, step, last, guarded)
     if len(rows) <= last:
-        rows, stop = _followed(rates, tableau, start, step, times, correction, stop, guarded, rows, passages)
+        own = _followed(rates, tableau, start, step, times, correction, guarded, rows, passages)
+        stop = stop if own is None else _first_stop(stop, own)
     size, velocities = len(rates.coordinates), len(rates.velocities)
     width = size + velocities + len(rates.blocks)
     table = np.fromiter(itertools.chain.from_iterable(rows), float, len(rows) * width).reshape(len(rows), width)
@@ -88,9 +89,9 @@ def _generated(rates: Rates, scheme: Scheme, start: Sequence[float], step: float
 
 def _followed(
     rates: Rates, scheme: Scheme, start: Sequence[float], step: float, times: Array, correction: Correction | None,
-    stop: Stop | None, guarded: Sequence[int], rows: list[Row], passages: Sequence[Passage],
-) -> tuple[list[Row], Stop | None]:  # fmt: skip
-    """Return all rows, those known in front, and why they end: step by step from the last known row."""
+    guarded: Sequence[int], rows: list[Row], passages: Sequence[Passage],
+) -> Stop | None:  # fmt: skip
+    """Add all further rows to those known, step by step from the last one; return why they end early."""
     size, last = len(start), len(times) - 1
     first = max(0, len(rows) - 1)
     q = np.array(rows.pop()[:size] if rows else start, dtype=float)
@@ -99,34 +100,28 @@ def _followed(
         try:
             row = rates.evaluate(t, *q.tolist())
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _first_stop(stop, _broken("event.singular", index, t, step, q))
-            break
+            return _broken("event.singular", index, t, step, q)
         if not all(map(math.isfinite, row)) and _has_outgrown(q):
-            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q))
-            break
+            return _broken("event.overflow", index, t, step, q)
         if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
-            stop = _first_stop(stop, found)
-            break
+            return found
         rows.append((*q.tolist(), *row))
         if index == last:
-            break
+            return None
         try:
             moved = scheme.step(rates.slopes((index + 1) * step), t, q, step, np.array(row[:size]))
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _first_stop(stop, _broken("event.singular_inside", index, t, step, q))
-            break
+            return _broken("event.singular_inside", index, t, step, q)
         wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
         if wide:
             turned = float(moved[wide[0]] - q[wide[0]])
-            stop = _first_stop(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
-            break
+            return _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates)
         if correction and targets is not None:
             moved = corrected(correction, targets, index, step, t, q, moved)
         q = moved
         if not np.isfinite(q).all():
-            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q))
-            break
-    return rows, stop
+            return _broken("event.overflow", index, t, step, q)
+    return None
 
 
 def _first_stop(true: Stop | None, own: Stop) -> Stop:

@@ -8,15 +8,14 @@ Source: E. Hairer, S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equ
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
 
 from coursework.equations.codegen.programs import Bound, build
+from coursework.motion.integration.adaptive import Field, listed, weighed
 from coursework.system.arrays import Array
-
-Field = Callable[..., Sequence[float]]
 
 # Place of a slope: its weight, for every slope of a step but the first.
 _ROWS: tuple[dict[int, float], ...] = (
@@ -63,18 +62,10 @@ def dormand_prince_8(field: Field, state: Array, slope: Array, length: float) ->
 def _written_out(size: int) -> Callable[..., tuple[list[float], list[float], list[float]]]:
     """Return (field, length, *state, *slope) -> the state after a step, and its differences from order three and five."""
     parts = range(size)
-    lines = [f"def step(field, length, {_listed('y', parts)}, {_listed('k0_', parts)}):"]
+    lines = [f"def step(field, length, {listed('y', parts)}, {listed('k0_', parts)}):"]
     for stage, weights in enumerate(_ROWS, start=1):
-        points = ", ".join(f"y{part} + length * ({_sum(weights, part)})" for part in parts)
-        lines.append(f"    [{_listed(f'k{stage}_', parts)}] = field({points})")
-    after = ", ".join(f"y{part} + length * ({_sum(_RESULT, part)})" for part in parts)
-    third, fifth = (", ".join(f"length * ({_sum(row, part)})" for part in parts) for row in (_THIRD, _FIFTH))
+        points = ", ".join(f"y{part} + length * ({weighed(weights, part)})" for part in parts)
+        lines.append(f"    [{listed(f'k{stage}_', parts)}] = field({points})")
+    after = ", ".join(f"y{part} + length * ({weighed(_RESULT, part)})" for part in parts)
+    third, fifth = (", ".join(f"length * ({weighed(row, part)})" for part in parts) for row in (_THIRD, _FIFTH))
     return build("\n".join([*lines, f"    return [{after}], [{third}], [{fifth}]"]), "step", Bound((), {}, {}))
-
-
-def _listed(name: str, parts: Sequence[int]) -> str:
-    return ", ".join(f"{name}{part}" for part in parts)
-
-
-def _sum(weights: Mapping[int, float], part: int) -> str:
-    return " + ".join(f"{weight!r} * k{stage}_{part}" for stage, weight in weights.items())

@@ -6,14 +6,14 @@ Enters: a `Reduction`.  Leaves: `Rates`.  Used by `integrate.py`, `exact_motion.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from coursework.equations.codegen.names import private
-from coursework.equations.codegen.programs import Assign, Bound, Program, as_columns, compile_function, compile_later
+from coursework.equations.codegen.programs import Assign, Bound, Program, compile_function, compile_later
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.statements import block_statements
@@ -22,11 +22,11 @@ from coursework.equations.reduction.system import scene_program
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Slopes
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 from coursework.system.frozen import caching, frozen
 
 if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
+    pass
 
 _SOLVED = 25  # formulas that a block solved by numbers takes as long as
 # Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
@@ -154,21 +154,8 @@ def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequenc
     while True:
         velocities |= {rate_of[name] for name in coordinates}
         blocks = reduction.needed(tuple(velocities))
-        inside = _behind({s for index in blocks for s in reduction.blocks[index].symbols}, definitions)
+        inside = definitions.behind(s for index in blocks for s in reduction.blocks[index].symbols)
         needed = {name for name in rate_of if symbol(name) in inside}
         if needed <= coordinates:
             return coordinates, velocities
         coordinates |= needed
-
-
-def _behind(symbols: set[Expression], definitions: Mapping[Expression, Expression]) -> set[Expression]:
-    """Return some symbols and all that their definitions need."""
-    found: set[Expression] = set()
-    todo = list(symbols)
-    while todo:
-        symbol = todo.pop()
-        if symbol not in found:
-            found.add(symbol)
-            if symbol in definitions:
-                todo.extend(definitions[symbol].free_symbols)
-    return found

@@ -41,7 +41,7 @@ def explain(
     where = say("event.at_row" if at_row else "event.between", time=event.time, row=rows + at_row, next=rows + 1)
     if not rows:
         where = say("event.at_start")
-    which = joined([_equation(block, equations, coordinates), _angles(block, equations, coordinates)], "join.nothing")
+    which = _which(block, equations, coordinates)
     cause = joined([say("event.cause", where=where, unknowns=block.unknowns, which=which), _together(event, reduction)])
     holds = block.meaning
     if block.determinant is not None:
@@ -76,7 +76,7 @@ def explain_passage(passage: Passage, equations: VelocityEquations, reduction: R
     """Return what is told of a singular position that the motion goes through."""
     block, middle = reduction.blocks[passage.block], passage.middle
     coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, middle.position, strict=True)}
-    which = joined([_equation(block, equations, coordinates), _angles(block, equations, coordinates)], "join.nothing")
+    which = _which(block, equations, coordinates)
     velocities = {name: middle.velocities[name] for name in block.unknowns}
     return say("event.passed", time=middle.time, unknowns=block.unknowns, which=which, branch=_velocities(velocities))
 
@@ -98,22 +98,19 @@ def _unit(block: Block, equations: VelocityEquations) -> str:
     return "event.in_own_unit" if scalars & set(block.equations) else "event.in_m_per_s"
 
 
-def _equation(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
+def _which(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
+    """Return what is zero there, with the coordinates in it and their values; "" for a block without a formula."""
     if block.determinant is None:
         return ""
-    return say("event.equation", equation=spelled(vanishing(block.determinant, equations.variant, coordinates)))
-
-
-def _angles(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
-    """Name the coordinates in the determinant with their values there."""
-    inside = block.determinant.names() if block.determinant is not None else ()
+    inside = block.determinant.names()
     shown = []
     for coordinate in equations.variant.coordinates:
         if coordinate.name in inside:
             value = _tidied(coordinates[coordinate.name])
             key = "event.angle" if coordinate.unit == "rad" else "event.length"
             shown.append(say(key, name=coordinate.name, value=value, degrees=math.degrees(value)))
-    return say("event.with", values=tuple(shown)) if shown else ""
+    equation = say("event.equation", equation=spelled(vanishing(block.determinant, equations.variant, coordinates)))
+    return joined([equation, say("event.with", values=tuple(shown)) if shown else ""], "join.nothing")
 
 
 def _branches(branches: tuple[dict[str, float], ...]) -> str:

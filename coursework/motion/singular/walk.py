@@ -20,6 +20,7 @@ import numpy as np
 
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.adaptive import next_length
+from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.change_point import nearest_change_point
 from coursework.motion.singular.event import Event, GivenUp, NotFollowed
@@ -90,7 +91,7 @@ class Walk:
             sizes = [abs(size) for size in self.scaled]
             block = sizes.index(min(sizes))
             self.length = self.length or self.end / 200 / sizes[block]
-            clock = self._clock(block)
+            clock = self.flow.clock(block, 1 if self.scaled[block] > 0 else -1)
             taken = self._step(clock)
             if taken is None:
                 return None
@@ -145,9 +146,6 @@ class Walk:
     def _determinants(self, state: Array) -> list[float]:
         *q, t = state.tolist()
         return self.flow.scaled(t, q)
-
-    def _clock(self, block: int) -> Clock:
-        return self.flow.clock(block, 1 if self.scaled[block] > 0 else -1)
 
     def _step(self, clock: Clock) -> tuple[Array, float, float] | None:
         """Return the next state that is accurate enough, its distance and the next length; None where the law of a table ends."""
@@ -229,20 +227,10 @@ class Walk:
 
     def _root(self, clock: Clock, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
         """Return the state inside a step at which `value`, positive at its begin, is zero, and its part (Illinois)."""
-        low, high, middle, kept = 0.0, reach, reach, ""
-        state = self._reached(clock, high)
-        at_low, at_high = value(self.state), value(state)
-        for _ in range(80 if at_high < 0 else 0):
-            middle = (low * at_high - high * at_low) / (at_high - at_low)
-            state = self._reached(clock, middle)
-            found = value(state)
-            if abs(found) < ROOT or high - low < ROOT * reach:
-                break
-            if found > 0:
-                low, at_low, at_high, kept = middle, found, at_high / (2 if kept == "high" else 1), "high"
-            else:
-                high, at_high, at_low, kept = middle, found, at_low / (2 if kept == "low" else 1), "low"
-        return state, middle
+        ends = value(self.state), value(self._reached(clock, reach))
+        part = crossing(lambda part: value(self._reached(clock, part)), (0.0, reach), ends, ROOT) if ends[1] < 0 else reach
+        part = reach if part is None else part
+        return self._reached(clock, part), part
 
     def _arrive(self, clock: Clock, reach: float, goal: float) -> None:
         """Go to a break of the drive at time `goal`: with the flow to just before it, then straight on."""

@@ -90,7 +90,7 @@ def moved_by(run: SceneRun, places: Sequence[Any]) -> Moved:
     acting = acting_on(scene.equations, read_scheme(scene.mechanism))
     velocities = [*scene.variant.rates, *(name for name, _ in scene.variant.unknowns)]
     own = Piece(
-        "acting", [*accelerated(scene.equations, scene.reduction)], acting.wanted,
+        "acting", [one for block in accelerated(scene.equations, scene.reduction) for one in block], acting.wanted,
         {"u": [*map(private, velocities)]}, [*map(symbol, velocities)],
     )  # fmt: skip
     return Moved(scene, live_functions(scene, places, [rates_of(scene), own]), {"forces": _told(acting, scene.variant)})

@@ -74,11 +74,9 @@ class Problem:
     @cached_property
     def marks(self) -> tuple[int, ...]:
         """Return the rows (from 0) looked at: every n-th, those at a break of the drive, the last."""
-        at_breaks = {row for time in self.rates.breaks if (row := round(time / self.step)) < self.rows and self._ends_at(row)}
+        near = {row for time in self.rates.breaks if (row := round(time / self.step)) < self.rows}
+        at_breaks = {row for row in near if math.isfinite(self.rates.may_look_until(row * self.step))}
         return tuple(sorted({*range(0, self.rows, self.pace), *at_breaks, self.rows}))
-
-    def _ends_at(self, row: int) -> bool:
-        return math.isfinite(self.rates.may_look_until(row * self.step))
 
     @property
     def times(self) -> Array:

@@ -129,11 +129,7 @@ def _round(value: float) -> str:
     if not math.isfinite(value) or value <= 0:
         return say("amount.many")
     digits = max(0, math.floor(math.log10(value)) - 1)
-    return (
-        f"{round(value / 10**digits) * 10**digits:,.0f}".replace(",", "\u202f")
-        if value >= 10
-        else say("amount.bare", value=value)
-    )
+    return _whole(round(value / 10**digits) * 10**digits) if value >= 10 else say("amount.bare", value=value)
 
 
 def _whole(count: int) -> str:

@@ -21,6 +21,7 @@ from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE, SCHEMES, Scheme, title_of
 from coursework.results.accuracy.step_rules import StepRules
 from coursework.results.accuracy.timing import seconds
+from coursework.results.accuracy.trace import trace
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS
@@ -208,17 +209,10 @@ class _Search:
 
 
 def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
-    h = end / steps
-    q = tuple(start)
-    rows = [q]
-    for index in range(steps):
-        try:
-            length = min(h, rates.may_look_until((index + 1) * h) - index * h) if rates.breaks else h
-            q = loop(index * h, inner, length / inner, *q)
-        except (ArithmeticError, ValueError):
-            return np.full((steps + 1, len(q)), np.inf if inner == 1 else 0.0)
-        rows.append(q)
-    return np.array(rows)
+    try:
+        return trace(loop, start, end / steps, range(steps + 1), inner, rates.may_look_until)
+    except (ArithmeticError, ValueError):
+        return np.full((steps + 1, len(start)), np.inf if inner == 1 else 0.0)
 
 
 def _duration(value: float) -> Sentence:

@@ -23,7 +23,7 @@ from coursework.results.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import sentences_of, unsettled
 from coursework.results.accuracy.timing import QUICK_REPEAT, REPEATS, seconds, timed_once
-from coursework.results.accuracy.trace import errors, slope
+from coursework.results.accuracy.trace import errors, orders_of
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
@@ -73,7 +73,7 @@ def make_study(
         ratio = spent / first if spent and first else None
         units = problem.units[found.grid_at], problem.units[found.end_at]
         rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units, ratio))
-    orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
+    orders, end_orders = orders_of(rows, floor, _NO_ORDER), orders_of(rows, floor, _NO_ORDER, end=True)
     title = title_of(SCHEMES[scheme])
     own_row = next(row for row in rows if row.method == title)
     own = (title, own_row.evaluations, own_row.max_error, own_row.seconds)
@@ -83,18 +83,8 @@ def make_study(
         label = say(key, label=label, gap=gap, agreement=agreement)
     told = (*sentences_of(rows, orders, end_orders, own_row), *unsettled(rows, floor))
     where = machine() if timed else {}
-    return AccuracyStudy(
-        tuple(rows),
-        orders,
-        own,
-        floor,
-        label,
-        told,
-        tuple(overhead),
-        timed,
-        where,
-        left_out(problem, bounds),
-    )
+    rest = left_out(problem, bounds)
+    return AccuracyStudy(tuple(rows), orders, own, floor, label, told, tuple(overhead), timed, where, rest)
 
 
 def _without_runs(why: str, exact: Motion, timed: bool) -> AccuracyStudy:
@@ -108,17 +98,6 @@ def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:
     if closed and problem.closure is not None:
         return follow_closure(problem.closure, problem.rates, times)
     return refine(problem.rates, problem.start, times)[0]
-
-
-def _orders(rows: Sequence[StudyRow], floor: float, *, end: bool = False) -> dict[str, float]:
-    """Return the measured order of each fixed-step method by its cost in evaluations."""
-    found = {}
-    for method in dict.fromkeys(row.method for row in rows):
-        own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
-        measured = slope([row.evaluations for row in own], [row.end_error if end else row.max_error for row in own], floor)
-        if measured is not None and measured > _NO_ORDER:
-            found[method] = measured
-    return found
 
 
 def machine() -> dict[str, str]:

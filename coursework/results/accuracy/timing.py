@@ -6,8 +6,8 @@ Used by `step_search.py` and `study.py`.
 
 from __future__ import annotations
 
-import gc
 import time
+import timeit
 from collections.abc import Callable
 from typing import TypeVar
 
@@ -30,19 +30,8 @@ def timed_once(work: Callable[[], Made]) -> tuple[Made, float]:
 def seconds(work: Callable[[], object], repeats: int = REPEATS, shortest: float = SHORTEST_REPEAT) -> float:
     """Return the least time of one call (s): best of at most `repeats`, each at least `shortest` long, warm-up not counted."""
     work()
-    begun = time.perf_counter()
-    work()
-    best = time.perf_counter() - begun
+    timer = timeit.Timer(work, timer=time.perf_counter)  # which collects no garbage meanwhile
+    best = timer.timeit(1)
     inner = max(1, int(shortest / max(best, 1e-9)))
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        for _ in range(min(repeats, int(LONGEST / max(best, 1e-9)))):
-            begun = time.perf_counter()
-            for _ in range(inner):
-                work()
-            best = min(best, (time.perf_counter() - begun) / inner)
-    finally:
-        if enabled:
-            gc.enable()
-    return best
+    spent = timer.repeat(min(repeats, int(LONGEST / max(best, 1e-9))), inner)
+    return min([best, *(all_together / inner for all_together in spent)])

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from coursework.motion.integration.loops import Loop
+from coursework.results.accuracy.record import StudyRow
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -62,6 +63,18 @@ def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float
         return None
     x, y = np.array(kept).T
     return float(-np.polyfit(x, y, 1)[0])
+
+
+def orders_of(rows: Sequence[StudyRow], floor: float, least: float, *, end: bool = False, scale: float = 1.0) -> dict[str, float]:
+    """Return the order by its cost of each method that has steps, where it is more than `least`; errors as parts of a scale."""
+    found = {}
+    for method in dict.fromkeys(row.method for row in rows):
+        own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
+        sizes = [(row.end_error if end else row.max_error) / scale for row in own]
+        measured = slope([row.evaluations for row in own], sizes, floor / scale)
+        if measured is not None and measured > least:
+            found[method] = measured
+    return found
 
 
 def local_slopes(costs: Sequence[float], found: Sequence[float], floor: float) -> list[float]:

@@ -72,11 +72,7 @@ ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_
 WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
 # A crank alone has its motion given.
 SOLVED = Need(lambda evidence: bool(evidence.equations.equations), lambda _: say("check.CONDITION.nothing"))
-EXACT = Need(
-    lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0,
-    lambda evidence: _not_known(evidence),
-    _why_not_known,
-)
+EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, _not_known, _why_not_known)
 CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
 RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)
 DIGITS = Need(

@@ -29,10 +29,11 @@ from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of
 from coursework.scene.model.data import Data, read_data
 from coursework.scene.scene import Scene
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, as_columns
 from coursework.variant.catalogue import variant_from
 from coursework.variant.formula.tree import evaluate
 from coursework.variant.record.changes import follow_from
+from coursework.variant.record.places import lengths_of
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError, visible
 from coursework.words.sentences import say
@@ -118,10 +119,12 @@ class Model:
     def lengths(self) -> tuple[Expression, ...]:
         """Return what must stay above zero: lengths of links that follow from data alone, and the squares of the data."""
         variant, symbols = self.variant, self.equations.symbols
-        found = [node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
-        found += [length for group in variant.groups for length in group.lengths]
         known = {*variant.values, "pi"}
-        sizes = [(symbols.scalar(length), evaluate(length, variant.values)) for length in found if {*length.names()} <= known]
+        sizes = [
+            (symbols.scalar(length), evaluate(length, variant.values))
+            for length in lengths_of(variant)
+            if {*length.names()} <= known
+        ]
         # A length that the file itself has below zero is meant so.  A velocity beside a datum of zero alone is lost.
         scalars = [length if value > 0 else -length for length, value in sizes]
         return tuple(dict.fromkeys([*scalars, *(symbol(given.name) ** 2 for given in variant.given if given.value)]))
@@ -216,9 +219,7 @@ class Model:
             shape = np.broadcast_shapes(shape, (sets.count, *[1] * (len(shape) - 1)))
         numbers = self.numbers(sets, max(0, len(shape) - 1))
         found = function(times, *(positions[..., place] for place in range(len(self.coordinates))), *more, *numbers)
-        values = np.empty((*shape, len(found)))
-        for place, value in enumerate(found):
-            values[..., place] = value
+        values = as_columns(found, shape)
         values[~np.isfinite(values)] = np.nan
         return values
 

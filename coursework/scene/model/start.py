@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.symbolic import symbol
 from coursework.mechanism.groups import CannotAssemble, group_kind
 from coursework.motion.geometry.chain import dyad
@@ -19,7 +18,7 @@ from coursework.motion.geometry.start import START_TOLERANCE
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
 from coursework.system.angles import whole_turns
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Group
 

@@ -7,7 +7,7 @@ Used where variant files are read.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import lru_cache
 from math import pi
 
@@ -180,21 +180,20 @@ class _Reader:
             raise FormulaFault(token.column, say("fault.V122"))
 
     def expression(self) -> Formula:
-        left = self.term()
-        while self.peek().text in {"+", "-"}:
-            sign = self.peek()
-            self.position += 1
-            left = self.node(sign.text, (left, self.term()), sign.column)
-        return left
+        return self.joined({"+", "-"}, self.term)
 
     def term(self) -> Formula:
-        left = self.factor()
-        while self.peek().text in {"*", "/", "@"}:
+        return self.joined({"*", "/", "@"}, self.factor)
+
+    def joined(self, signs: Collection[str], part: Callable[[], Formula]) -> Formula:
+        """Return parts with signs between them, from left to right."""
+        left = part()
+        while self.peek().text in signs:
             sign = self.peek()
             if sign.text == "@" and not self.vectors:
                 raise FormulaFault(sign.column, say("fault.V128"))
             self.position += 1
-            left = self.node(sign.text, (left, self.factor()), sign.column)
+            left = self.node(sign.text, (left, part()), sign.column)
         return left
 
     def factor(self) -> Formula:

@@ -257,7 +257,7 @@ def _applied(tree: Formula, args: Sequence[Any]) -> Any:
     try:
         if tree.op == "call":
             return float(abs(args[0]) if tree.name == "abs" else getattr(math, tree.name)(*args))
-        value = _ARITHMETIC[tree.op](*args)
+        value = ARITHMETIC[tree.op](*args)
         if tree.op == "^" and isinstance(value, complex):
             raise ValueError  # a negative number to a fractional power
         return value
@@ -289,7 +289,7 @@ def bounded(tree: Formula, args: Sequence[float]) -> float:
     return value
 
 
-_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
     "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow, "pair": complex,
     "@": cmath.rect,
 }  # fmt: skip

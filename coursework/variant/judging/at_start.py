@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.judging.broken import Broken
 from coursework.variant.record.no_value import in_order
@@ -26,8 +25,8 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
     Formulas with points, tables or coordinates that a chain will give are left to the computation itself.
     """
     laws = {law.name: law for law in (*variant.functions, *variant.drive)}
-    places = {law.name: _key("functions", law, source) for law in variant.functions}
-    places |= {law.name: _key("drive", law, source) for law in variant.drive}
+    sections = dict.fromkeys((law.name for law in variant.functions), "functions")
+    places = {name: source.path_of((sections.get(name, "drive"), name)) for name in laws}
     circles = {name: circle for name in laws if (circle := _circle(name, laws))}
     if circles:
         return [source.fault(places[name], say("fault.V057", circle=" → ".join(circle))) for name, circle in circles.items()]
@@ -36,22 +35,15 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
     # Any velocities do: an equation is linear in them, and says so itself where it is not.
     values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
     faults: list[Fault] = []
-    for name in [law.name for _, law in in_order(variant)]:
-        pieces = laws[name].pieces
-        formula = laws[name].formula or (pieces[0][1] if pieces else None)
-        path = (*places[name], "pieces", 0, 1) if pieces else places[name]
-        unknown = formula is None or broken.has(places[name][0], name)
-        value = None if unknown or formula is None else _value(formula, values, path, source, faults)
-        if value is not None:
-            values[name] = value
+    for section, law in in_order(variant):
+        path = (*places[law.name], "pieces", 0, 1) if law.pieces else places[law.name]
+        for formula in () if broken.has(section, law.name) else law.formulas[:1]:
+            if (value := _value(formula, values, path, source, faults)) is not None:
+                values[law.name] = value
     for index, constraint in enumerate(variant.constraints):
-        for side in () if constraint.is_closure or broken.has("constraint", index) else (constraint.left, constraint.right):
+        for side in () if constraint.is_closure or broken.has("constraint", index) else constraint.sides:
             _value(side, values, ("constraint", index, "equation"), source, faults)
     return faults
-
-
-def _key(section: str, law: Law, source: Source) -> KeyPath:
-    return section, next((key for key in source.data.get(section, ()) if spell(key) == law.name), law.name)
 
 
 def _value(formula: Formula, values: Mapping[str, float], path: KeyPath, source: Source, faults: list[Fault]) -> float | None:

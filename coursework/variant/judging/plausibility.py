@@ -14,7 +14,7 @@ from coursework.variant.formula.units import UNITS, size_of
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
 from coursework.variant.record.no_value import known_value
-from coursework.variant.record.places import Place
+from coursework.variant.record.places import Place, lengths_of
 from coursework.variant.record.variant import Given, Remark, Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -151,9 +151,7 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
 
 def _written_lengths(variant: Variant) -> set[str]:
     """Return the numbers that are a whole length of the points and groups of the file: 0.27, not that of 0.5*r3."""
-    lengths = [node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
-    lengths += [length for group in variant.groups for length in group.lengths]
-    return {length.name for length in lengths if length.op == "number"}
+    return {length.name for length in lengths_of(variant) if length.op == "number"}
 
 
 def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]:

@@ -5,6 +5,9 @@ Enters: checked sections of a file.  Leaves: records of `record.py`; faults stay
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from coursework.variant.formula.tree import Formula
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
 from coursework.variant.reading.stand_ins import NAMELESS
@@ -48,11 +51,9 @@ def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:
 
 def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> Link:
     """Return one rigid body."""
-    for place, point in enumerate(entry.points):
-        parts.known_point(("links", key, "points", place), point)
-    for role, name in (("wheel", entry.wheel), ("contact", entry.contact)):
-        if name:
-            parts.known_point(("links", key, role), name)
+    points = tuple(parts.known_point(("links", key, "points", place), point) for place, point in enumerate(entry.points))
+    roles = (("wheel", entry.wheel), ("contact", entry.contact))
+    wheel, contact = (parts.known_point(("links", key, role), name) if name else None for role, name in roles)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
         text = say("fault.V078", rate=entry.rate, hint=closest(entry.rate, parts.names.velocities))
         parts.undeclared(("links", key, "rate"), {"rate", "unknown", "drive"}, text)
@@ -61,26 +62,22 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
         others = [link for link in links if link != key]
         parts.say(("links", key, "slides"), say("fault.V079", slides=slides, hint=closest(slides, others)))
     rate = parts.names.canonical(entry.rate) if entry.rate else None
-    wheel, contact = (parts.names.canonical(point) if point else None for point in (entry.wheel, entry.contact))
-    return Link(key, tuple(map(parts.names.canonical, entry.points)), rate, wheel, contact, slides)
+    return Link(key, points, rate, wheel, contact, slides)
 
 
 def read_frame(entry: schema.Frame, parts: Parts) -> Frame:
     """Return the fixed link."""
-    for place, point in enumerate(entry.hinges):
-        parts.known_point(("frame", "hinges", place), point)
-    rails = tuple(
-        (
-            parts.formula(("frame", "rails", i, "through"), rail.through, "vector"),
-            parts.scalar(("frame", "rails", i, "angle"), rail.angle, wanted="rad"),
+    hinges = tuple(parts.known_point(("frame", "hinges", place), point) for place, point in enumerate(entry.hinges))
+
+    def pairs(section: str, entries: Sequence[object], place: str, size: str, si: str) -> tuple[tuple[Formula, Formula], ...]:
+        return tuple(
+            (
+                parts.formula(("frame", section, i, place), getattr(one, place), "vector"),
+                parts.scalar(("frame", section, i, size), getattr(one, size), wanted=si),
+            )
+            for i, one in enumerate(entries)
         )
-        for i, rail in enumerate(entry.rails)
+
+    return Frame(
+        hinges, pairs("rails", entry.rails, "through", "angle", "rad"), pairs("circles", entry.circles, "center", "radius", "m")
     )
-    circles = tuple(
-        (
-            parts.formula(("frame", "circles", i, "center"), circle.center, "vector"),
-            parts.scalar(("frame", "circles", i, "radius"), circle.radius, wanted="m"),
-        )
-        for i, circle in enumerate(entry.circles)
-    )
-    return Frame(tuple(map(parts.names.canonical, entry.hinges)), rails, circles)

@@ -5,13 +5,14 @@ Enters: checked sections.  Leaves: `Forces`; faults stay with the `Parts`.  Used
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
-from coursework.variant.record.forces import GRAVITY, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
+from coursework.variant.record.forces import GRAVITY, MEASURED, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say, say_count
@@ -60,21 +61,19 @@ def _body(key: str, parts: Parts) -> str:
 def _value(path: KeyPath, value: str | int | float, si: str, parts: Parts, least: bool = False) -> Formula:
     """Return a formula of data that measures `si`; with `least` one that must not be negative."""
     tree = parts.scalar(path, value, "force", si)
-    try:
-        negative = least and parts.sound and evaluate(tree, parts.values) < 0
-    except (KeyError, FormulaFault):
-        negative = False  # it changes with the motion, or has no value: told elsewhere
-    if negative:
+    if least and parts.sound and (known_value(tree, parts.values) or 0.0) < 0:  # what has no value yet is told elsewhere
         parts.say(path, say("fault.V704", found=str(value)))
     return tree
 
 
 def _values(
-    path: KeyPath, entry: schema.Section, named: Mapping[str, str], parts: Parts, least: bool = False
+    path: KeyPath, entry: schema.Section, keys: Iterable[str], parts: Parts, least: bool = False
 ) -> dict[str, Formula | None]:
-    """Return the formulas of some keys of an entry, each with its unit; None for what it does not say."""
-    said = {name: getattr(entry, name) for name in named}
-    return {key: None if said[key] is None else _value((*path, key), said[key], si, parts, least) for key, si in named.items()}
+    """Return the formulas of some keys of an entry; None for what it does not say."""
+    said = {key: getattr(entry, key) for key in keys}
+    return {
+        key: None if value is None else _value((*path, key), value, MEASURED[key], parts, least) for key, value in said.items()
+    }
 
 
 def _gravity(value: str | int | float, parts: Parts) -> tuple[Formula, Formula]:
@@ -94,16 +93,14 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
         return
     ends = entry.spring or entry.damper
     if ends:
-        for place, point in enumerate(ends):
-            parts.known_point((*path, "spring" if entry.spring else "damper", place), point)
-        if len(ends) == 2 and parts.names.canonical(ends[0]) == parts.names.canonical(ends[1]):
+        kind = "spring" if entry.spring else "damper"
+        both = parts.known_point((*path, kind, 0), ends[0]), parts.known_point((*path, kind, 1), ends[1])
+        if both[0] == both[1]:
             parts.say(path, say("fault.V745", name=key, point=ends[0]))
-        named = {"stiffness": "N/m", "free": "m", "damping": "N*s/m"}
         missing = [name for name in (("stiffness", "free") if entry.spring else ("damping",)) if getattr(entry, name) is None]
         if missing:
             parts.say(path, say("fault.V706", name=key, missing=missing[0]))
-        both = parts.names.canonical(ends[0]), parts.names.canonical(ends[1])
-        yield Spring(key, both, **_values(path, entry, named, parts))
+        yield Spring(key, both, **_values(path, entry, ("stiffness", "free", "damping"), parts))
         return
     if entry.on is None or (entry.force is None) == (entry.torque is None):
         parts.say(path, say("fault.V707", name=key))
@@ -112,19 +109,18 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
         parts.say(path, say("fault.V708", name=key))
         return
     at = parts.formula((*path, "at"), entry.at, "vector", "geometry") if entry.at is not None else None
-    torque = _values(path, entry, {"torque": "N*m"}, parts)["torque"]
+    torque = _values(path, entry, ["torque"], parts)["torque"]
     force = parts.formula((*path, "force"), str(entry.force), "vector", "force") if entry.force is not None else None
     yield Load(key, _body(str(entry.on), parts), at, force, torque)
 
 
 def _friction(key: str, entry: schema.FrictionEntry, parts: Parts) -> Friction:
     path: KeyPath = ("friction", key)
-    parts.known_point(path, key)
-    named = {"coefficient": "1", "radius": "m", "length": "m", "arm": "m"}
-    found = _values(path, entry, named, parts, True)
+    point = parts.known_point(path, key)
+    found = _values(path, entry, ("coefficient", "radius", "length", "arm"), parts, True)
     if entry.coefficient is None and entry.arm is None:
         parts.say(path, say("fault.V709", name=key))
-    return Friction(parts.names.canonical(key), **found)
+    return Friction(point, **found)
 
 
 def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:
@@ -185,4 +181,4 @@ def _flywheel(entry: object, parts: Parts) -> Flywheel | None:
     if not isinstance(entry, schema.Flywheel):
         parts.say(path, say("fault.V716"))
         return None
-    return Flywheel(_body(str(entry.on), parts), **_values(path, entry, {"inertia": "kg*m^2", "unevenness": "1"}, parts, True))
+    return Flywheel(_body(str(entry.on), parts), **_values(path, entry, ("inertia", "unevenness"), parts, True))

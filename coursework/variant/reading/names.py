@@ -6,6 +6,7 @@ Enters: the checked file.  Leaves: `Names`.  Used while a file is read.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import field
 
 from coursework.system.frozen import changing
@@ -45,26 +46,25 @@ class Names:
     def declared(cls, file: VariantFile) -> Names:
         """Collect the declarations of a file, in file order."""
         names = cls()
-        for key in file.given:
-            names._add(key, "given", ("given", key))
-        for key in file.drive:
-            names._add(key, "drive", ("drive", key))
+        names._add_all(("given", "given", file.given), ("drive", "drive", file.drive))
         for key, entry in file.coordinates.items():
             names._add(key, "coordinate", ("coordinates", key))
             names.columns.append((entry.rate, ("coordinates", key, "rate")))
             if spell(entry.rate) not in {spell(law) for law in file.drive}:
                 names._add(entry.rate, "rate", ("coordinates", key, "rate"))
-        for key in file.unknowns:
-            names._add(key, "unknown", ("unknowns", key))
-            names.columns.append((key, ("unknowns", key)))
-        for key in file.functions:
-            names._add(key, "function", ("functions", key))
-        for key in file.points:
-            names._add(key, "point", ("points", key))
+        names.columns += [(key, ("unknowns", key)) for key in file.unknowns]
+        names._add_all(
+            ("unknowns", "unknown", file.unknowns), ("functions", "function", file.functions), ("points", "point", file.points)
+        )
         for index, group in enumerate(file.group):
             if group.meets:
                 names._add(group.meets, "point", ("group", index, "meets"))
         return names
+
+    def _add_all(self, *sections: tuple[str, str, Iterable[str]]) -> None:
+        for section, kind, keys in sections:
+            for key in keys:
+                self._add(key, kind, (section, key))
 
     def _add(self, name: str, kind: str, path: KeyPath) -> None:
         self.declarations.append((name, kind, path))

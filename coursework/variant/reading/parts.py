@@ -162,11 +162,12 @@ class Parts:
             self.say(path, say(wants, text=text[:60]))
         return tree
 
-    def known_point(self, path: KeyPath, name: str) -> None:
-        """Keep a fault where `name` is no point."""
+    def known_point(self, path: KeyPath, name: str) -> str:
+        """Return the point that is meant; keep a fault where `name` is none."""
         points = [point for point, kind in self.names.kinds.items() if kind == "point"]
         if self.names.canonical(name) not in points:
             self.undeclared(path, {"point"}, say("fault.V059", name=name, hint=closest(name, points)))
+        return self.names.canonical(name)
 
     def _resolve(self, path: KeyPath, tree: Formula, scope: str) -> Formula:
         if tree.op != "name":

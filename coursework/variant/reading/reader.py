@@ -142,7 +142,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         name, path, file.title or name, file.source, file.teaches, given, laws,
         coordinates, unknowns, functions, time, constraints, groups, points,
         tuple(read_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), read_frame(file.frame, parts),
-        _driven(file.closure.driven, parts), holds,
+        parts.known_point(("closure", "driven"), file.closure.driven) if file.closure.driven is not None else None, holds,
         tuple(file.ask.quantities), tuple(map(unfolded, file.remarks)),
         tuple(read_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
         texts={language: _texts(said, parts) for language, said in file.text.items()}, bindings=bindings,
@@ -162,13 +162,6 @@ def _forces(file: schema.VariantFile, parts: Parts) -> Forces | None:
 def _texts(said: schema.Texts, parts: Parts) -> Texts:
     means = {parts.names.canonical(name): text for name, text in said.means.items()}
     return Texts(said.title, said.source, said.teaches, tuple(map(unfolded, said.remarks)), said.because, means)
-
-
-def _driven(name: str | None, parts: Parts) -> str | None:
-    if name is None:
-        return None
-    parts.known_point(("closure", "driven"), name)
-    return parts.names.canonical(name)
 
 
 def _lines(source: Source) -> dict[KeyPath, int]:

@@ -51,9 +51,9 @@ def read_binding(
         if entry.along is not None:
             parts.say((*path, "along"), say("fault.V153", name=key, link=of_link[1]))
         return Binding(name, link=of_link[1], relative=relative)
-    parts.known_point((*path, "of"), entry.of)
+    point = parts.known_point((*path, "of"), entry.of)
     if entry.along is None:
         parts.say(path, say("fault.V154", name=key, unit=entry.unit, point=entry.of))
         return None
     along = parts.scalar((*path, "along"), entry.along, wanted="rad")
-    return Binding(name, parts.names.canonical(entry.of), along=along, relative=relative)
+    return Binding(name, point, along=along, relative=relative)

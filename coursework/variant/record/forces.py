@@ -16,6 +16,12 @@ from coursework.variant.toml.positions import KeyPath
 ROD, DISC, POINT = "rod", "disc", "point"
 SHAPES = (ROD, DISC, POINT)
 GRAVITY = "gravity"
+# What each key of these sections must measure, in SI.
+MEASURED = {
+    "mass": "kg", "inertia": "kg*m^2", "centre": "m", "at": "m", "force": "N", "torque": "N*m",
+    "stiffness": "N/m", "free": "m", "damping": "N*s/m", "coefficient": "1", "radius": "m", "length": "m", "arm": "m",
+    "unevenness": "1",
+}  # fmt: skip
 
 
 @frozen
@@ -104,32 +110,21 @@ class Forces:
     def measured(self) -> Iterator[tuple[KeyPath, Formula, str]]:
         """Yield every formula with its place and the SI unit of what it must measure."""
         for one in self.masses:
-            yield ("masses", one.body, "mass"), one.mass, "kg"
-            if isinstance(one.inertia, Formula):
-                yield ("masses", one.body, "inertia"), one.inertia, "kg*m^2"
-            if one.centre is not None:
-                yield ("masses", one.body, "centre"), one.centre, "m"
+            yield from _measured(("masses", one.body), one)
         for part in self.gravity or ():
             yield ("forces", GRAVITY), part, "m/s^2"
-        for section, loads in (("forces", self.loads), ("motor", self.motor.torques if self.motor else ())):
-            for load in loads:
-                for key, formula, si in (("at", load.at, "m"), ("force", load.force, "N"), ("torque", load.torque, "N*m")):
-                    if formula is not None:
-                        yield (section, load.name, key), formula, si
-        for spring in self.springs:
-            for key, formula, si in (
-                ("stiffness", spring.stiffness, "N/m"), ("free", spring.free, "m"), ("damping", spring.damping, "N*s/m"),
-            ):  # fmt: skip
-                if formula is not None:
-                    yield ("forces", spring.name, key), formula, si
-        for rubs in self.friction:
-            for key, formula, si in (
-                ("coefficient", rubs.coefficient, "1"), ("radius", rubs.radius, "m"), ("length", rubs.length, "m"),
-                ("arm", rubs.arm, "m"),
-            ):  # fmt: skip
-                if formula is not None:
-                    yield ("friction", rubs.at, key), formula, si
-        if self.flywheel is not None and self.flywheel.inertia is not None:
-            yield ("motor", "flywheel", "inertia"), self.flywheel.inertia, "kg*m^2"
-        if self.flywheel is not None and self.flywheel.unevenness is not None:
-            yield ("motor", "flywheel", "unevenness"), self.flywheel.unevenness, "1"
+        motor = self.motor.torques if self.motor else ()
+        named: list[tuple[str, tuple[Load | Spring, ...]]] = [("forces", self.loads), ("motor", motor), ("forces", self.springs)]
+        listed = [((section, one.name), one) for section, records in named for one in records]
+        for path, record in (
+            *listed,
+            *((("friction", one.at), one) for one in self.friction),
+            (("motor", "flywheel"), self.flywheel),
+        ):
+            yield from _measured(path, record)
+
+
+def _measured(path: KeyPath, record: object) -> Iterator[tuple[KeyPath, Formula, str]]:
+    """Yield the formulas of a record as `measured` does."""
+    found = ((key, getattr(record, key, None), si) for key, si in MEASURED.items())
+    yield from (((*path, key), formula, si) for key, formula, si in found if isinstance(formula, Formula))

@@ -72,6 +72,12 @@ def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyP
         yield Place(path, (formula,), _TIME, str(path[1]))
 
 
+def lengths_of(variant: Variant) -> Iterator[Formula]:
+    """Yield every length that a vector has, L of `L @ angle`, and those of the groups."""
+    yield from (node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@")
+    yield from (length for group in variant.groups for length in group.lengths)
+
+
 def _constraint(index: int, constraint: Constraint) -> Place:
     place = ("constraint", index, constraint.key)
     return Place(place, constraint.sides, None, say("place.constraint", name=constraint.name), not constraint.is_closure)

@@ -72,7 +72,7 @@ def test_a_law_is_worked_out_once_a_scene(method, tmp_path, monkeypatch):
     made = []
     for name in ("_quartics", "_cubics"):
         whole = getattr(tabulated, name)
-        monkeypatch.setattr(tabulated, name, lambda values, step, whole=whole: made.append(len(values)) or whole(values, step))
+        monkeypatch.setattr(tabulated, name, lambda *given, whole=whole: made.append(np.shape(given[0])[-1]) or whole(*given))
     structures.cache_clear()  # another test may have worked out the same law
     variant = coursework.load("variable-crank-table")
     law = variant.functions[0]

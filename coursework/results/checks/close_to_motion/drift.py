@@ -7,8 +7,6 @@ Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
 from coursework.equations.reduction.system import compile_values
@@ -16,8 +14,8 @@ from coursework.motion.geometry.closure import Closure
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, Verdict, percent, skipped
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import Formula, evaluate, spelled
-from coursework.variant.record.variant import Variant
+from coursework.variant.formula.tree import evaluate, spelled
+from coursework.variant.record.places import lengths_of
 from coursework.words.sentences import joined
 
 # A length below this part of the longest is none: it stands for a point that coincides with another.
@@ -77,8 +75,7 @@ def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int
 def shortest_length(evidence: Evidence) -> float:
     """Return the shortest length (m) of a vector or group, over the rows where it changes; of the data where there is none."""
     variant, motion = evidence.variant, evidence.motion
-    trees = {tree for formula in _formulas(variant) for tree in _lengths(formula)}
-    trees |= {length for group in variant.groups for length in group.lengths}
+    trees = {*lengths_of(variant)}
     sliding = {coordinate.name for coordinate in variant.coordinates if coordinate.unit == "m"}
     fixed = {*variant.values, "pi"}
     sizes = [abs(evaluate(tree, variant.values)) for tree in trees if set(tree.names()) <= fixed]
@@ -94,15 +91,6 @@ def shortest_length(evidence: Evidence) -> float:
 def _shortest(sizes: list[float]) -> float:
     longest = max(sizes, default=0.0)
     return min((size for size in sizes if size > _NO_LENGTH * longest), default=0.0)
-
-
-def _formulas(variant: Variant) -> Iterator[Formula]:
-    return (formula for path, formula in variant.formulas() if path[0] != "constraint" or path[2] == "closure")
-
-
-def _lengths(formula: Formula) -> Iterator[Formula]:
-    """Yield L of every `L @ angle`."""
-    return (node.args[0] for node in formula.walk() if node.op == "@")
 
 
 # The table repeats itself where the last period changes by less than this part of what it is off.

@@ -40,9 +40,10 @@ def sinusoid(evidence: Evidence) -> Finding:
     if motion.stop is not None or periods < 1 or evidence.compared < len(motion.t) or not names:
         return skipped(evidence.say("check.SINUSOID.rows", period=slowest))
     window = periods * slowest + near
-    true = evidence.once("sinusoid", lambda: _of_exact(evidence, names, found, window))
-    if not true:
+    dense = evidence.once("close to a sinusoid", lambda: _dense(evidence, found))
+    if dense is None:
         return skipped(evidence.say("check.unknown"))
+    true = evidence.once("sinusoid", lambda: shares(dense, names, found, window))
     name = min(names, key=lambda key: true[key])
     unit = evidence.say("unit.of_power")
     if true[name] < SHARE:
@@ -55,7 +56,7 @@ def sinusoid(evidence: Evidence) -> Finding:
     least = {"name": column, "share": 100 * floored(own[column], 3), "exact": 100 * floored(true[name], 3)}
     if own[column] < SHARE:
         return Finding("COARSE", evidence.say("check.SINUSOID.coarse", **least), own[column], SHARE, unit, column, rows=rows)
-    of_exact = evidence.once("harmonics", lambda: _harmonics_of_exact(evidence, names, found, window))
+    of_exact = evidence.once("harmonics", lambda: harmonics(dense, names, found, window))
     furthest = min(names, key=lambda key: of_exact[key][0])
     how = "pass" if of_exact[furthest][0] >= SHARE else "harmonics"
     parts = {key: 100 * part for key, part in zip(_PARTS, harmonics(motion, names, found, window)[furthest], strict=True)}
@@ -69,17 +70,6 @@ def _dense(evidence: Evidence, found: tuple[float, ...]) -> Motion | None:
     exact = evidence.true
     parts = int(np.ceil(_ROWS_A_PERIOD * exact.step * found[-1] / (2 * np.pi) * (1 - 1e-9)))
     return finer(exact, evidence.rates, parts, parts * (len(exact.t) - 1) + 1) if parts > 1 else exact
-
-
-def _of_exact(evidence: Evidence, names: tuple[str, ...], found: tuple[float, ...], window: float) -> dict[str, float]:
-    dense = _dense(evidence, found)
-    return shares(dense, names, found, window) if dense is not None else {}
-
-
-def _harmonics_of_exact(evidence: Evidence, names: tuple[str, ...], found: tuple[float, ...], window: float) -> Harmonics:
-    dense = _dense(evidence, found)
-    assert dense is not None  # its shares are known
-    return harmonics(dense, names, found, window)
 
 
 def _terms(found: tuple[float, ...]) -> int:

@@ -11,14 +11,13 @@ from functools import cache
 
 import numpy as np
 
-from coursework.equations.codegen.programs import as_columns
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_system, compile_values
 from coursework.results.checks.close_to_motion.drift import shortest_length
 from coursework.results.checks.evidence import LIMIT, Evidence, scales_of
-from coursework.results.checks.result import Finding, percent, skipped
-from coursework.system.arrays import Array
+from coursework.results.checks.result import Finding, Verdict, percent, skipped
+from coursework.system.arrays import Array, as_columns
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Law
 from coursework.words.sentences import joined, say
@@ -72,13 +71,11 @@ def table_digits(evidence: Evidence) -> Finding:
         )
         for noise in found
     ]  # fmt: skip
-    verdict = "PASS" if worst.share <= LIMIT else "COARSE"
+    verdict: Verdict = "PASS" if worst.share <= LIMIT else "COARSE"
     if verdict == "COARSE":
         told.append(say("check.TABLE-DIGITS.coarse"))
-    return Finding(
-        "PASS" if verdict == "PASS" else "COARSE", joined(told), worst.share, LIMIT, say("unit.of_the_scale"), worst.column,
-        worst.row + 1, cured=False,
-    )  # fmt: skip
+    unit, row = say("unit.of_the_scale"), worst.row + 1
+    return Finding(verdict, joined(told), worst.share, LIMIT, unit, worst.column, row, cured=False)
 
 
 def decimals(law: Law) -> int | None:
