@@ -11,7 +11,7 @@ from fractions import Fraction
 from coursework.equations.codegen.straight_line import Line
 from coursework.motion.schemes import SEMI_IMPLICIT, Sum
 from coursework.report.text.words import Words
-from coursework.takeaway.listing.program import BlockOf, Box, Program
+from coursework.takeaway.listing.program import Box, Program
 from coursework.takeaway.listing.syntax import Names, Syntax, expression, parts
 from coursework.words.templates import clean
 
@@ -35,7 +35,6 @@ class Writer:
         self.count = own("_count", "j", "turn")
         self.tables = [name for name in sorted(program.calls) if name.startswith("_table_")]
         self.needs_gauss = any("_solve" in line.text for block in program.blocks for line in block.lines)
-        self.needs_sign = "sign" in program.calls
 
     @property
     def coordinates(self) -> list[str]:
@@ -138,26 +137,22 @@ class Writer:
         """Return the comment over the velocities."""
         return self.of(Box(len(self.program.boxes) + 1, "terminator", self.words("listing.velocities")))
 
-    def blocks(self, stop: Callable[[str, Box], list[str]]) -> list[str]:
-        """Return the velocities block by block; `stop` writes what is done where a determinant is zero."""
+    def blocks(self) -> list[str]:
+        """Return the velocities block by block, with what is done where a determinant is zero."""
         lines: list[str] = []
         for block in self.program.blocks:
             lines.append(self.of(block.box))
             if block.repeats:
-                begin, end = self.syntax.loop
-                inside = indented(line for one in block.lines for line in self.assigned(one))
-                lines += [begin.format(j=self.count, times=block.repeats), *inside, *([end] if end else [])]
+                inside = (line for one in block.lines for line in self.assigned(one))
+                lines += held(self.syntax.loop, inside, j=self.count, times=block.repeats)
                 continue
             for one in block.lines:
                 lines += self.assigned(one)
                 if block.checked and block.checked in one.targets:
-                    lines += stop(self.names[block.checked], self.decision(block))
+                    name = self.names[block.checked]
+                    lines.append(self.of(Box(block.box.number + 1, "decision", self.words("listing.zero", name=name))))
+                    lines += [line.format(name=name) for line in self.syntax.stop]
         return [*lines, self.of(self.program.returned(self.words))]
-
-    def decision(self, block: BlockOf) -> Box:
-        """Return the box in which the determinant of a block is asked about."""
-        name = self.names[block.checked]
-        return Box(block.box.number + 1, "decision", self.words("listing.zero", name=name))
 
     def share(self, part: Fraction | int) -> str:
         """Return a part of the step."""
@@ -208,9 +203,15 @@ class Writer:
         return max(0, self.program.rows - 1)
 
 
-def indented(lines: Iterable[str], by: int = 4) -> list[str]:
+def indented(lines: Iterable[str]) -> list[str]:
     """Return lines moved to the right."""
-    return [f"{' ' * by}{line}" for line in lines]
+    return [f"    {line}" for line in lines]
+
+
+def held(around: tuple[str, str], lines: Iterable[str], **names: object) -> list[str]:
+    """Return lines inside what begins and, in most languages, ends them."""
+    begin, end = around
+    return [begin.format(**names), *indented(lines), *([end] if end else [])]
 
 
 def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> list[str]:
