@@ -159,7 +159,7 @@ class Names:
         return text.strip("_") + "_" * (text != text.strip("_")) if text.strip("_") else "x"
 
 
-def expression(text: str, syntax: Syntax, names: Names) -> str:
+def expression(text: str, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
     """Return an expression that the tool printed, in a language.
 
     >>> names = Names.of(PASCAL, ("t", "r", "R"))
@@ -207,7 +207,8 @@ def written(node: ast.expr, syntax: Syntax, names: Mapping[str, str] | Names) ->
             return syntax.choice.format(holds=inner(holds), yes=inner(yes), no=inner(no))
         case ast.Call(func=ast.Name(id=name)):
             called = names[name] if name.startswith("_table_") else syntax.calls.get(name, name)
-            return f"{called}({', '.join(map(inner, node.args))})"
+            args = node.args[::-1] if called == "ATAN2" else node.args  # a spreadsheet has x before y
+            return f"{called}({', '.join(map(inner, args))})"
     raise AssertionError(ast.dump(node))
 
 

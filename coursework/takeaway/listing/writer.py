@@ -5,7 +5,7 @@ Enters: a `Program`, a syntax, the words of the comments.  Leaves: lines.  Used 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 
 from coursework.equations.codegen.straight_line import Line
@@ -154,24 +154,15 @@ class Writer:
                     lines += [line.format(name=name) for line in self.syntax.stop]
         return [*lines, self.of(self.program.returned(self.words))]
 
-    def share(self, part: Fraction | int) -> str:
-        """Return a part of the step."""
-        above = self.h if part.numerator == 1 else f"{part.numerator}*{self.h}"
-        return above if part.denominator == 1 else f"{above}/{part.denominator}"
-
     def moved(self, name: str, row: Sum, rates: list[str]) -> str:
         """Return a coordinate after one row of the tableau; `rates` are its rates in the slopes so far."""
-        if not row.terms:
-            return name
-        terms = [f"{'' if whole == 1 else f'{whole}*'}{rates[place]}" for place, whole in row.terms]
-        total = terms[0] if len(terms) == 1 else f"({' + '.join(terms)})"
-        return f"{name} + {self.share(row.factor)}*{total}"
+        return f"{name} + {weighted(row, rates, self.h)}" if row.terms else name
 
     def slope(self, stage: int, out: Callable[[int, str], str]) -> list[str]:
         """Return the arguments of a slope: its time and its position; `out` names a velocity of an earlier slope."""
         scheme = self.program.scheme
         node, inner = scheme.nodes[stage], scheme.inner[stage]
-        time = f"{self.t} + {self.share(node)}" if node else self.t
+        time = f"{self.t} + {share(node, self.h)}" if node else self.t
         if stage and self.program.breaks:
             time = f"{self.look}({time}, ({self.row} + 1)*{self.h})"
         return [time, *(self.moved(name, inner, rates) for name, rates in self.rates_of(out, stage))]
@@ -201,6 +192,19 @@ class Writer:
     def last(self) -> int:
         """Return the number of steps."""
         return max(0, self.program.rows - 1)
+
+
+def share(part: Fraction | int, step: str) -> str:
+    """Return a part of the step."""
+    above = step if part.numerator == 1 else f"{part.numerator}*{step}"
+    return above if part.denominator == 1 else f"{above}/{part.denominator}"
+
+
+def weighted(row: Sum, rates: Sequence[str], step: str, plus: str = " + ") -> str:
+    """Return what a row of the tableau adds to a coordinate: a part of the step times a sum of rates."""
+    terms = [f"{'' if whole == 1 else f'{whole}*'}{rates[place]}" for place, whole in row.terms]
+    total = terms[0] if len(terms) == 1 else f"({plus.join(terms)})"
+    return f"{share(row.factor, step)}*{total}"
 
 
 def indented(lines: Iterable[str]) -> list[str]:
