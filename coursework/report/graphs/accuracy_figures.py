@@ -17,8 +17,8 @@ import numpy as np
 
 from coursework.drawing.paper.sheet import width
 from coursework.report.graphs.figures import WIDTH
-from coursework.report.graphs.graph_paper import INK, LETTERS, words
-from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward, way_of
+from coursework.report.graphs.graph_paper import INK, LETTERS, picture, words
+from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, upward, way_of
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -131,7 +131,7 @@ def chart(page: Chart) -> tuple[str, float]:
         first = _written(own_name, piece, 0)
         ring.append(own_name.box)
     names = first + _names(named, dots, ring)
-    return sheet(WIDTH, HEIGHT, inside + names, f' stroke-width="{PEN}" style="--lines:{names.count("<text")}"'), HEIGHT
+    return picture(WIDTH, HEIGHT, inside + names, f' stroke-width="{PEN}" style="--lines:{names.count("<text")}"'), HEIGHT
 
 
 def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:

@@ -11,27 +11,8 @@ import numpy as np
 
 from coursework.drawing.paper.ways import way
 from coursework.effects.analysis import ForceAnalysis
-from coursework.report.graphs.graph_paper import (
-    BOTTOM,
-    DOT_PEN,
-    EXACT_PEN,
-    FAINT,
-    INK,
-    LEFT,
-    RIGHT,
-    SCHEME_INK,
-    SCHEME_PEN,
-    TOP,
-    axes,
-    dots,
-    field_for,
-    letters,
-    round_ticks,
-    sheet,
-    tick_texts,
-    words,
-)
-from coursework.report.graphs.graph_paper import Field as Paper
+from coursework.report.graphs import graph_paper
+from coursework.report.graphs.graph_paper import BOTTOM, EXACT_PEN, FAINT, INK, LEFT, RIGHT, SCHEME_INK, TOP, Field
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.system.arrays import Array
@@ -66,19 +47,18 @@ def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis 
     t, values = found.rows.motion.t, found.column(name)
     true_t, true = (exact.rows.motion.t, exact.column(name)) if exact is not None else (np.zeros(0), np.zeros(0))
     unit = context.unit(found.units[found.names.index(name)])
-    field = field_for(SIZE, [t, true_t], [values, true], context.numbers)
+    field = graph_paper.field_for(SIZE, [t, true_t], [values, true], context.numbers)
     symbol = context.symbol(name)
-    label = letters(symbol) + escape(context.words.behind(unit))
-    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
-    inside = axes(field, context.numbers, label, time)
+    inside = graph_paper.framed(context, field, symbol, unit)
     if len(true):
         inside += f'<path {EXACT_PEN} d="{field.path(true_t, true)}"/>'
     if exact is not found:
-        inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/><path {DOT_PEN} d="{dots(field, t, values)}"/>'
+        inside += graph_paper.line_of_rows(field, t, values)
     mean = float(np.nanmean(true if len(true) else values))
     inside += f'<path {MEAN_PEN} d="M{field.left:g} {field.y(mean):.2f}H{field.width - RIGHT:g}"/>'
     low, high = (context.quantity(float(end), unit, 4) for end in (np.nanmin(values), np.nanmax(values)))
-    return Panel(name, sheet(field, inside), context.words("graphs.alt_rows", symbol=symbol.text, low=low, high=high))
+    alt = context.words("graphs.alt_rows", symbol=symbol.text, low=low, high=high)
+    return Panel(name, graph_paper.sheet(field, inside), alt)
 
 
 def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | None:
@@ -94,26 +74,25 @@ def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | Non
     at_x, at_y = field.x(x), field.y(y)
     inside = f'<path stroke="{FAINT}" stroke-width="0.2" d="M{field.x(0):.2f} {TOP:g}V{field.height - BOTTOM:g}"/>'
     inside += f'<path stroke="{FAINT}" stroke-width="0.2" d="M{field.left:g} {field.y(0):.2f}H{field.width - RIGHT:g}"/>'
-    ticks, decimals = round_ticks(field.first, field.last, 5)
-    for value, text in zip(ticks, tick_texts(ticks, decimals, context.numbers), strict=True):
-        inside += words(field.x(value), field.height - BOTTOM + 3.6, text, "middle")
-    ticks, decimals = round_ticks(field.low, field.high, 5)
-    for value, text in zip(ticks, tick_texts(ticks, decimals, context.numbers), strict=True):
-        inside += words(field.left - 0.8, field.y(value) + 1.0, text, "end")
+    for value, text in graph_paper.ticks(field.first, field.last, 5, context.numbers):
+        inside += graph_paper.words(field.x(value), field.height - BOTTOM + 3.6, text, "middle")
+    for value, text in graph_paper.ticks(field.low, field.high, 5, context.numbers):
+        inside += graph_paper.words(field.left - 0.8, field.y(value) + 1.0, text, "end")
     inside += f'<path {EXACT_PEN} d="{way([at_x, at_y])}"/>'
     inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="0.9" fill="{SCHEME_INK}"/>'
-    inside += words(field.left + 1.2, TOP - 2.2, letters(symbol) + escape(context.words.behind(unit)))
+    inside += graph_paper.words(field.left + 1.2, TOP - 2.2, graph_paper.letters(symbol) + escape(context.words.behind(unit)))
     largest = context.quantity(float(np.hypot(x, y).max()), "N", 4)
-    return Panel(pair, sheet(field, inside, timed=False), context.words("forces.polar_alt", symbol=symbol.text, size=largest))
+    alt = context.words("forces.polar_alt", symbol=symbol.text, size=largest)
+    return Panel(pair, graph_paper.picture(*SQUARE, inside), alt)
 
 
-def _square(x: Array, y: Array) -> Paper:
+def _square(x: Array, y: Array) -> Field:
     """Return a field that holds the origin and a curve, x and y to one scale."""
     wide, high = SQUARE[0] - LEFT - RIGHT, SQUARE[1] - TOP - BOTTOM
     low, top = min(0.0, float(y.min())), max(0.0, float(y.max()))
     first, last = min(0.0, float(x.min())), max(0.0, float(x.max()))
     unit = 1.1 * max((last - first) / wide, (top - low) / high) or 1.0
     middle, centre = (first + last) / 2, (low + top) / 2
-    return Paper(
+    return Field(
         *SQUARE, middle - unit * wide / 2, middle + unit * wide / 2, centre - unit * high / 2, centre + unit * high / 2, LEFT
     )

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable, Sequence
 from html import escape
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,6 +20,9 @@ from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
 from coursework.system.arrays import Array, distinct
 from coursework.system.frozen import frozen
+
+if TYPE_CHECKING:
+    from coursework.report.text.page_context import PageContext
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTERS = 3.18  # mm: 9 points on paper, 12 pixels where a screen shows a graph at its size
@@ -114,7 +117,7 @@ def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Ar
         room = 0.5 * max(abs(low), abs(high)) or 1.0
     first, last = float(times.min()), float(times.max())
     low, high = low - room, high + room
-    longest = max(map(len, tick_texts(*round_ticks(low, high, _most_ticks(size[1])), numbers_as)), default=0)
+    longest = max((len(text) for _, text in ticks(low, high, _most_ticks(size[1]), numbers_as)), default=0)
     left = max(LEFT, TICK + APART + DIGIT * LETTERS * longest)
     return Field(*size, first, last if last > first else first + 1.0, low, high, left)
 
@@ -127,7 +130,7 @@ def _most_ticks(height: float) -> int:
 def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tuple[Array, Array]:
     """Return a curve with `between` points a row by cubic Hermite from values and rates; many rows need fewer."""
     if len(t) < 2 or not np.isfinite(rates).all() or len(t) >= MOST_POINTS:
-        return sparse(t, MOST_POINTS), sparse(values, MOST_POINTS)
+        return sparse(t), sparse(values)
     between = max(1, min(between, MOST_POINTS // (len(t) - 1)))
     s = np.arange(between) / between
     h = np.diff(t)[:, None]
@@ -136,7 +139,7 @@ def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tup
     return np.append(times.ravel(), t[-1]), np.append(cubic.ravel(), values[-1])
 
 
-def sparse(values: Array, most: int) -> Array:
+def sparse(values: Array, most: int = MOST_POINTS) -> Array:
     """Return at most about `most` of the values, the last one included."""
     pace = max(1, -(-len(values) // most))
     return values[distinct(np.arange(0, len(values), pace), np.array([len(values) - 1]))] if len(values) else values
@@ -164,6 +167,12 @@ def tick_texts(ticks: Iterable[float], decimals: int, numbers: Numbers) -> list[
         )
         return [numbers.power(value, digits) if value else "0" for value in values]
     return [numbers.fixed(value, decimals) if abs(value) > 1e-12 else "0" for value in values]
+
+
+def ticks(low: float, high: float, most: int, numbers: Numbers) -> list[tuple[float, str]]:
+    """Return at most `most` round numbers inside a range, each with its words."""
+    values, decimals = round_ticks(low, high, most)
+    return list(zip(values, tick_texts(values, decimals, numbers), strict=True))
 
 
 def dots(field: Field, t: Array, values: Array) -> str:
@@ -197,13 +206,11 @@ def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
     beside, below = [], []
     if field.low < 0 < field.high:
         parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left:g} {field.y(0):.2f}H{right:g}"/>')
-    ticks, decimals = round_ticks(field.low, field.high, _most_ticks(field.height))
-    for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
+    for value, text in ticks(field.low, field.high, _most_ticks(field.height), numbers):
         y = field.y(value)
         frame += f"M{left:g} {round(y, 2):g}h{-TICK}"
         beside.append(words(left - TICK - APART, y + 1.0, text))
-    ticks, decimals = round_ticks(field.first, field.last, 6)
-    for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
+    for value, text in ticks(field.first, field.last, 6, numbers):
         x = field.x(value)
         frame += f"M{round(x, 2):g} {bottom:g}v{TICK}"
         if x + 0.95 * len(text) <= right - TIME_ROOM:
@@ -214,15 +221,31 @@ def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
     return f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="{frame}"/>' + "".join(parts)
 
 
-def sheet(field: Field, inside: str, more: str = "", *, timed: bool = True) -> str:
-    """Return the whole SVG, the ranges of one over time readable by the live part of a page."""
+def framed(context: PageContext, field: Field, symbol: Symbol, unit: str) -> str:
+    """Return the axes of a graph of a page: a symbol and its unit above, those of the time at the end of its axis."""
+    label = letters(symbol) + escape(context.words.behind(unit))
+    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
+    return axes(field, context.numbers, label, time)
+
+
+def line_of_rows(field: Field, t: Array, values: Array) -> str:
+    """Return the rows of a scheme: a line, and dots on it."""
+    line = field.path(sparse(t), sparse(values))
+    return f'<path {SCHEME_PEN} d="{line}"/><path {DOT_PEN} d="{dots(field, t, values)}"/>'
+
+
+def sheet(field: Field, inside: str) -> str:
+    """Return the whole SVG of a graph over time, its ranges readable by the live part of a page."""
     ranges = (
         f' data-time="{field.first:.9g} {field.last:.9g}" data-values="{field.low:.9g} {field.high:.9g}" '
         f'data-box="{field.left:g} {TOP:g} {field.width - RIGHT:g} {field.height - BOTTOM:g}"'
     )
-    more = (ranges if timed else "") + more
+    return picture(field.width, field.height, inside, ranges)
+
+
+def picture(width: float, height: float, inside: str, more: str = "") -> str:
+    """Return a whole SVG; `more` are attributes of it."""
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{field.width:g}mm" height="{field.height:g}mm" '
-        f'viewBox="0 0 {field.width:g} {field.height:g}" font-family="{FACE}" font-size="{LETTERS}" fill="{INK}"{more}>'
-        f"{inside}</svg>"
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" viewBox="0 0 {width:g} {height:g}" '
+        f'font-family="{FACE}" font-size="{LETTERS}" fill="{INK}"{more}>{inside}</svg>'
     )

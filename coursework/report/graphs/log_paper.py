@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from coursework.drawing.paper.ways import way
-from coursework.report.graphs.graph_paper import APART, FACE, INK, LETTERS, TICK, words
+from coursework.report.graphs.graph_paper import APART, INK, LETTERS, TICK, words
 from coursework.report.text.numbers import superscript
 from coursework.system.frozen import frozen
 
@@ -82,13 +82,13 @@ def across(x: Scale, bottom: float, top: float, label: str) -> str:
     return _lines(grid, axis) + "".join(told) + words((x.begin + x.end) / 2, bottom + TICK + 7.4, label, "middle")
 
 
-def upward(y: Scale, left: float, right: float, label: str = "") -> str:
-    """Return the axis at the `left` (mm) with its grid to the `right`; a `label` stands above, without it no tick has words."""
+def upward(y: Scale, left: float, right: float, label: str) -> str:
+    """Return the axis at the `left` (mm) with its grid to the `right`, ticks, and `label` above."""
     ticks = [(round(y.at(value), 2), text) for value, text in y.ticks()]
     grid = "".join(f"M{left:g} {at:g}H{right:g}" for at, _ in ticks)
     axis = f"M{left:g} {y.begin:g}V{y.end:g}" + "".join(f"M{left:g} {at:g}h{-TICK}" for at, _ in ticks)
-    told = [words(left - TICK - APART, at + RISE * LETTERS, text, "end") for at, text in ticks] if label else []
-    return _lines(grid, axis) + "".join(told) + (words(left + 1.2, y.end - 1.6, label) if label else "")
+    told = [words(left - TICK - APART, at + RISE * LETTERS, text, "end") for at, text in ticks]
+    return _lines(grid, axis) + "".join(told) + words(left + 1.2, y.end - 1.6, label)
 
 
 def _lines(grid: str, axis: str) -> str:
@@ -117,11 +117,3 @@ def marks(points: Points, mark: str, ink: str) -> str:
         left, above, steps = -1.0, 0.0, f"a{r} {r} 0 1 0 {2 * r:g} 0 {r} {r} 0 1 0{-2 * r:g} 0"
     path = "".join(f"M{round(x + r * left, 2):g} {round(y + r * above, 2):g}{steps}z" for x, y in points)
     return f'<path fill="#fff" stroke="{ink}" stroke-width="0.3" d="{path}"/>'
-
-
-def sheet(width: float, height: float, inside: str, more: str = "") -> str:
-    """Return the whole SVG; `more` are attributes of it."""
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" viewBox="0 0 {width:g} {height:g}" '
-        f'font-family="{FACE}" font-size="{LETTERS}" fill="{INK}"{more}>{inside}</svg>'
-    )

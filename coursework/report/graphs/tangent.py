@@ -10,7 +10,7 @@ from html import escape
 import numpy as np
 
 from coursework.report.graphs import graph_paper
-from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, field_for, letters, sheet, smooth, words
+from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_INK, Field, field_for, framed, sheet, smooth, words
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Figure
 from coursework.report.wording.closeness import LocalError, evidence
@@ -50,11 +50,8 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
         field = field_for(SIZE, times, [curve, np.array([foot[1], top[1], away])], context.numbers)
     if abs(field.y(top[1]) - field.y(float(q[end]))) < SEEN:
         return None
-    unit = context.unit(step.unit)
     symbol = context.symbol(step.column)
-    label = letters(symbol) + escape(context.words.behind(unit))
-    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
-    inside = axes(field, context.numbers, label, time)
+    inside = framed(context, field, symbol, context.unit(step.unit))
     inside += f'<path {EXACT_PEN} d="{field.path(t, curve)}"/>'
     line = field.path(np.array([foot[0], top[0]]), np.array([foot[1], top[1]]))
     inside += f'<path {TANGENT_PEN} d="{line}"/>'

@@ -5,13 +5,11 @@ Enters: a `PageContext` of a run with a motor.  Leaves: parts.  Used by `by_forc
 
 from __future__ import annotations
 
-from html import escape
-
 import numpy as np
 
 from coursework.effects.dynamics_lesson import Row, lesson
 from coursework.effects.regime import Regime
-from coursework.report.graphs.graph_paper import DOT_PEN, EXACT_PEN, SCHEME_PEN, axes, dots, field_for, letters, sheet
+from coursework.report.graphs.graph_paper import EXACT_PEN, field_for, framed, line_of_rows, sheet
 from coursework.report.sections.graphs import SIZE, key
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Display, Equations, Panel, Panels, Paragraph, Part, Table
@@ -73,11 +71,8 @@ def _energy(context: PageContext, scene: MotorScene) -> Panels:
     own, true = scene.energy_of(rows), scene.energy_of(exact)
     own = np.where(np.abs(own) < 3 * max(float(np.abs(true).max(initial=0.0)), 1e-12), own, np.nan)
     field = field_for(SIZE, [rows.t, exact.t], [own, true], context.numbers)
-    behind = context.words.behind
-    label, time = (letters(symbol(name)) + escape(behind(context.unit(unit))) for name, unit in (("E", "J"), ("t", "s")))
-    inside = axes(field, context.numbers, label, time)
-    inside += f'<path {EXACT_PEN} d="{field.path(exact.t, true)}"/><path {SCHEME_PEN} d="{field.path(rows.t, own)}"/>'
-    inside += f'<path {DOT_PEN} d="{dots(field, rows.t, own)}"/>'
+    inside = framed(context, field, symbol("E"), context.unit("J"))
+    inside += f'<path {EXACT_PEN} d="{field.path(exact.t, true)}"/>{line_of_rows(field, rows.t, own)}'
     ends = [context.quantity(float(np.nanmax(values)), "J", 4) for values in (own, true)]
     panel = Panel("energy", sheet(field, inside), context.words("dynamics.energy_alt", own=ends[0], true=ends[1]))
     legend = key(context, dotted=True, exact=True)

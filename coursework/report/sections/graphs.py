@@ -13,22 +13,7 @@ import numpy as np
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME, title_of
 from coursework.report.graphs import graph_paper
-from coursework.report.graphs.graph_paper import (
-    DOT_PEN,
-    EXACT_PEN,
-    MOST_POINTS,
-    SCHEME_INK,
-    SCHEME_PEN,
-    STOP_PEN,
-    STOP_WORDS,
-    axes,
-    dots,
-    field_for,
-    letters,
-    sheet,
-    smooth,
-    sparse,
-)
+from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_INK, SCHEME_PEN, STOP_PEN, STOP_WORDS, smooth, sparse
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.report.text.tables import given_constants
@@ -90,7 +75,7 @@ def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:
     def curve(name: str) -> tuple[Array, Array]:
         if name not in exact.names:
             return np.zeros(0), np.zeros(0)
-        return between.get(name) or (sparse(exact.t, MOST_POINTS), sparse(exact.column(name), MOST_POINTS))
+        return between.get(name) or (sparse(exact.t), sparse(exact.column(name)))
 
     return curve
 
@@ -134,10 +119,8 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     unit = context.unit(run.variant.unit_of(rows.name))
     symbol = context.symbol(rows.name)
     stop = [np.array([run.stop.time])] if run.stop is not None else []
-    field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve], context.numbers)
-    label = letters(symbol) + escape(context.words.behind(unit))
-    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
-    inside = axes(field, context.numbers, label, time)
+    field = graph_paper.field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve], context.numbers)
+    inside = graph_paper.framed(context, field, symbol, unit)
     if run.stop is not None:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
@@ -147,15 +130,13 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     if len(rows.curve):
         inside += f'<path {EXACT_PEN} d="{field.curve(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):
-        t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
-        inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
-        inside += f'<path {DOT_PEN} d="{dots(field, rows.t, rows.values)}"/>'
+        inside += graph_paper.line_of_rows(field, rows.t, rows.values)
     is_known = len(rows.curve) and rows.name in (extremes := run.scene.extremes)
     ends = extremes[rows.name] if is_known else (float(rows.values.min()), float(rows.values.max()))
     low, high = (context.quantity(value, unit, 4) for value in ends)
     spread = "graphs.alt" if is_known else "graphs.alt_rows"
     alt = words(spread if low != high else "graphs.alt_constant", symbol=symbol.text, low=low, high=high)
-    return Panel(rows.name, sheet(field, inside), alt)
+    return Panel(rows.name, graph_paper.sheet(field, inside), alt)
 
 
 def _sample(*, dotted: bool) -> str:

@@ -10,19 +10,7 @@ import cmath
 import math
 from xml.parsers import expat
 
-from coursework.takeaway.foreign.scheme import (
-    MOST_JOINTS,
-    Scheme,
-    Slider,
-    Turned,
-    driven_link,
-    left_out,
-    link_of,
-    no_crank,
-    number,
-    refused,
-)
-from coursework.words.sentence import Sentence
+from coursework.takeaway.foreign.scheme import MOST_JOINTS, Reading, Scheme, Slider, Turned, link_of
 from coursework.words.sentences import say
 
 PROGRAM = "Linkage"
@@ -40,34 +28,32 @@ def read(content: bytes) -> Scheme:
     try:
         parser.Parse(content, True)
     except expat.ExpatError as error:
-        raise refused(PROGRAM, error.lineno) from None
-    return elements.scheme()
+        raise elements.refused(error.lineno) from None
+    return elements.made()
 
 
-class _Elements:
+class _Elements(Reading):
     """Collects connectors and links."""
 
     def __init__(self) -> None:
+        super().__init__(PROGRAM)
         self.above: list[str] = []
-        self.places: dict[str, complex] = {}
-        self.fixed: list[str] = []
         self.inputs: list[tuple[str, float]] = []
         self.limits: dict[str, list[str]] = {}
         self.links: list[list[str]] = []
-        self.remarks: list[Sentence] = []
         self.scale = 1.0
         self.last = ""
 
     def declared(self, *_: object) -> None:
-        raise refused(PROGRAM, "<!DOCTYPE")
+        raise self.refused("<!DOCTYPE")
 
     def begin(self, tag: str, told: dict[str, str]) -> None:
         kind, above = tag.lower(), self.above[-1] if self.above else ""
         self.above.append(kind)
         if len(self.above) > DEPTH or len(self.places) > MOST_JOINTS or len(self.links) > MOST_JOINTS:
-            raise refused(PROGRAM, tag)
+            raise self.refused(tag)
         if kind == "program":
-            self.scale = number(told.get("scalefactor", "1"), PROGRAM, "scalefactor")
+            self.scale = self.number(told.get("scalefactor", "1"), "scalefactor")
         elif kind == _CONNECTOR and above == _LINK:
             self.links[-1].append(told.get("id", ""))
         elif kind == _CONNECTOR:
@@ -78,49 +64,46 @@ class _Elements:
             self.links.append([])
             for name in ("actuator", "gear"):
                 if told.get(name) == "true":
-                    self.remarks.append(left_out(f"{name} (link {told.get('id', '')})"))
+                    self.leave_out(f"{name} (link {told.get('id', '')})")
         elif above not in ("", "selected", "background") and kind not in ("linkage2", "selected", "background"):
-            self.remarks.append(left_out(f"<{tag}>"))
+            self.leave_out(f"<{tag}>")
 
     def end(self, _tag: str) -> None:
         self.above.pop()
 
     def _connector(self, told: dict[str, str]) -> None:
         self.last = name = told.get("id", "")
-        self.places[name] = complex(*(number(told.get(axis), PROGRAM, f"connector {name}") for axis in "xy")) * UNIT
+        self.places[name] = complex(*(self.number(told.get(axis), f"connector {name}") for axis in "xy")) * UNIT
         if told.get("anchor") == "true":
-            self.fixed.append(name)
+            self.fixed.add(name)
         if told.get("input") == "true":
-            self.inputs.append((name, number(told.get("rpm", "nan"), PROGRAM, f"connector {name}")))
+            self.inputs.append((name, self.number(told.get("rpm", "nan"), f"connector {name}")))
         if told.get("slider") == "true":
             self.limits.setdefault(name, [])
 
-    def scheme(self) -> Scheme:
-        fixed = frozenset(self.fixed)
+    def made(self) -> Scheme:
+        fixed = self.fixed
         if any(name not in self.places for link in self.links for name in link):
-            raise refused(PROGRAM, "Link")
+            raise self.refused("Link")
         if not self.inputs:
-            raise no_crank(PROGRAM)
+            raise self.no_crank()
         if self.scale != 1.0:
-            self.remarks.append(left_out(f"scalefactor {self.scale:g}"))
-        links = tuple(tuple(dict.fromkeys(link)) for link in self.links if not fixed.issuperset(link))
-        sliders = {}
+            self.leave_out(f"scalefactor {self.scale:g}")
+        links = self.moving(map(dict.fromkeys, self.links))
         for name, limits in self.limits.items():
             slot = None if fixed.issuperset(limits) else link_of(links, *limits)
             if len(limits) == 2 and all(one in self.places for one in limits) and (slot is not None or fixed.issuperset(limits)):
                 ends = [self.places[one] for one in limits]
-                sliders[name] = Slider(ends[0], cmath.phase(ends[1] - ends[0]), slot)
+                self.sliders[name] = Slider(ends[0], cmath.phase(ends[1] - ends[0]), slot)
             else:
-                self.remarks.append(left_out(f"slider (connector {name})"))
+                self.leave_out(f"slider (connector {name})")
         pivot, rpm = self.inputs[0]
         turned = []
         for name, further in self.inputs[1:]:
             driven = next((place for place, link in enumerate(links) if name in link and name in fixed), None)
             if driven is None or not rpm:
-                self.remarks.append(left_out(f"input (connector {name})"))
+                self.leave_out(f"input (connector {name})")
             else:
                 turned.append(Turned(name, driven, further / rpm))
-        speed = rpm * math.tau / 60
         self.remarks.append(say("foreign.sense"))
-        crank = driven_link(PROGRAM, links, pivot, fixed)
-        return Scheme(PROGRAM, "", self.places, fixed, links, sliders, pivot, crank, speed, tuple(self.remarks), tuple(turned))
+        return self.scheme(links, pivot, self.crank_of(links, pivot), rpm * math.tau / 60, turned)

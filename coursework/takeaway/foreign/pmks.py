@@ -12,17 +12,7 @@ import re
 from collections.abc import Iterator
 from urllib.parse import unquote
 
-from coursework.takeaway.foreign.scheme import (
-    MOST_JOINTS,
-    Scheme,
-    Slider,
-    Turned,
-    driven_link,
-    left_out,
-    no_crank,
-    number,
-    refused,
-)
+from coursework.takeaway.foreign.scheme import MOST_JOINTS, Reading, Scheme, Slider, Turned
 from coursework.words.sentences import say
 
 PROGRAM = "PMKS"
@@ -38,41 +28,39 @@ def read(content: bytes) -> Scheme:
     if "mech=" in text:
         text = unquote(text.partition("mech=")[2].partition("&")[0])
     rows = [row.strip() for row in re.split(r"[|\n]", text) if row.strip()]
-    if not rows or len(rows) > MOST_JOINTS:
-        raise refused(PROGRAM, 1)
-    return _Rows(rows).scheme()
+    return _Rows(rows).made()
 
 
-class _Rows:
+class _Rows(Reading):
     """Collects joints and the links that meet in them."""
 
     def __init__(self, rows: list[str]) -> None:
-        self.places: dict[str, complex] = {}
+        super().__init__(PROGRAM)
+        if not rows or len(rows) > MOST_JOINTS:
+            raise self.refused(1)
         self.links: dict[str, list[str]] = {}
-        self.sliders: dict[str, Slider] = {}
         self.blocks: dict[str, float] = {}  # links that slide on the frame, at an angle
-        self.fixed: set[str] = set()
         self.gears: list[tuple[str, str, complex]] = []  # two links and where their teeth meet
         self.driven = ""
-        self.remarks = [say("foreign.unit"), say("foreign.speed")]
+        self.remarks += [say("foreign.unit"), say("foreign.speed")]
         for place, row in enumerate(rows, start=1):
             self._joint(re.split(r"[,\s]+", row), place)
 
     def _joint(self, words: list[str], place: int) -> None:
         at = next((k for k, word in enumerate(words) if word in KINDS), 0)
         if not 1 <= at <= 12 or len(words) < at + 3:
-            raise refused(PROGRAM, place)
+            raise self.refused(place)
         links, kind, rest = words[:at], words[at], words[at + 1 :]
         flags = rest.pop() if _FLAGS.fullmatch(rest[-1]) else ""
         name = str(place)
-        point = complex(number(rest[0], PROGRAM, place), number(rest[1], PROGRAM, place))
-        angle = math.radians(number(rest[2], PROGRAM, place)) if len(rest) > 2 else 0.0
+        point = complex(self.number(rest[0], place), self.number(rest[1], place))
+        angle = math.radians(self.number(rest[2], place)) if len(rest) > 2 else 0.0
         others = [one for one in links if one != GROUND]
         if kind == "G" and len(others) == 2 == len(links):
             self.gears.append((others[0], others[1], point))
             return
         if kind == "G" or (kind != "R" and (GROUND not in links or len(others) != 1)):
-            self.remarks.append(left_out(", ".join(words)))
+            self.leave_out(", ".join(words))
             return
         if kind == "P":
             self.blocks[others[0]] = angle
@@ -87,20 +75,18 @@ class _Rows:
             if flags.endswith("t") or (INPUT in links and not self.driven):
                 self.driven = name
 
-    def scheme(self) -> Scheme:
+    def made(self) -> Scheme:
         for block, angle in self.blocks.items():
             joints = self.links.pop(block, [])
             for name in joints[:1]:
                 self.sliders[name] = Slider(self.places[name], angle)
-            self.remarks += [left_out(f"{block}, {name}") for name in joints[1:]]
-        moving = {name: tuple(joints) for name, joints in self.links.items() if not self.fixed.issuperset(joints)}
-        links = tuple(moving.values())
-        if not self.driven:
-            raise no_crank(PROGRAM)
-        fixed = frozenset(self.fixed)
-        crank = driven_link(PROGRAM, links, self.driven, fixed)
-        turned = tuple(self._geared(list(moving), crank))
-        return Scheme(PROGRAM, "", self.places, fixed, links, self.sliders, self.driven, crank, None, tuple(self.remarks), turned)
+            for name in joints[1:]:
+                self.leave_out(f"{block}, {name}")
+        links = self.moving(self.links.values())
+        crank = self.crank_of(links, self.driven)
+        names = [name for name, joints in self.links.items() if not self.fixed.issuperset(joints)]
+        turned = [*self._geared(names, crank)]  # and remarks on the others
+        return self.scheme(links, self.driven, crank, None, turned)
 
     def _geared(self, names: list[str], crank: int) -> Iterator[Turned]:
         """Yield the links that gears on fixed pivots turn; the others are remarks."""
@@ -115,5 +101,6 @@ class _Rows:
                     ratios[second] = ratios[first] * (near / far).real
                     yield Turned(pivots[1], names.index(second), ratios[second])
                     continue
-            self.remarks.append(left_out(f"{first}, {second}, G"))
-        self.remarks += [left_out(f"{first}, {second}, G") for first, second, _ in waiting]
+            self.leave_out(f"{first}, {second}, G")
+        for first, second, _ in waiting:
+            self.leave_out(f"{first}, {second}, G")

@@ -1,12 +1,13 @@
 """What a file of another program says of a mechanism, as far as it has a counterpart here.
 
-Leaves: `Scheme`, `Slider`, `Turned`.  Used by the readers of this folder, `groups.py` and `text.py`.
+Leaves: `Scheme`, `Slider`, `Turned`; `Reading`, which every reader is.
+Used by the readers of this folder, `groups.py` and `text.py`.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
@@ -16,6 +17,7 @@ from coursework.words.sentences import say
 MOST_BYTES = 1_000_000
 MOST_JOINTS = 100  # more has no page a student could read
 LARGEST = 1e9  # of a coordinate
+Links = tuple[tuple[str, ...], ...]  # the joints of each
 
 
 @frozen
@@ -48,7 +50,7 @@ class Scheme:
     title: str
     joints: Mapping[str, complex]
     fixed: frozenset[str]
-    links: tuple[tuple[str, ...], ...]
+    links: Links
     sliders: Mapping[str, Slider]
     pivot: str
     crank: int
@@ -57,40 +59,56 @@ class Scheme:
     turned: tuple[Turned, ...] = ()
 
 
-def refused(program: str, place: object) -> InputError:
-    """Return what is told of a file that cannot be read as one of a program."""
-    return InputError(say("fault.C094", program=program, place=place))
+class Reading:
+    """What a reader has found in a file of a program so far, and how it refuses what it cannot read."""
 
+    def __init__(self, program: str) -> None:
+        self.program = program
+        self.places: dict[str, complex] = {}
+        self.fixed: set[str] = set()
+        self.sliders: dict[str, Slider] = {}
+        self.remarks: list[Sentence] = []
 
-def number(value: object, program: str, place: object) -> float:
-    """Return a finite number.  Raises `InputError`."""
-    try:
-        found = float(str(value))
-    except ValueError:
-        raise refused(program, place) from None
-    if not math.isfinite(found) or abs(found) > LARGEST:
-        raise refused(program, place)
-    return found
+    def refused(self, place: object) -> InputError:
+        """Return what is told of a file that cannot be read as one of the program."""
+        return InputError(say("fault.C094", program=self.program, place=place))
 
+    def number(self, value: object, place: object) -> float:
+        """Return a finite number.  Raises `InputError`."""
+        try:
+            found = float(str(value))
+        except ValueError:
+            raise self.refused(place) from None
+        if not math.isfinite(found) or abs(found) > LARGEST:
+            raise self.refused(place)
+        return found
 
-def left_out(what: str) -> Sentence:
-    """Return the remark about something without a counterpart."""
-    return say("foreign.left_out", what=what[:80])
+    def leave_out(self, what: str) -> None:
+        """Remark that something has no counterpart."""
+        self.remarks.append(say("foreign.left_out", what=what[:80]))
 
+    def moving(self, links: Iterable[Collection[str]]) -> Links:
+        """Return the links that are no part of the frame."""
+        return tuple(tuple(link) for link in links if not self.fixed.issuperset(link))
 
-def no_crank(program: str) -> InputError:
-    """Return what is told where nothing turns about a fixed joint."""
-    return InputError(say("fault.C095", program=program))
+    def no_crank(self) -> InputError:
+        """Return what is told where nothing turns about a fixed joint."""
+        return InputError(say("fault.C095", program=self.program))
+
+    def crank_of(self, links: Links, pivot: str) -> int:
+        """Return which of the moving links turns about a joint.  Raises `InputError` where none does."""
+        if (crank := link_of(links, pivot)) is None:
+            raise self.no_crank()
+        return crank
+
+    def scheme(
+        self, links: Links, pivot: str, crank: int, speed: float | None, turned: Iterable[Turned] = (), title: str = ""
+    ) -> Scheme:
+        """Return the mechanism."""
+        fixed, remarks = frozenset(self.fixed), tuple(self.remarks)
+        return Scheme(self.program, title, self.places, fixed, links, self.sliders, pivot, crank, speed, remarks, tuple(turned))
 
 
 def link_of(links: Sequence[Sequence[str]], *joints: str) -> int | None:
     """Return the number of the link that has some joints, None where none has."""
     return next((place for place, own in enumerate(links) if set(joints) <= set(own)), None)
-
-
-def driven_link(program: str, links: tuple[tuple[str, ...], ...], pivot: str, fixed: frozenset[str]) -> int:
-    """Return which link turns about a fixed joint.  Raises `InputError` where none does."""
-    for place, joints in enumerate(links):
-        if pivot in joints and not fixed.issuperset(joints):
-            return place
-    raise no_crank(program)

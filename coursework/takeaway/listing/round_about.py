@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from coursework.takeaway.listing.program import Datum
-from coursework.takeaway.listing.writer import Writer, indented
+from coursework.takeaway.listing.writer import Writer, held, indented
 
 Lines = list[str]
 
@@ -41,17 +41,29 @@ def numbered(stage: int, rate: str) -> str:
     return rate if not stage else f"{rate}_{stage + 1}"
 
 
-def further_slopes(one: Writer, call: Callable[[int], str]) -> Lines:
-    """Return what finds the slopes behind the first, each by its `call`."""
-    return [line for stage in range(1, one.program.scheme.slopes) for line in one.wrapped(call(stage))]
+def row_by_row(
+    one: Writer, call: Callable[[int], str], show: Callable[[Sequence[str]], str], out: Callable[[int, str], str] = numbered
+) -> Lines:
+    """Return the head line and the loop over the rows: `call` finds a slope, `show` prints the numbers of a row."""
+    syntax, program = one.syntax, one.program
+    further = [line for stage in range(1, program.scheme.slopes) for line in one.wrapped(call(stage))]
+    step = [*further, one.box("step"), *one.steps_on(out)]
+    row = [
+        one.box("time"), one.sets(f"{syntax.declares}{one.t}", f"{one.row}*{one.h}"),
+        one.box("rates"), call(0), *one.closed(out),
+        one.box("row"), *one.wrapped(show([one.t, *one.shown(out)])),
+        one.box("more"), *held(syntax.test, step, holds=f"{one.row} < {one.steps}"),
+    ]  # fmt: skip
+    heads, rows = syntax.prints.format(heads=",".join(program.heads)), held(syntax.rows, row, i=one.row, n=one.steps)
+    return [heads, one.box("loop"), *rows, one.box("again"), one.box("end")]
 
 
-def break_times(one: Writer) -> str:
-    """Return the times at which the drive changes its formula, commas between."""
-    return ", ".join(map(repr, one.program.breaks))
+def by_printf(values: Sequence[str]) -> str:
+    """Return what prints the numbers of a row in C and Octave."""
+    return f'printf("{",".join(["%.15g"] * len(values))}\\n", {", ".join(values)});'
 
 
 def largest_block(one: Writer) -> int:
-    """Return the size of the largest block that is solved by elimination."""
+    """Return the size of the largest block that is solved by elimination, 0 where none is."""
     lines = (line for block in one.program.blocks for line in block.lines)
-    return max(len(line.targets) - 1 for line in lines if "_solve" in line.text)
+    return max((len(line.targets) - 1 for line in lines if "_solve" in line.text), default=0)

@@ -46,9 +46,14 @@ class Syntax:
     choice: str
     comment: str
     loop: tuple[str, str]
+    rows: tuple[str, str] = ("", "")  # the loop over the rows
+    test: tuple[str, str] = ("", "")
+    stop: tuple[str, ...] = ()  # what is done where a determinant is zero
+    prints: str = ""  # how the head line is printed
     assign: str = " = "
     end: str = ";"
     knows_case: bool = True
+    declares: str = ""  # before the first assignment to a name inside a loop
     wrap: str = ""  # what stands at the end of a line that goes on
     around: tuple[str, str] = ("", "")  # what holds a value of several lines
     unpacks: str = ""  # how several names take what one function gives; "" where none gives more than one
@@ -61,24 +66,36 @@ def _words(text: str) -> frozenset[str]:
 
 PYTHON = Syntax(
     "python", "py", frozenset((*keyword.kwlist, *_MATH, "print", "range", "min", "max", "int")), {"pow": "pow"},
-    "({yes} if {holds} else {no})", "# ", ("for {j} in range({times}):", ""), end="", around=("(", ")"), unpacks="{names} = ",
+    "({yes} if {holds} else {no})", "# ", ("for {j} in range({times}):", ""),
+    ("for {i} in range({n} + 1):", ""), ("if {holds}:", ""),
+    ("if {name} == 0.0:", '    raise SystemExit("{name} = 0")'), 'print("{heads}")', end="", around=("(", ")"),
+    unpacks="{names} = ",
 )  # fmt: skip
 OCTAVE = Syntax(
     "octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ",
-    ("for {j} = 1:{times}", "end"), wrap=" ...", divides=True,
+    ("for {j} = 1:{times}", "end"), ("for {i} = 0:{n}", "end"), ("if {holds}", "end"),
+    ("if {name} == 0", '    error("{name} = 0");', "end"), 'printf("{heads}\\n");', wrap=" ...", divides=True,
 )  # fmt: skip
 C = Syntax(
     "c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ",
-    ("for (int {j} = 0; {j} < {times}; {j}++) {{", "}"),
+    ("for (int {j} = 0; {j} < {times}; {j}++) {{", "}"), ("for (int {i} = 0; {i} <= {n}; {i}++) {{", "}"),
+    ("if ({holds}) {{", "}"), ('if ({name} == 0.0) {{ fprintf(stderr, "{name} = 0\\n"); exit(1); }}',),
+    'printf("{heads}\\n");', declares="double ",
 )  # fmt: skip
 PASCAL = Syntax(
     "pascal", "pas", _words(_PASCAL) | {*_MATH},
     {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "log": "ln", "pow": "power"},
-    "ifthen({holds}, {yes}, {no})", "// ", ("for {j} := 1 to {times} do begin", "end;"), assign=" := ", knows_case=False,
+    "ifthen({holds}, {yes}, {no})", "// ", ("for {j} := 1 to {times} do begin", "end;"),
+    ("for {i} := 0 to {n} do begin", "end;"), ("if {holds} then begin", "end;"),
+    ("if {name} = 0.0 then begin writeln(stderr, '{name} = 0'); halt(1) end;",), "writeln('{heads}');", assign=" := ",
+    knows_case=False,
 )  # fmt: skip
 JAVASCRIPT = Syntax(
     "javascript", "js", _words(_JAVASCRIPT) | {*_MATH}, {name: f"Math.{name}" for name in _MATH},
-    "({holds} ? {yes} : {no})", "// ", ("for (let {j} = 0; {j} < {times}; {j}++) {{", "}"), unpacks="[{names}] = ",
+    "({holds} ? {yes} : {no})", "// ", ("for (let {j} = 0; {j} < {times}; {j}++) {{", "}"),
+    ("for (let {i} = 0; {i} <= {n}; {i}++) {{", "}"), ("if ({holds}) {{", "}"),
+    ('if ({name} === 0.0) throw new Error("{name} = 0");',), 'console.log("{heads}");', declares="const ",
+    unpacks="[{names}] = ",
 )  # fmt: skip
 SYNTAXES = {one.name: one for one in (PYTHON, OCTAVE, C, PASCAL, JAVASCRIPT)}
 
@@ -142,7 +159,7 @@ class Names:
         return text.strip("_") + "_" * (text != text.strip("_")) if text.strip("_") else "x"
 
 
-def expression(text: str, syntax: Syntax, names: Names) -> str:
+def expression(text: str, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
     """Return an expression that the tool printed, in a language.
 
     >>> names = Names.of(PASCAL, ("t", "r", "R"))
@@ -190,7 +207,8 @@ def written(node: ast.expr, syntax: Syntax, names: Mapping[str, str] | Names) ->
             return syntax.choice.format(holds=inner(holds), yes=inner(yes), no=inner(no))
         case ast.Call(func=ast.Name(id=name)):
             called = names[name] if name.startswith("_table_") else syntax.calls.get(name, name)
-            return f"{called}({', '.join(map(inner, node.args))})"
+            args = node.args[::-1] if called == "ATAN2" else node.args  # a spreadsheet has x before y
+            return f"{called}({', '.join(map(inner, args))})"
     raise AssertionError(ast.dump(node))
 
 

@@ -5,13 +5,13 @@ Enters: a `Program`, a syntax, the words of the comments.  Leaves: lines.  Used 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 
 from coursework.equations.codegen.straight_line import Line
 from coursework.motion.schemes import SEMI_IMPLICIT, Sum
 from coursework.report.text.words import Words
-from coursework.takeaway.listing.program import BlockOf, Box, Program
+from coursework.takeaway.listing.program import Box, Program
 from coursework.takeaway.listing.syntax import Names, Syntax, expression, parts
 from coursework.words.templates import clean
 
@@ -35,7 +35,6 @@ class Writer:
         self.count = own("_count", "j", "turn")
         self.tables = [name for name in sorted(program.calls) if name.startswith("_table_")]
         self.needs_gauss = any("_solve" in line.text for block in program.blocks for line in block.lines)
-        self.needs_sign = "sign" in program.calls
 
     @property
     def coordinates(self) -> list[str]:
@@ -138,45 +137,32 @@ class Writer:
         """Return the comment over the velocities."""
         return self.of(Box(len(self.program.boxes) + 1, "terminator", self.words("listing.velocities")))
 
-    def blocks(self, stop: Callable[[str, Box], list[str]]) -> list[str]:
-        """Return the velocities block by block; `stop` writes what is done where a determinant is zero."""
+    def blocks(self) -> list[str]:
+        """Return the velocities block by block, with what is done where a determinant is zero."""
         lines: list[str] = []
         for block in self.program.blocks:
             lines.append(self.of(block.box))
             if block.repeats:
-                begin, end = self.syntax.loop
-                inside = indented(line for one in block.lines for line in self.assigned(one))
-                lines += [begin.format(j=self.count, times=block.repeats), *inside, *([end] if end else [])]
+                inside = (line for one in block.lines for line in self.assigned(one))
+                lines += held(self.syntax.loop, inside, j=self.count, times=block.repeats)
                 continue
             for one in block.lines:
                 lines += self.assigned(one)
                 if block.checked and block.checked in one.targets:
-                    lines += stop(self.names[block.checked], self.decision(block))
+                    name = self.names[block.checked]
+                    lines.append(self.of(Box(block.box.number + 1, "decision", self.words("listing.zero", name=name))))
+                    lines += [line.format(name=name) for line in self.syntax.stop]
         return [*lines, self.of(self.program.returned(self.words))]
-
-    def decision(self, block: BlockOf) -> Box:
-        """Return the box in which the determinant of a block is asked about."""
-        name = self.names[block.checked]
-        return Box(block.box.number + 1, "decision", self.words("listing.zero", name=name))
-
-    def share(self, part: Fraction | int) -> str:
-        """Return a part of the step."""
-        above = self.h if part.numerator == 1 else f"{part.numerator}*{self.h}"
-        return above if part.denominator == 1 else f"{above}/{part.denominator}"
 
     def moved(self, name: str, row: Sum, rates: list[str]) -> str:
         """Return a coordinate after one row of the tableau; `rates` are its rates in the slopes so far."""
-        if not row.terms:
-            return name
-        terms = [f"{'' if whole == 1 else f'{whole}*'}{rates[place]}" for place, whole in row.terms]
-        total = terms[0] if len(terms) == 1 else f"({' + '.join(terms)})"
-        return f"{name} + {self.share(row.factor)}*{total}"
+        return f"{name} + {weighted(row, rates, self.h)}" if row.terms else name
 
     def slope(self, stage: int, out: Callable[[int, str], str]) -> list[str]:
         """Return the arguments of a slope: its time and its position; `out` names a velocity of an earlier slope."""
         scheme = self.program.scheme
         node, inner = scheme.nodes[stage], scheme.inner[stage]
-        time = f"{self.t} + {self.share(node)}" if node else self.t
+        time = f"{self.t} + {share(node, self.h)}" if node else self.t
         if stage and self.program.breaks:
             time = f"{self.look}({time}, ({self.row} + 1)*{self.h})"
         return [time, *(self.moved(name, inner, rates) for name, rates in self.rates_of(out, stage))]
@@ -208,9 +194,28 @@ class Writer:
         return max(0, self.program.rows - 1)
 
 
-def indented(lines: Iterable[str], by: int = 4) -> list[str]:
+def share(part: Fraction | int, step: str) -> str:
+    """Return a part of the step."""
+    above = step if part.numerator == 1 else f"{part.numerator}*{step}"
+    return above if part.denominator == 1 else f"{above}/{part.denominator}"
+
+
+def weighted(row: Sum, rates: Sequence[str], step: str, plus: str = " + ") -> str:
+    """Return what a row of the tableau adds to a coordinate: a part of the step times a sum of rates."""
+    terms = [f"{'' if whole == 1 else f'{whole}*'}{rates[place]}" for place, whole in row.terms]
+    total = terms[0] if len(terms) == 1 else f"({plus.join(terms)})"
+    return f"{share(row.factor, step)}*{total}"
+
+
+def indented(lines: Iterable[str]) -> list[str]:
     """Return lines moved to the right."""
-    return [f"{' ' * by}{line}" for line in lines]
+    return [f"    {line}" for line in lines]
+
+
+def held(around: tuple[str, str], lines: Iterable[str], **names: object) -> list[str]:
+    """Return lines inside what begins and, in most languages, ends them."""
+    begin, end = around
+    return [begin.format(**names), *indented(lines), *([end] if end else [])]
 
 
 def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> list[str]:

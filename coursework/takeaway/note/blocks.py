@@ -58,21 +58,21 @@ class Blocks:
 
     # sentences
 
-    def inlines(self, runs: Runs, *, linked: bool = True) -> list[Node]:
+    def inlines(self, runs: Runs) -> list[Node]:
         """Return runs; the number of a formula leads to it."""
-        return [node for run in runs for node in self._run(run, linked)]
+        return [node for run in runs for node in self._run(run)]
 
     def cell(self, content: Cell) -> list[Node]:
         """Return what stands in a cell."""
         return tree.text(content) if isinstance(content, str) else self.inlines(content)
 
-    def _run(self, run: dict[str, str], linked: bool) -> list[Node]:
+    def _run(self, run: dict[str, str]) -> list[Node]:
         if "v" in run:
             return self.dialect.letter(run["v"], run["s"])
         if "p" in run:
             return [tree.raised(run["p"])]
         said = run.get("t") or run.get("c") or run.get("o") or ""
-        return list(self._linked(said)) if linked else tree.text(said)
+        return list(self._linked(said))
 
     def _linked(self, said: str) -> Iterator[Node]:
         end = 0
@@ -228,13 +228,6 @@ def kind_of(part: Part) -> str:
 
 BREAK: Node = {"t": "LineBreak"}
 WIDTHS = (0.14, 0.56, 0.16, 0.14)  # of the text: verdict, claim, number, limit
-
-
-def displays(parts: Iterable[Any]) -> Iterator[Display]:
-    """Yield the formulas of parts."""
-    for part in parts:
-        if isinstance(part, Equations):
-            yield from part.items
 
 
 def pictures(parts: Iterable[Any], known: dict[str, Picture]) -> dict[str, Picture]:

@@ -38,7 +38,7 @@ _HEADING = '<text:h text:style-name="Heading_20_1" text:outline-level="1">'
 _SET = _HEADING.replace("Heading_20_1", "Heading_20_Structural")
 
 
-def contents_of(title: str, listed: Sequence[tuple[str, str]]) -> str:
+def contents_of(title: str, listed: Sequence[tuple[str, str]], _width: float) -> str:
     """Return the contents as an index that a program brings up to date, with what it shows until then."""
     lines = "".join(
         f'<text:p text:style-name="Contents_20_1"><text:a xlink:type="simple" xlink:href="#{name}">{escape(said)}</text:a>'

@@ -21,6 +21,7 @@ from coursework.takeaway.note.tree import Node
 CONCLUSION, INTRODUCTION, LITERATURE = "conclusion", "introduction", "literature"
 STRUCTURAL = (INTRODUCTION, CONCLUSION, LITERATURE)  # headings without a number, which the standards set in the middle
 PLACE = "\0"  # of numbers in a sentence
+Headings = Sequence[tuple[str, str]]  # id and text of each
 DIGITS = 3  # of the largest error and of the step that would do, as the page's conclusion has them
 
 
@@ -34,7 +35,7 @@ def title_blocks(model: ReportModel, blocks: Blocks) -> list[Node]:
     return found + [block for part in parts for block in blocks.of(part)]
 
 
-def headings(model: ReportModel) -> list[tuple[str, str]]:
+def headings(model: ReportModel) -> Headings:
     """Return id and text of every heading, in order."""
     words = load_words(model.language)
     appendices = [writer.__name__ for writer, _ in APPENDIX]
@@ -96,9 +97,9 @@ def _numbers(results: Results, blocks: Blocks) -> Iterator[Node]:
     for section in results.model.sections:
         for part in section.parts:
             if isinstance(part, Table) and part.id in ("first-last", "extremes") and part.label:
-                number = "".join(filter(str.isdigit, part.label))
-                led = blocks.dialect.reference(f"table_{number}", number)
-                blocks.led.add(f"table_{number}")
+                mark, number = blocks.numbered(part)
+                led = blocks.dialect.reference(mark, number)
+                blocks.led.add(mark)
                 label = part.label.partition(number)[0]
                 listed.append([*tree.text(label), led, *tree.text(": "), *blocks.inlines(part.caption)])
     if listed:

@@ -7,22 +7,23 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from coursework.report.output.results import Results
+from coursework.report.text.parts import Equations
 from coursework.report.text.words import load_words
 from coursework.takeaway.figures.drawings import Picture, as_pdf, as_png, pictures_of
 from coursework.takeaway.figures.pictures import FOLDER
 from coursework.takeaway.missing import require
 from coursework.takeaway.note import tree
-from coursework.takeaway.note.blocks import Blocks, displays, pictures
-from coursework.takeaway.note.dialects import DIALECTS, Dialect
+from coursework.takeaway.note.blocks import Blocks, pictures
+from coursework.takeaway.note.dialects import DIALECTS
 from coursework.takeaway.note.formulas import latex_of
 from coursework.takeaway.note.pandoc import called
-from coursework.takeaway.note.sections import headings, section_blocks, title_blocks
-from coursework.takeaway.note.styles import house_of
+from coursework.takeaway.note.sections import Headings, headings, section_blocks, title_blocks
+from coursework.takeaway.note.styles import House, house_of
 from coursework.words.data_folders import REPORTS, folder
 
 MODULE, EXTRA = "pypandoc", "note"
@@ -34,33 +35,28 @@ def write_docx(results: Results) -> Iterator[tuple[str, bytes]]:
     """Yield the note for Word."""
     from coursework.takeaway.note.word import contents_of, finished
 
-    note = _Note(results, "docx")
-    own = note.department
-    house = None if own else note.house
-    contents = contents_of(note.words("title.contents"), headings(results.model), note.house.width)
-    blocks = [
-        *title_blocks(results.model, note.blocks),
-        tree.raw_block("openxml", contents),
-        *section_blocks(results, note.blocks),
-    ]
-    with tempfile.TemporaryDirectory() as place:
-        drawings = note.save_png(Path(place))
-        made = note.converted(blocks, Path(place), own)
-    yield f"{results.stem}.docx", finished(made, house, drawings)
+    return _office_note(results, "docx", "openxml", contents_of, finished)
 
 
 def write_odt(results: Results) -> Iterator[tuple[str, bytes]]:
     """Yield the note for OpenDocument."""
     from coursework.takeaway.note.open_document import contents_of, finished
 
-    note = _Note(results, "odt")
-    own = note.department
-    contents = tree.raw_block("opendocument", contents_of(note.words("title.contents"), headings(results.model)))
-    blocks = [*title_blocks(results.model, note.blocks), contents, *section_blocks(results, note.blocks)]
+    return _office_note(results, "odt", "opendocument", contents_of, finished)
+
+
+def _office_note(
+    results: Results, suffix: str, own_xml: str, contents_of: Callable[[str, Headings, float], str],
+    finished: Callable[[bytes, House | None, Mapping[bytes, Picture]], bytes],
+) -> Iterator[tuple[str, bytes]]:  # fmt: skip
+    note = _Note(results, suffix)
+    contents = contents_of(note.words("title.contents"), headings(results.model), note.house.width)
+    before = [*title_blocks(results.model, note.blocks), tree.raw_block(own_xml, contents)]
+    blocks = [*before, *section_blocks(results, note.blocks)]
     with tempfile.TemporaryDirectory() as place:
         drawings = note.save_png(Path(place))
-        made = note.converted(blocks, Path(place), own)
-    yield f"{results.stem}.odt", finished(made, None if own else note.house, drawings)
+        made = note.converted(blocks, Path(place), note.department)
+    yield f"{results.stem}.{suffix}", finished(made, None if note.department else note.house, drawings)
 
 
 def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -98,10 +94,10 @@ class _Note:
 
     def __init__(self, results: Results, suffix: str) -> None:
         require(MODULE, suffix, EXTRA)
-        self.results, self.dialect, self.words = results, _dialect(suffix), load_words(results.language)
+        self.results, self.dialect, self.words = results, DIALECTS[suffix](), load_words(results.language)
         parts = [part for section in results.model.sections for part in section.parts]
         self.pictures = pictures(parts, pictures_of(results.model))
-        shown = list(displays(parts))
+        shown = [item for part in parts if isinstance(part, Equations) for item in part.items]
         latex = latex_of((one.math for one in shown), self.words("decimal"), aligned=suffix == "tex")
         self.house = house_of(results.language)
         named = {one.name for one in shown if one.name}
@@ -132,7 +128,3 @@ class _Note:
         document = tree.document(blocks, lang={"t": "MetaString", "c": language}, **meta)
         options = ("-f", "json", "-t", self.dialect.writer, "-o", "-", f"--resource-path={place}", *options)
         return called([*options, *([f"--reference-doc={own}"] if own else [])], json.dumps(document).encode())
-
-
-def _dialect(suffix: str) -> Dialect:
-    return DIALECTS[suffix]()

@@ -17,7 +17,7 @@ from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.takeaway.missing import require
 from coursework.takeaway.workbook.by_forces import forced_columns
-from coursework.takeaway.workbook.cells import SHEET
+from coursework.takeaway.workbook.cells import SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
 from coursework.takeaway.workbook.columns import step_columns
 from coursework.takeaway.workbook.data import TABLES, write_data
@@ -44,14 +44,11 @@ def write(results: Results) -> Iterator[tuple[str, bytes]]:
 
 def workbook_of(run: SceneRun, language: str) -> bytes:
     """Return the workbook of a run."""
-    _refuse(run)
-    book, content = _begun(run, language)
-    tables = Tables(run.scene.equations.tables, TABLES)
-    table = forced_columns(run, tables) if run.variant.motor is not None else step_columns(run, tables)
+    book, content, table = _begun(run, language)
     residuals = list(residuals_of(book, table))
     sheets = _sheets(book, (DATA, SHEET, EXACT, "Checks", "Graphs", "Read me"))
     sheets["Graphs"].set_portrait()
-    write_data(book, sheets[DATA], table.names, tables)
+    write_data(book, sheets[DATA], table.names, table.tables)
     write_steps(book, sheets[SHEET], table)
     write_exact(book, sheets[EXACT], table)
     write_checks(book, sheets["Checks"], table, residuals)
@@ -66,32 +63,27 @@ def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
 
     With `help_level` 1 the first row has its formulas, and start values that the geometry gives have theirs.
     """
-    _refuse(run)
-    book, content = _begun(run, language)
-    tables = Tables(run.scene.equations.tables, TABLES)
-    table = forced_columns(run, tables) if run.variant.motor is not None else step_columns(run, tables)
+    book, content, table = _begun(run, language)
     sheets = _sheets(book, (DATA, SHEET))
-    write_data(book, sheets[DATA], table.names, tables, solved=help_level > 0)
+    write_data(book, sheets[DATA], table.names, table.tables, solved=help_level > 0)
     write_first_row(book, sheets[SHEET], table, help_level)
     book.file.close()
     return content.getvalue()
 
 
-def _refuse(run: SceneRun) -> None:
-    """Raise `NotToBeHad` for what has no workbook, and without XlsxWriter."""
+def _begun(run: SceneRun, language: str) -> tuple[Book, BytesIO, StepTable]:
+    """Return a workbook and its table.  Raises `NotToBeHad` for what has none, and without XlsxWriter."""
     require("xlsxwriter", "xlsx", "workbook")
     if run.settings.project or run.settings.gain:
         raise NotToBeHad(say("fault.W045"))
-
-
-def _begun(run: SceneRun, language: str) -> tuple[Book, BytesIO]:
     import xlsxwriter
 
     content = BytesIO()
     file = xlsxwriter.Workbook(content, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
     book = Book.of(file, PageContext(run, load_words(language)))
     file.set_properties({"title": plain(book.context.variant.title), "created": _MADE})
-    return book, content
+    tables = Tables(run.scene.equations.tables, TABLES)
+    return book, content, step_columns(run, tables) if run.variant.motor is None else forced_columns(run, tables)
 
 
 def _bare(_sheet: Any, formula: str, *_: Any) -> str:

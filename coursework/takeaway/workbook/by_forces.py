@@ -8,7 +8,6 @@ accelerations; a position is closed by some of Newton's corrections, one behind 
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -22,8 +21,8 @@ from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
 from coursework.takeaway.listing.by_forces import Moving, moving
-from coursework.takeaway.listing.syntax import Syntax, written
-from coursework.takeaway.workbook.cells import BEFORE, FIRST, ROW, SHEET, STEPS, TIME, Column, StepTable
+from coursework.takeaway.listing.syntax import Syntax, expression
+from coursework.takeaway.workbook.cells import BEFORE, FIRST, ROW, SHEET, TIME, Column, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import STEP, defined_names, letters, start_of
 from coursework.takeaway.workbook.tables import Tables
@@ -33,9 +32,9 @@ from coursework.words.sentences import say
 
 CORRECTIONS = 3  # of a position: a step leaves 1e-2 or less, and each correction about the square of that
 _NUMBER = re.compile(r"-?[\d.]+(?:e[-+]?\d+)?")
-_CALLS = {name: name.upper() for name in ("sin", "cos", "tan", "asin", "acos", "atan", "exp", "sqrt", "abs", "sign")}
+_CALLS = {name: name.upper() for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "sqrt", "abs", "sign")}
 _CELLS = Syntax(
-    "cells", "", frozenset(), {**_CALLS, "log": "LN", "pow": "POWER", "atan2": "ATAN2"}, "IF({holds},{yes},{no})", "", ("", ""),
+    "cells", "", frozenset(), {**_CALLS, "log": "LN", "pow": "POWER"}, "IF({holds},{yes},{no})", "", ("", ""),
 )  # fmt: skip
 
 
@@ -45,20 +44,9 @@ def forced_columns(run: SceneRun, tables: Tables) -> StepTable:
     solves = any("_solve" in line.text or "_table_" in line.text for line in (*found.known, *found.closing, *found.lines))
     if motion.scheme != DEFAULT_SCHEME.name or solves:
         raise NotToBeHad(say("fault.W044"))
-    table = StepTable(run, motion, defined_names(found.variant), tables)
-    table.add(Column(TIME, f"{STEPS}*{STEP}", motion.t))
-    for name, values in zip(motion.names, motion.rows.T, strict=True):
-        table.add(Column(name, None, values))
+    table = StepTable.of(run, motion, defined_names(found.variant), tables, (motion.names, motion.rows))
     _Writer(table, found).write()
     return table
-
-
-class _Cells(dict[str, str]):
-    """Where private names stand: what the lines have given, else data by their defined names."""
-
-    def __init__(self, found: Moving, names: dict[str, str]) -> None:
-        super().__init__({name: names[public(name, ())] for name in found.numbers if public(name, ()) in names})
-        self.update({name: repr(value) for name, value in found.numbers.items() if name not in self})
 
 
 class _Writer:
@@ -66,7 +54,8 @@ class _Writer:
 
     def __init__(self, table: StepTable, found: Moving) -> None:
         self.table, self.found = table, found
-        self.cells = _Cells(found, dict(table.names))
+        # Where private names stand: data by their defined names, then what the lines give.
+        self.cells = {name: table.names.get(public(name, ()), repr(value)) for name, value in found.numbers.items()}
         self.values: dict[str, Any] = {name: np.float64(value) for name, value in found.numbers.items()}
         self.places = {name: letters(1 + place) for place, name in enumerate(table.motion.names)}
 
@@ -76,7 +65,7 @@ class _Writer:
         states = [c.name for c in found.variant.coordinates]
         self.cells["t"], self.values["t"] = f"$A{ROW}", motion.t
         self._lines(found.known, until=table.rows - 1)
-        closed = {name for name, _ in found.closed}
+        closed = [name for name, _ in found.closed]
         for name in states:
             self._stands(f"v_{name}", self.places[name], motion.column(name))
         for name in closed:  # from where the rates of the row before lead
@@ -94,8 +83,8 @@ class _Writer:
                 self._column(name, self.cells[f"v_{name}"])
         for name, out in own.items():
             if f"v_{name}" not in closed:
-                self._column(name, f"{self.places[name]}{BEFORE}+{STEP}*{self.cells[out].replace(ROW, BEFORE)}")
-                self._first(name)
+                text = f"{self.places[name]}{BEFORE}+{STEP}*{self.cells[out].replace(ROW, BEFORE)}"
+                self._column(name, text, table.names[start_of(name)])
         table.text = self._elsewhere
 
     def _guess(self, name: str) -> tuple[str, Array]:
@@ -161,12 +150,9 @@ class _Writer:
     def _stands(self, name: str, place: str, values: Array) -> None:
         self.cells[name], self.values[name] = f"${place}{ROW}", values
 
-    def _column(self, name: str, text: str) -> None:
-        next(column for column in self.table.columns if column.head == name).formula = text
-
-    def _first(self, name: str) -> None:
+    def _column(self, name: str, text: str, first: str | None = None) -> None:
         column = next(column for column in self.table.columns if column.head == name)
-        column.first = self.table.names[start_of(name)]
+        column.formula, column.first = text, first
 
     def _elsewhere(self, tree: Formula) -> str:
         """Return a formula of the page over the cells of a row, for another sheet."""
@@ -178,15 +164,5 @@ def _rows(values: Any, count: int) -> Array:
     return np.broadcast_to(np.asarray(values, dtype=float), (count,)).copy()
 
 
-class _Swapped(ast.NodeTransformer):
-    """A spreadsheet has x before y in ATAN2."""
-
-    def visit_Call(self, node: ast.Call) -> ast.AST:
-        self.generic_visit(node)
-        if isinstance(node.func, ast.Name) and node.func.id == "atan2":
-            node.args.reverse()
-        return node
-
-
 def _formula(text: str, cells: dict[str, str]) -> str:
-    return written(_Swapped().visit(ast.parse(text, mode="eval")).body, _CELLS, cells)
+    return expression(text, _CELLS, cells)

@@ -5,14 +5,14 @@ Enters: formulas and numbers.  Leaves: `StepTable`.  Used inside `workbook/`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 
 from coursework.motion.integration.motion import Motion
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
 from coursework.system.frozen import changing
-from coursework.takeaway.workbook.names import letters
+from coursework.takeaway.workbook.names import STEP, letters
 from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula
 
@@ -73,6 +73,17 @@ class StepTable:
     matrices: list[Matrix] = field(default_factory=list)
     solved: dict[int, Solved] = field(default_factory=dict)
     text: Callable[[Formula], str] = str
+
+    @classmethod
+    def of(
+        cls, run: SceneRun, motion: Motion, names: Mapping[str, str], tables: Tables, shown: tuple[Sequence[str], Array]
+    ) -> StepTable:
+        """Return the table with its times and with the columns and rows that are `shown`, as values."""
+        made = cls(run, motion, names, tables)
+        made.add(Column(TIME, f"{STEPS}*{STEP}", motion.t))
+        for name, values in zip(shown[0], shown[1].T, strict=True):
+            made.add(Column(name, None, values))
+        return made
 
     @property
     def rows(self) -> int:

@@ -12,7 +12,8 @@ import numpy as np
 from coursework.motion.schemes import Sum
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
-from coursework.takeaway.workbook.cells import BEFORE, NEXT, ROW, STEPS, TIME, Column, StepTable
+from coursework.takeaway.listing.writer import weighted
+from coursework.takeaway.workbook.cells import BEFORE, NEXT, ROW, TIME, Column, StepTable
 from coursework.takeaway.workbook.names import STEP, defined_names, letters, start_of
 from coursework.takeaway.workbook.stage import TIMES, Maker, Stage
 from coursework.takeaway.workbook.tables import Tables
@@ -22,11 +23,8 @@ def step_columns(run: SceneRun, tables: Tables) -> StepTable:
     """Return the table of the run's scheme, Euler's where its own table is the exact motion, as formulas."""
     beside = run.scene.scheme_rows
     motion = run.motion if beside is None else beside
-    table = StepTable(run, motion, defined_names(run.variant), tables)
-    names, rows = run.columns() if beside is None else (motion.names, motion.rows)
-    table.add(Column(TIME, None, motion.t))
-    for name, values in zip(names, rows.T, strict=True):
-        table.add(Column(name, None, values))
+    shown = run.columns() if beside is None else (motion.names, motion.rows)
+    table = StepTable.of(run, motion, defined_names(run.variant), tables, shown)
     _Writer(table).write()
     return table
 
@@ -38,7 +36,6 @@ class _Writer(Maker):
         """Write time, coordinates, velocities, determinants and the further slopes."""
         table, motion, count = self.table, self.table.motion, len(self.rates.coordinates)
         steps = len(motion.t)
-        table.columns[0].formula = f"{STEPS}*{STEP}"
         slopes = motion.velocities[:, :count]
         places = {name: letters(1 + index) for index, name in enumerate(motion.names)}
         stages = [Stage(self, 0, places, motion.t, motion.coordinates)]
@@ -57,11 +54,7 @@ class _Writer(Maker):
             column.formula = self._moved(positions[0][index], self.scheme.outer, rates, BEFORE)
 
     def _moved(self, own: str, row: Sum, rates: Sequence[str], at: str) -> str:
-        terms = [f"{'' if whole == 1 else f'{whole}*'}{rates[place]}{at}" for place, whole in row.terms]
-        above = STEP if row.factor.numerator == 1 else f"{row.factor.numerator}*{STEP}"
-        share = above if row.factor.denominator == 1 else f"{above}/{row.factor.denominator}"
-        total = terms[0] if len(terms) == 1 else f"({'+'.join(terms)})"
-        return f"{own}{at}+{share}*{total}"
+        return f"{own}{at}+{weighted(row, [f'{rate}{at}' for rate in rates], STEP, '+')}"
 
     def _later(self, stage: int, places: dict[str, str], before: list[Stage], found: list[Array]) -> Stage:
         """Return a further slope with its time and position in columns of their own."""

@@ -5,7 +5,8 @@ import pytest
 
 import coursework
 from coursework.report.graphs.accuracy_figures import STYLES, Chart, Method, _names, chart
-from coursework.report.graphs.log_paper import MARKS, Scale, scale_for, sheet
+from coursework.report.graphs.graph_paper import picture
+from coursework.report.graphs.log_paper import MARKS, Scale, scale_for
 from coursework.report.pages import build_model
 from coursework.report.text.parts import Figure
 from tests.drawing import measured
@@ -80,11 +81,11 @@ def test_a_name_stands_at_the_end_of_its_line_or_behind_a_piece_of_it():
 
 def test_names_that_want_one_place_stand_apart():
     named = [(f"a name of many words, number {k}", (140.0, 30.0), "<path/>") for k in range(3)]
-    svg = sheet(170, 70, _names(named, np.empty((0, 2)), [(125.0, 28.0, 170.0, 32.0)]))
+    svg = picture(170, 70, _names(named, np.empty((0, 2)), [(125.0, 28.0, 170.0, 32.0)]))
     assert measured.overlaps(svg) == []
 
 
 def test_a_name_with_room_beside_the_axes_only_is_set_in_lines():
     everywhere = np.array([(float(x), float(y)) for x in range(14, 128) for y in range(70)])
-    svg = sheet(170, 70, _names([("a name of many words, number 0", (126.0, 30.0), "<path/>")], everywhere, []))
+    svg = picture(170, 70, _names([("a name of many words, number 0", (126.0, 30.0), "<path/>")], everywhere, []))
     assert svg.count("<text") == 2 and "paint-order" not in svg

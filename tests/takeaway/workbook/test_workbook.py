@@ -104,6 +104,8 @@ def test_rows_that_forces_move_are_formulas_over_named_masses(name, change):
     assert all(cell.data_type == "f" for row in sheet.iter_rows(2, len(rows) + 1, 1, len(heads)) for cell in row)
     shown = {cell.value for cell in sheet[1] if not sheet.column_dimensions[cell.column_letter].hidden}
     assert {f"d{rate}" for rate in run.variant.motor.rates} | {*heads} <= shown and len(shown) <= len(heads) + 4
+    guessed = [cell.value[:-1] for cell in sheet[1] if cell.value.endswith("′")]
+    assert guessed == [head for head in heads if head in guessed]  # in the order of the file, in every process
     named = {mass.body for mass in solved(name).variant.forces.masses}
     assert {f"_m_{body}" for body in named} <= {*computed.book.defined_names}
 
