@@ -199,9 +199,7 @@ def test_the_cost_of_accuracy_beside_an_exact_table_is_that_of_euler():
 
 
 @pytest.mark.parametrize(("name", "most", "is_had"), [("31", 25, True), ("31", 24, False), ("three", 2001, False)])
-def test_rows_are_marched_in_extended_numbers_as_long_as_they_are_few_and_no_block_needs_a_matrix(
-    name, most, is_had, monkeypatch
-):
+def test_few_rows_are_marched_in_extended_numbers_where_no_block_needs_a_matrix(name, most, is_had, monkeypatch):
     """25 rows; u + v + w = 6 n and two more for (1, 2, 3) n hang together all three, which numpy solves in doubles alone."""
     assert motion_results.MOST_EXTENDED == 2001
     monkeypatch.setattr(motion_results, "MOST_EXTENDED", most)
