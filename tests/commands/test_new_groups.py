@@ -140,6 +140,8 @@ def test_two_cranks_drive_one_dyad():
     ("groups", "more", "told"),
     [
         ("crank,RRQ,XX", (), 'C071 --groups: there is no kind "RRQ", "XX". Did you mean "RRR"? Kinds: crank, RRR,'),
+        ("crank,rrq", (), 'no kind "rrq". Did you mean "RRR"?'),
+        ("crnk,RRR", (), 'no kind "crnk". Did you mean "crank"?'),
         ("RRR,crank", (), "C072 --groups: 2 to 20 kinds with commas between, a crank first, were expected (found RRR, crank)."),
         ("crank", (), "(found crank). Write --groups crank,RRR."),
         ("", (), "(found nothing)"),

@@ -5,6 +5,7 @@ import pytest
 import coursework
 from coursework.variant.formula.units import read_mass
 from tests.effects.massed import text_of
+from tests.effects.test_ways import UNNAMED
 
 CASES = [
     ("31-forces", 'inertia = "0.454 kg*m^2"', 'inertia = "-0.454 kg*m^2"', "V704", "a value that is not below zero"),
@@ -16,6 +17,9 @@ CASES = [
     ("31-forces", '"6 kg"', '"6 m"', "V105", "masses.1.mass: a mass was expected: kg, g, t"),
     ("31-forces", '"6 kg"', '"6 kgf"', "V701", "1 kgf = 9.80665 N"),
     ("31-forces", 'gravity = "9.81 m/s^2"', 'gravity = "9.81 m/s"', "V105", "an acceleration was expected"),
+    ("31-forces", 'gravity = "9.81 m/s^2"', 'gravity = { on = "1", torque = "1 N*m" }', "V703", "gravity is one value"),
+    ("31-forces", 'gravity = "9.81 m/s^2"', 'gravit = "9.81 m/s^2"', "V705", 'Did you mean "gravity"?'),
+    ("example-2-forces", "[motor] ", '[friction]\nA = { radius = "2 mm" }\n\n[motor] ', "V709", "Add one to A"),
     ("example-1-forces", 'torque = "-60 N*m"', 'torque = "-60 J"', "V702", 'Write "-60 N*m"'),
     ("example-1-forces", 'on = "3", at = "C"', 'on = "1", at = "C"', "V732", "does not move with link 1"),
     ("example-1-forces", 'at = "C", ', "", "V708", "the force F1 has no point"),
@@ -38,8 +42,24 @@ def test_fault(name, old, new, code, told):
         _ = run.results.forces
     message = str(caught.value)
     assert code in message and told in message, message
-    line = next(place for place, each in enumerate(text.splitlines(), start=1) if new and new in each) if new else None
+    own = new.split("\n")[1 if "\n" in new else 0]
+    line = next(place for place, each in enumerate(text.splitlines(), start=1) if own in each) if new else None
     assert line is None or f"bad.toml:{line}" in message, message
+
+
+def test_forces_that_cannot_be_found_or_followed_are_refused():
+    """Nothing is heavy; no link is named; a rod has an inertia and no rate; nothing says where the others are."""
+    bare = text_of("31", ("# --- texts of", '[masses]\n1 = { mass = "1 kg", inertia = "rod" }\n\n# --- texts of'))
+    bare = bare.replace(bare[bare.index("[points]") : bare.index("[masses]")], "")
+    moved = UNNAMED.replace('[drive]\nw1 = "w0"\n', "") + '[motor]\nrates = ["w1"]\n1 = { torque = "5 N*m" }\n'
+    open_loop = moved.replace('inertia = "rod"', 'inertia = "point"')
+    line = moved.splitlines().index('2 = { mass = "12 kg", inertia = "rod" }') + 1
+    for text, told in (
+        (text_of("31"), "V721"), (bare, "V722"), (moved, f"V741 bad.toml:{line}  link 2"),
+        (open_loop, "V742 .*s3 .*only 0 independent"),
+    ):  # fmt: skip
+        with pytest.raises(coursework.InputError, match=told):
+            _ = coursework.solve(coursework.parse_variant(text, "bad.toml")).results.forces
 
 
 def test_units():

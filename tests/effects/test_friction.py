@@ -27,6 +27,21 @@ def test_friction_of_a_guide_is_its_force_times_the_coefficient():
     assert (force.real[~moves] == 0).all() and (~moves).any()
 
 
+def test_a_guide_of_some_length_bears_a_couple_at_its_two_ends():
+    """Two forces 50 mm apart with the sum N and the couple K: together |N|, or 2 |K|/length where they have two directions."""
+    text = text_of(
+        "example-2-forces", ("[ask]", '[friction]\nC = { coefficient = "0.1", length = "50 mm" }\n\n[ask]'),
+        ('C = { mass = "20 kg", ', 'C = { mass = "20 kg", centre = "C + (0, 0.1)", '),
+    )  # fmt: skip
+    found = of_text(text)
+    force = next(one.force for one in found.reactions.friction if one.body == "3")
+    across, couple = np.abs(found.column("N03")), 2 * np.abs(found.column("K03")) / 0.05
+    assert (couple > across).any() and (couple < across).any()
+    sliding = found.rows.motion.column("u3")
+    wanted = -0.1 * np.maximum(across, couple) * np.sign(sliding) * (np.abs(sliding) > 1e-9)
+    assert np.abs(force.real - wanted).max() < 1e-8 * couple.max()
+
+
 def test_rows_in_which_a_pair_stands_still_are_told():
     """The slider stands in both dead positions: rows 1, 19 and 37 of a turn in steps of ten degrees."""
     for entries, told in (('C = { coefficient = "0.1" }', True), ('A = { radius = "20 mm", coefficient = "0.1" }', False)):

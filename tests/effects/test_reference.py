@@ -10,8 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import coursework
 from coursework.effects.flywheel import find_flywheel
 from tests.effects.massed import of, of_text, text_of
+from tests.report.real import parts
+from tests.report.real import text_of as shown
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "forces"
 SHARE = 1e-11  # of the largest force of the file
@@ -88,3 +91,8 @@ def test_the_flywheel_of_the_slider_crank():
     assert found.excess == pytest.approx(wanted["largest excess dA"], rel=1e-12)
     assert found.crossings == pytest.approx(wanted["crossings of the mean (rad)"], abs=1e-10)
     assert found.needed == pytest.approx(wanted["flywheel Jf = the first less the second"], rel=1e-12)
+    # What the file asks for, 1/30 at 10 rad/s, is what the page says: the excess of 486.5 J over 100/30, less the crank's own.
+    told = [part for part in parts(coursework.solve("example-2-forces", scheme="exact"), "forces") if part["kind"] == "paragraph"]
+    mean, excess = (f"{wanted[key]:.1f}\u00a0{unit}" for key, unit in (("mean torque", "N·m"), ("largest excess dA", "J")))
+    assert f"is {mean}, and the largest excess of energy over that mean {excess};" in shown(told)
+    assert f"needs a flywheel of {486.5 * 30 / 100 - found.own:.1f}\u00a0kg" in shown(told)

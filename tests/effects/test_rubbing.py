@@ -63,6 +63,39 @@ def test_a_block_on_a_spring_loses_the_same_of_every_swing_and_stops():
     assert "schemes of higher order lose their order" in page and "the pair at C comes to rest" in page
 
 
+def test_a_guide_of_some_length_bears_a_couple_at_its_two_ends():
+    """The mass 0.05 m above the guide tilts the block on its ends 0.1 m apart: they bear m|a| together, where that is more than
+    the weight, so the block swings as if it had a tenth more of mass while it is slowed down.
+    """
+    text = BLOCK.replace('C = { coefficient = "0.1" }', 'C = { coefficient = "0.1", length = "0.1 m" }')
+    text = text.replace('mass = "2 kg"', 'mass = "2 kg", centre = "C + (0, 0.05)"').replace('end = "12 s"', 'end = "0.2 s"')
+    exact = coursework.solve(coursework.parse_variant(text), scheme="exact").scene.exact
+    assert len(exact.t) == 5
+    assert np.abs(exact.column("s") - np.cos(5 / math.sqrt(1.1) * exact.t)).max() < 1e-11
+
+
+UNRUBBED = BLOCK.replace('[friction]\nC = { coefficient = "0.1" }\n', "")
+
+
+def test_a_damper_beside_the_spring_takes_its_part_of_every_swing():
+    text = UNRUBBED.replace('free = "1 m"', 'free = "1 m", damping = "4 N*s/m"').replace('end = "12 s"', 'end = "2 s"')
+    exact = coursework.solve(coursework.parse_variant(text), scheme="exact").scene.exact
+    t, swing = exact.t, math.sqrt(24)
+    assert np.abs(exact.column("s") - np.exp(-t) * (np.cos(swing * t) + np.sin(swing * t) / swing)).max() < 1e-12
+
+
+@pytest.mark.parametrize(("product", "verdict"), [(2.79, "PASS"), (2.81, "COARSE")])
+def test_a_spring_swings_within_what_runge_kutta_holds_a_little_below_the_root_of_eight(product, verdict):
+    stiffness = 2 * (product / 0.05) ** 2
+    text = UNRUBBED.replace('"50 N/m"', f'"{stiffness!r} N/m"').replace('end = "12 s"', 'end = "0.5 s"')
+    run = coursework.solve(coursework.parse_variant(text), scheme="rk4")
+    told = {one.code: one for one in run.results.checks}["STABLE"]
+    assert told.verdict == verdict
+    if verdict == "COARSE":
+        assert (told.value, told.limit) == (pytest.approx(product, rel=1e-6), 2.8)
+        assert told.step == pytest.approx(0.9 * 2.8 / (product / 0.05))
+
+
 @pytest.mark.parametrize(("coefficient", "starts"), [("2.54", True), ("2.56", False)])
 def test_it_starts_where_the_spring_pulls_more_than_friction_holds(coefficient, starts):
     """50 N of the spring against the coefficient times 19.62 N."""

@@ -64,6 +64,41 @@ gravity = "9.81 m/s^2"
 """
 
 
+UNNAMED = """
+format = 1
+[given]
+r1 = "0.4 m"
+r2 = "1.2 m"
+w0 = "10 rad/s"
+[drive]
+w1 = "w0"
+[coordinates]
+theta1 = { start = "0 deg", rate = "w1" }
+s3 = { start = "1.6 m", rate = "u3", unit = "m" }
+[time]
+step = "2*pi/(36*w0)"
+end = "pi/w0"
+[points]
+A = "(0, 0)"
+B = "r1 @ theta1"
+C = "(s3, 0)"
+[links]
+1 = { points = ["A", "B"], rate = "w1" }
+2 = { points = ["B", "C"] }
+[frame]
+hinges = ["A"]
+rails = [ { through = "C", angle = "0" } ]
+[[constraint]]
+equation = "(s3 - r1*cos(theta1))*u3 + s3*r1*sin(theta1)*w1 = 0"
+[masses]
+1 = { mass = "4 kg", inertia = "0.0533 kg*m^2" }
+2 = { mass = "12 kg", inertia = "rod" }
+C = { mass = "20 kg", inertia = "0.6 kg*m^2" }
+[forces]
+gravity = "9.81 m/s^2"
+"""
+
+
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=[] if n in {"31", "jansen", "v107", "cardan"} else pytest.mark.long) for n in OTHERS]
 )
@@ -129,6 +164,23 @@ def test_forces_grow_with_the_square_towards_a_dead_point():
     assert (np.diff(grown[-25:]) > 0).all()
     assert len(found.rows.motion.t) == len(run.motion.t) < 250
     assert np.isfinite(found.reactions.rows).all()
+
+
+def test_a_rod_whose_rate_has_no_name_turns_as_its_ends_do():
+    found = of_text(UNNAMED, scheme="rk4")
+    crank = found.rows.motion.column("theta1")
+    sine = -0.4 / 1.2 * np.sin(crank)  # of the angle of the rod
+    cosine = np.sqrt(1 - sine**2)
+    omega = -0.4 * np.cos(crank) * 10 / (1.2 * cosine)
+    rate, second = found.rows.turns["2"]
+    assert np.abs(rate - omega).max() < 1e-6
+    assert np.abs(second - (0.4 * 10**2 * np.sin(crank) + 1.2 * omega**2 * sine) / (1.2 * cosine)).max() < 1e-4
+    # With the crank along the guide B has 4 m/s and C none: both centres 2 m/s upwards, the rod 4/1.2 rad/s; nothing slows down.
+    spun = 0.0533 * 10**2 / 2 + 12 * 1.2**2 / 12 * (4 / 1.2) ** 2 / 2
+    assert found.energy.kinetic[0] == pytest.approx((4 + 12) * 2**2 / 2 + spun)
+    assert found.column("M")[0] == pytest.approx((4 + 12) * 9.81 * 2 / 10)
+    assert found.by_power is None  # a motion of the drive alone does not say how the rod turns
+    assert {one.code: one.verdict for one in check_forces(found, None)}["VIRTUAL-POWER"] == "SKIP"
 
 
 def test_no_mass_and_no_load_is_statics_of_nothing():

@@ -8,12 +8,15 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.integration.extended_precision import has_extended
 from coursework.report.pages import build_model
 from coursework.results.checks.evidence import worst
+from coursework.scene import motion_results
 from coursework.variant.catalogue import entries
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.vocabulary import EXACT
 from tests.command import call
+from tests.hard.scenes import scene
 from tests.report.real import text_of
 from tests.solved import solved
 
@@ -193,3 +196,17 @@ def test_the_cost_of_accuracy_beside_an_exact_table_is_that_of_euler():
     study = coursework.solve("example-1", quantities=["table", "accuracy"]).accuracy
     assert study.own[0] == "explicit Euler"
     assert study.own[2] > 0.01
+
+
+@pytest.mark.parametrize(("name", "most", "is_had"), [("31", 25, True), ("31", 24, False), ("three", 2001, False)])
+def test_few_rows_are_marched_in_extended_numbers_where_no_block_needs_a_matrix(name, most, is_had, monkeypatch):
+    """25 rows; u + v + w = 6 n and two more for (1, 2, 3) n hang together all three, which numpy solves in doubles alone."""
+    assert motion_results.MOST_EXTENDED == 2001
+    monkeypatch.setattr(motion_results, "MOST_EXTENDED", most)
+    together = scene(
+        "\n".join(f'{name} = {{ start = "0 rad", rate = "{rate}" }}' for name, rate in zip("pabc", "nuvw", strict=True)),
+        given='k = "2 rad/s"', drive='n = "k"', equations=["u + v + w = 6*n", "u - v + 2*w = 5*n", "2*u + v - w = n"],
+    )  # fmt: skip
+    run = coursework.solve(name if name == "31" else coursework.parse_variant(together))
+    assert run.motion.velocities[0].tolist() == pytest.approx([2, 2, 4, 6]) if name == "three" else len(run.motion.t) == 25
+    assert (run.results.extended_precision is not None) == (is_had and has_extended())

@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
-from coursework.equations.reduction import solution
+import coursework
+from coursework.equations.algebra.expression import variable
+from coursework.equations.algebra.functions import sine
+from coursework.equations.reduction import solution, tidy
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
-from coursework.variant.formula.tree import spelled
+from coursework.variant.formula.tree import evaluate, spelled
 from tests.hard.scenes import scene, solve
 from tests.report.reading import html_text
 
@@ -72,3 +75,17 @@ def test_formulas_that_grow_are_printed_up_to_two_thousand_letters():
     u, w = table.column("u"), table.column("w")
     assert np.max(np.abs(a * u + b * w - 2 * 0.01)) < 1e-12
     assert np.max(np.abs(c * u - d * w)) < 1e-12
+
+
+@pytest.mark.parametrize("spare", [0, -1])
+def test_an_expression_of_too_many_parts_is_not_rewritten_and_means_the_same(spare, monkeypatch):
+    """(r + sin phi)(r - sin phi) has 11 parts; multiplied out it is r^2 - sin^2 phi."""
+    order = coursework.solve("31").scene.equations.order
+    length, swing = variable("r1"), sine(variable("phi1"))
+    expression = (length + swing) * (length - swing)
+    assert (expression.size, tidy.MOST_PARTS) == (11, 1000)
+    monkeypatch.setattr(tidy, "MOST_PARTS", 11 + spare)
+    for formula in (tidy.as_formula(expression, order), tidy.as_sum(expression, order)):
+        assert (spelled(formula) == "r1^2 - sin(phi1)^2") == (spare == 0)
+        assert evaluate(formula, {"r1": 2.0, "phi1": 0.3}) == pytest.approx(4 - np.sin(0.3) ** 2)
+    assert len(tidy.product(expression, order).terms) == (2 if spare == 0 else 0)

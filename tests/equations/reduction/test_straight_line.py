@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from coursework import InputError
 from coursework.equations.algebra.calculus import derivative, piecewise
 from coursework.equations.algebra.expression import PI, POLE, absolute, number, variable
+from coursework.equations.algebra.expression import value as value_of
 from coursework.equations.algebra.functions import call, cosine, sine
 from coursework.equations.algebra.symbolic_objects import symbolic
 from coursework.equations.codegen.programs import Assign, Solve, compile_function, program
@@ -104,6 +105,46 @@ def test_functions_that_are_written_otherwise(value):
         (call("sign", x), math.copysign(1, value)),
     ):
         assert compiled(expr)(value, 0.0)[0] == pytest.approx(meant, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("name", "slope"),
+    [
+        ("sin", math.cos), ("cos", lambda v: -math.sin(v)), ("tan", lambda v: 1 / math.cos(v) ** 2),
+        ("asin", lambda v: 1 / math.sqrt(1 - v * v)), ("acos", lambda v: -1 / math.sqrt(1 - v * v)),
+        ("atan", lambda v: 1 / (1 + v * v)), ("exp", math.exp), ("log", lambda v: 1 / v), ("sqrt", lambda v: 0.5 / math.sqrt(v)),
+        ("abs", lambda v: 1.0), ("sign", lambda v: 0.0),
+    ],
+)  # fmt: skip
+def test_every_function_has_its_slope(name, slope):
+    assert compiled(derivative(call(name, 2 * x), x))(0.18, 0.0)[0] == pytest.approx(2 * slope(0.36), rel=1e-14)
+
+
+def test_the_angle_of_two_lengths_turns_as_each_of_them_asks():
+    angle = call("atan2", x, y)
+    assert compiled(derivative(angle, x), derivative(angle, y))(3.0, 4.0) == pytest.approx((4 / 25, -3 / 25))
+
+
+@pytest.mark.parametrize("name", ["sin", "cos", "tan"])
+def test_a_function_of_an_inverse_one_is_made_of_the_sides_of_a_triangle(name):
+    of = getattr(math, name)
+    angles = (math.asin(0.3), math.acos(0.3), math.atan(0.3), math.atan2(0.3, -0.7))
+    wanted = [call(name, call(inverse, x)) for inverse in ("asin", "acos", "atan")] + [call(name, call("atan2", x, y))]
+    assert compiled(*wanted)(0.3, -0.7) == pytest.approx([of(angle) for angle in angles], rel=1e-14)
+    assert not any(part.op in {"sin", "cos", "tan", "atan2"} for expr in wanted for part in expr.walk())
+
+
+def test_what_is_known_of_a_function_without_its_argument_is_worked_out():
+    assert (call("exp", number(0)), call("log", number(1)), call("log", call("exp", x))) == (number(1), number(0), x)
+    assert [call("sign", number(by)) for by in (-2, 0, 3)] == [number(-1), number(0), number(1)]
+    assert (call("sign", 3 * x), call("sign", -3 * x)) == (call("sign", x), -call("sign", x))
+    assert math.isnan(value_of(call("abs", call("log", number(-1)))))
+
+
+def test_pieces_are_the_same_for_sympy():
+    pieces = symbolic(piecewise(x, y, number(1), 2 * y, number(3), 3 * y))
+    places = dict(zip(("y", "x"), (symbolic(y), symbolic(x)), strict=True))
+    assert [float(pieces.subs({places["y"]: 5, places["x"]: at})) for at in (0.5, 1, 2.5, 3)] == [5, 10, 10, 15]
 
 
 def test_a_root_without_a_real_value_raises_and_is_no_number_in_arrays():

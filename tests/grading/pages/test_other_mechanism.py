@@ -94,6 +94,8 @@ def test_a_right_slider_is_told_nothing_wrong(slider):
     grade, said, page = marked(slider, table_csv=csv(table()), equations_txt=right)
     assert (grade["score"], said) == (100, "")
     assert f"All {2 * (ROWS - 1) + ROWS - 1} steps of the coordinates follow" in page
+    # Each velocity on the curve of its own, to a hundredth of a pixel; of one the fourth decimal is more than that.
+    assert (page.count('class="exact'), page.count('class="exact dotted"')) == (3, 2)
 
 
 def test_the_sign_in_a_document_is_where_it_stands():

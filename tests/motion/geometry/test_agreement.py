@@ -75,3 +75,27 @@ def test_roots_are_looked_at_for_each_set_of_data(looked_at):
     with pytest.raises(coursework.InputError, match="V302"):
         confirmed(with_datum(long, root))
     assert [data["r9"] for data in looked_at] == [short, 1.01 * short, long]  # moved a little, where the difference is zero
+
+
+@pytest.mark.parametrize(
+    ("times", "told"),
+    [
+        ((2,), None),
+        ((2, 3), r"V303 v.toml:(\d+)  one of these equations .*: k2 \(:\1\); k3 \(:\d+\)"),
+        ((2, 3, 4), "V301 .* in more than one place"),
+        ((2, 2, 3), "V302 .* equation k3 contradicts"),  # one alone stands against two
+    ],
+)
+def test_equations_that_contradict_each_other_alone_are_named_where_one_is_to_blame(times, told):
+    """Each says q = k w3 of a velocity that the geometry does not know: any one of them is right."""
+    written = "".join(
+        f'[[constraint]]\nname = "k{k}{"" if place == times.index(k) else "again"}"\nequation = "q - {k}*w3 = 0"\n\n'
+        for place, k in enumerate(times)
+    )
+    text = PAGE.replace('w4 = "1/s"', 'w4 = "1/s"\nq = "1/s"').replace("[points]", f"{written}[points]", 1)
+    assert text.count("q - ") == len(times) and 'q = "1/s"' in text
+    if told is None:
+        confirmed(text)
+        return
+    with pytest.raises(coursework.InputError, match=told):
+        confirmed(text)

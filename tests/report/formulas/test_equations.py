@@ -209,3 +209,21 @@ def test_a_wide_quotient_becomes_a_short_one_before_brackets(reading: ModuleType
     plain = source.removeprefix("& ω_4 = ").replace("[", "(").replace("]", ")").replace(r"\ & quad", "")
     values = {name: math.sin(7 * place) + 1.5 for place, name in enumerate(tree.names())}
     assert reading.value_of(plain, values, typst=True) == pytest.approx(evaluate(tree, values))
+
+
+@pytest.mark.parametrize(
+    ("text", "wide", "is_negative"),
+    [
+        ("k*(a + b)", "a + b", False), ("-(k*(a + b))", "a + b", True), ("k*(a + b)/(c*k)", "a + b", False),
+        ("(-(k*(a + b)))/c", "a + b", True), ("-((-(k*(a + b)))/c)", "a + b", False), ("(a + b)*(a + b + c)", "a + b + c", False),
+    ],
+)  # fmt: skip
+def test_what_stands_before_brackets_times_the_sum_in_them_is_the_whole(text: str, wide: str, is_negative: bool) -> None:
+    values, tree = {"a": 2.0, "b": 3.0, "c": 7.0, "k": 11.0}, parse(text)
+    found = display._spread(tree, typst_math.Setter(typst=False))
+    assert found is not None and (found[0], found[2]) == (is_negative, parse(wide))
+    assert evaluate(found[1], values) * evaluate(found[2], values) * (-1 if found[0] else 1) == pytest.approx(
+        evaluate(tree, values)
+    )
+    for plain in ("a + b", "-(a + b)", "a*b/c"):
+        assert display._spread(parse(plain), typst_math.Setter(typst=False)) is None

@@ -8,7 +8,7 @@ import pytest
 
 import coursework
 from coursework.takeaway.foreign import linkage, pmks, pmks_plus, pylinkage
-from coursework.takeaway.foreign.scheme import MOST_BYTES
+from coursework.takeaway.foreign.scheme import MOST_BYTES, Slider, left_out
 from coursework.words.errors import InputError
 from tests.command import call
 from tests.takeaway.foreign.files import (
@@ -176,6 +176,11 @@ def test_a_slider_of_linkage_and_what_has_no_counterpart(folder):
     assert any("actuator" in remark for remark in run.variant.remarks)
 
 
+def changed(text, **parts):
+    """A file of pylinkage with other values of some keys."""
+    return json.dumps({**json.loads(text), **parts}).encode()
+
+
 HOSTILE = {
     "entities": (linkage.read, b'<!DOCTYPE a [<!ENTITY b "bbbb">]><linkage2>&b;</linkage2>'),
     "deep": (linkage.read, b"<linkage2>" + b"<a>" * 5000),
@@ -187,6 +192,25 @@ HOSTILE = {
     "text": (pylinkage.read, b'{"joints": "B"}'),
     "nan": (pylinkage.read, MECHANISM.replace("1.0", "NaN").encode()),
     "many": (pylinkage.read, json.dumps({"joints": [{"id": str(k)} for k in range(101)]}).encode()),
+    "empty": (pmks.read, b""),
+    "no crank": (pmks.read, FOUR_BAR.replace("input", "crank").encode()),
+    "no position": (pylinkage.read, changed(MECHANISM, joints=[{"id": "A", "type": "ground", "position": [1]}])),
+    "no axis": (
+        pylinkage.read,
+        changed(MECHANISM, joints=[{"id": "A", "type": "prismatic", "position": [1, 1], "axis": [1]}]),
+    ),
+    "no joints": (pylinkage.read, changed(MECHANISM, links=[{"type": "link", "joints": "AB"}])),
+    "no driver": (pylinkage.read, changed(MECHANISM, links=[])),
+    "no parent": (
+        pylinkage.read,
+        changed(LINKAGE, joints=[{"type": "Fixed", "name": "E", "x": 1, "y": 1, "joint0": {"ref": "B"}}]),
+    ),
+    "no older crank": (pylinkage.read, changed(LINKAGE, joints=[{"type": "Static", "name": "A", "x": 1, "y": 1}])),
+    "not shared": (pmks_plus.read, b"https://app.pmksplus.com/"),
+    "no unit": (pmks_plus.read, SHARED.replace("2112", "9112").encode()),
+    "no crank there": (pmks_plus.read, SHARED.replace("6A,A", "4A,A").encode()),
+    "short joint": (pmks_plus.read, SHARED.replace("0B,B,0,NS,0", "0B,B,0").encode()),
+    "unknown joint": (pmks_plus.read, SHARED.replace("A,B,,", "A,Z,,").encode()),
     "few": (pmks.read, b"ground,input,R,0"),
     "letters": (pmks.read, b"ground,input,R,x,y"),
     "bytes": (pmks.read, bytes(range(256))),
@@ -201,6 +225,38 @@ def test_what_cannot_be_read_is_told_in_a_sentence(case):
     with pytest.raises(InputError) as refused:
         read(content)
     assert refused.value.faults[0].code in ("C094", "C095")
+
+
+JOINTS = json.loads(MECHANISM)["joints"]
+OLDER = json.loads(LINKAGE)["joints"]
+LEFT_OUT = [
+    (pmks.read, f"{FOUR_BAR}coupler,follower,P,2,5".encode(), ["coupler, follower, P, 2, 5"]),
+    (pmks.read, b"ground,input,R,0,0\ninput,3,R,0,1\n3,4,R,2,1\n4,5,R,2,2\n4,ground,P,2,1,10", ["4, 4"]),
+    (pmks_plus.read, SHARED.replace("0B,B", "8B,B").replace("0C,C", "1C,C").encode(), ["weld B", "slide C", "force F1"]),
+    (pmks_plus.read, SHARED_SLIDER.replace("5D,D", "0D,D").encode(), ["slider CD"]),
+    (pylinkage.read, changed(MECHANISM, joints=[*JOINTS, {"id": "S", "type": "ball"}]), ["arc_driver cam", "ball S"]),
+    (pylinkage.read, MECHANISM.replace('"ref_joint2_id": "C"', '"ref_joint2_id": "A"').replace('"B", "ref', '"C", "ref').encode(),
+     ["arc_driver cam", "tracker T"]),
+    (pylinkage.read, changed(MECHANISM, joints=[*JOINTS, {"id": "S", "type": "prismatic", "position": [1, 1]}]),
+     ["arc_driver cam", "prismatic S"]),
+    (pylinkage.read, changed(LINKAGE, joints=[*OLDER[:3], {"type": "Arc", "name": "N", "x": 1, "y": 5}, {
+        "type": "Crank", "name": "M", "x": 1, "y": 4, "joint0": {"ref": "E"}}]), ["Arc N", "Crank M"]),
+    (linkage.read, PISTON.replace(b'scalefactor="1.000000"', b'scalefactor="2.5"').replace(b'<slidelimit id="4"/>', b""),
+     ["<fastenedto>", "actuator (link 3)", "scalefactor 2.5", "slider (connector 6)"]),
+    (linkage.read, SLOTTED.replace(b'<connector id="5"/><connector id="6"/>', b""), ["input (connector 5)"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("read", "content", "names"), LEFT_OUT, ids=[case[2][-1] for case in LEFT_OUT])
+def test_what_has_no_counterpart_is_named(read, content, names):
+    said = str(left_out("…")).split("…")
+    told = [str(remark) for remark in read(content).remarks if str(remark).startswith(said[0]) and str(remark).endswith(said[1])]
+    assert sorted(one.removeprefix(said[0]).removesuffix(said[1]) for one in told) == sorted(names)
+
+
+def test_a_block_of_pmks_slides_at_its_angle():
+    scheme = pmks.read(b"ground,input,R,0,0\ninput,3,R,0,1\n3,4,R,2,1\n4,ground,P,2,1,10")
+    assert scheme.sliders == {"3": Slider(2 + 1j, math.radians(10))}
 
 
 def test_names_of_a_foreign_file_stay_text_in_the_file(folder):

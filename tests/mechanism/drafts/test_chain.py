@@ -1,0 +1,24 @@
+"""A group is fitted to the paths that the points it hangs on have in the file."""
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.mechanism.drafts import chain
+from coursework.mechanism.drafts.text import text_of
+from coursework.mechanism.groups import group_kind
+
+
+@pytest.mark.parametrize("swinging", [set(), {1}])
+def test_points_go_in_the_file_where_the_groups_on_them_were_fitted(swinging):
+    """B = A + r1 at phi1 on the crank, D = C + r3 at phi3 where the dyad meets, over a whole turn or swing."""
+    drafting, ends = chain._Drafting(swinging), []
+    for name in ("crank", "RRR"):
+        drafting.add(group_kind(name))
+        ends.append(drafting.waiting[-1])
+    places, lengths = drafting.draft.places, drafting.draft.lengths
+    motion = coursework.solve(coursework.parse_variant(text_of(drafting.draft, "", str, ["table"])), scheme="exact").motion
+    every = len(ends[0].path) // (len(motion.t) - 1)
+    for end, (base, length, angle) in zip(ends, (("A", "r1", "phi1"), ("C", "r3", "phi3")), strict=True):
+        found = places[base] + lengths[length] * np.exp(1j * motion.column(angle))
+        assert np.abs(found[:-1] - end.path[::every]).max() < 1e-9, end.name
