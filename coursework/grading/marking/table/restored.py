@@ -61,7 +61,7 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
         return np.asarray(found - _slips(table, student, ways))
 
     for _ in range(_PASSES):
-        was = last = as_it_was(key, was, right & ~told.any(axis=1)[:, None], own) or was
+        was = last = as_it_was(key, was, right & ~np.asarray(told.any(axis=1))[:, None], own) or was
         own, speaking, untold = own_ways(key, last, own.coarse), wrong | told, other & ~told
         best = least = np.maximum(worth(last, own), 0)
         for base in (last,) if last is printed else (last, printed):
