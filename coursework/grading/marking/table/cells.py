@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.restored import as_it_was, what_was
+from coursework.grading.marking.table.restored import restored
 from coursework.grading.marking.table.ways import (
     ANGLES,
     EARLIER,
@@ -44,7 +45,7 @@ class Cells:
     `follows` (n, m + r) is where a cell is Euler's from the cells before it, whatever the key has; `given` marks the `starts`
     first cells of row 1, the start values, where they are right; `ways` in the order tried; `too_coarse` where digits were too
     few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not; `before` the
-    table as it was before cells of it were put right, None where none is.
+    table as it was before cells of it were put right, None where none is; `fitted` the wrong cells that tell what it was.
     """
 
     student: StudentTable
@@ -55,6 +56,7 @@ class Cells:
     computed_to: int | None
     starts: int
     before: StudentTable | None = None
+    fitted: Flags | Literal[False] = False
 
     @property
     def wrong(self) -> Flags:
@@ -109,14 +111,15 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     marks, too_coarse = marks_by(key, student, ways, start.holds(values[:1, :m]))
     follows = own.holds(values)
     follows[:, m:] |= ways[0].holds(values)[:, m:]
-    before = None
+    before, fitted = None, np.zeros(marks.shape, dtype=bool)
     if (marks == WRONG).any():
         # Among the rows of another motion the cells of that motion were always so; those of the task were put right.
         right = marks == KEY if table is key.table else alike(key, student, key.table) & (marks != KEY)
-        made, before = what_was(key, student, marks == WRONG, own, as_it_was(key, student, right, own))
-        for way in made:
+        made = restored(key, student, marks == WRONG, right, own)
+        before, fitted = made.before, made.fitted
+        for way in reversed(made.ways):  # a true step before one from a velocity that may be wrong
             holds = way.holds(values)
             holds[:1, :m] = False
-            marks[holds & (marks == WRONG)] = way.name
+            marks[holds & (marks == WRONG) & ~fitted] = way.name
             follows |= holds
-    return Cells(student, marks, follows, ways, too_coarse, own.computed_to, m, before)
+    return Cells(student, marks, follows, ways, too_coarse, own.computed_to, m, before, fitted)

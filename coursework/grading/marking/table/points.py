@@ -68,13 +68,14 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     m = len(key.coordinates)
     marks, counted = cells.marks, cells.counted
     right = ~cells.wrong & ~cells.missing & counted
-    rows_enough = bool(np.mean(np.all(right[:, m:], axis=1)) >= ENOUGH_ROWS) if len(marks) else False
+    sound = right | cells.fitted  # as they were before others were put right
+    rows_enough = bool(np.mean(np.all(sound[:, m:], axis=1)) >= ENOUGH_ROWS) if len(marks) else False
     follows = rows_that_follow(key, cells)
     works = rows_enough and bool(follows[1:].any())
     steps = np.zeros_like(right)
     steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
     used = np.zeros_like(right)
-    used[1:, :m] = (right[:-1, m : 2 * m] | (marks[1:, :m] == STEP_TRUE)) & _moves_as_it_may(key, cells)
+    used[1:, :m] = (sound[:-1, m : 2 * m] | (marks[1:, :m] == STEP_TRUE)) & _moves_as_it_may(key, cells)
     velocities = cells.carried & ~steps
     still = right & _constant(key)
     shut = {

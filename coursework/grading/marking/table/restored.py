@@ -2,16 +2,16 @@
 
 Enters: a `Key`, a student's table, its ways.  Leaves: `Way`s by which no cell becomes wrong that was right before.
 Used by `cells.py`.
-A right cell may stand among those of another motion.  Whatever it was before, what follows from it costs nothing now either:
-where two cells or more agree on what another was when they were made, and more do than speak for what is printed there, they
-are right.
+A table is told by the fewest slips that explain it.  Each cell follows from what others were when it was made, or is a slip, and
+costs one; what is printed is what a cell was, a misprint, which costs one, or the task's number, which costs nothing.  Whatever
+explains a table explains it with any misprint put right too, at no more: so points never fall by a cell put right.
 """
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, as_printed, near, own_ways
 from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 
 Places = NDArray[np.intp]
 Counts = NDArray[np.intp]
@@ -26,100 +27,96 @@ Counts = NDArray[np.intp]
 _PASSES = 2
 # So many cells must agree on what another was when they were made; what is so in nearly all rows was never otherwise.
 _AGREE, _FEW = 2, 0.75
-# So many of the longest steps of its column it may lie from the rows beside.
-_FAR = 2.0
-# A span wider than this part of that step meets others by chance.
-_NARROW = 0.2
-# What a cell was is told by cells that it leaves no more open than so many times what is usual in their column.
-_USUAL = 4.0
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
 
 
-def what_was(
-    key: Key, student: StudentTable, wrong: Flags, own: OwnWays, before: StudentTable | None
-) -> tuple[list[Way], StudentTable | None]:
-    """Return the ways to `wrong` cells (n, m + r) from what others were, and the table as it was, None where it is as it was.
+@frozen
+class Restored:
+    """`ways` by which wrong cells are right from what others were; `fitted` (n, m + r) the wrong ones that say what these were.
 
-    `before` is the table as the rows above make it.  A cell that is the task's may have been put right: it speaks neither for
-    nor against what stood beside it.
+    `before` is the table as it was, None where it is as it stands.
     """
-    put = near(student.values, key.table, as_printed(key, student.units))
-    may_be_other = wrong | put  # what is right as its row has it was never otherwise
-    wrong, put_back = wrong & ~put, np.zeros_like(wrong)
-    found: list[Way] = []
-    if before is not None:
-        found += own_ways(key, before, own.coarse).tried
-        wrong = wrong & ~_held(found, student)
-    m, was, usual, as_it_stands = len(key.coordinates), student, _usual(own), _held(own.tried, student)
+
+    ways: tuple[Way, ...]
+    fitted: Flags
+    before: StudentTable | None
+
+
+def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: OwnWays) -> Restored:
+    """Return what makes `wrong` cells (n, m + r) right: what cells of their row, or of the row above, were.
+
+    Those may be wrong, or the task's, put right.  What is `right` may have been what the rows above make of it; any other value
+    is told by what was made from it, and costs a cell, as it did before it was put right.
+    """
+    m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
+    other, sure, wrong = wrong | put, ~wrong & ~put, wrong & ~put
+    was = printed = student
+    told: Flags = np.zeros_like(wrong)
+
+    def worth(table: StudentTable, ways: OwnWays) -> Counts:
+        """Return how many cells made from each row (n,) are right if a table stood there, without those that it costs."""
+        held = ways.holds(printed.values)
+        found = _made_from((speaking & held) * 1 - (sure & ~held), m).sum(axis=1)
+        return np.asarray(found - _slips(table, student, ways))
+
     for _ in range(_PASSES):
-        last, speaking = was, wrong | put_back
-        for guess, fitted in _guesses(key, was, own, speaking, may_be_other):
-            if not (_made_from(speaking & _likely(key, was, guess, usual), m) > fitted).any():
-                continue
-            tried = own_ways(key, guess, own.coarse).tried
-            ways = [replace(way, expected=np.where(way.tolerance <= usual, way.expected, np.nan)) for way in tried]
-            held = _held(ways, was)
-            new, lost = (wrong | put_back) & held, (as_it_stands & ~held & ~put)[:, m:].sum(axis=1)
-            rows = (_made_from(new, m) > fitted + lost) & new[:, m:].any(axis=1)
-            if rows.any():
-                made = np.zeros_like(wrong)
-                made[rows, m:] = True
-                made[1:, :m] = rows[:-1, None]
-                found += (replace(way, expected=np.where(made, way.expected, np.nan)) for way in ways)
-                wrong = wrong & ~(new & made)
-                put_back |= rows[:, None] & (guess.values != was.values) & put
-                was = replace(was, values=np.where(rows[:, None], guess.values, was.values))
-        if was is last:
+        was = last = as_it_was(key, was, right & ~np.asarray(told.any(axis=1))[:, None], own) or was
+        own, speaking, untold = own_ways(key, last, own.coarse), wrong | told, other & ~told
+        best = least = np.maximum(worth(last, own), 0)
+        for base in (last,) if last is printed else (last, printed):
+            ways = own if base is last else own_ways(key, base, own.coarse)
+            for guess in _guesses(key, base, ways, speaking & ~ways.holds(printed.values), other, untold):
+                found = worth(guess, own_ways(key, guess, own.coarse))
+                rows, best = np.asarray(found > best)[:, None], np.maximum(best, found)
+                told = told | (rows & _other(guess, base))
+                values, units = (np.where(rows, *both) for both in ((guess.values, was.values), (guess.units, was.units)))
+                was = replace(was, values=values, units=units)
+        if not (best > least).any():
             break
         own = own_ways(key, was, own.coarse)
-    if before is not None:
-        was = replace(before, values=np.where(was.values != student.values, was.values, before.values))
-    return found, None if was is student else was
+        printed = replace(student, values=np.where(told, was.values, student.values))
+    made: Flags = _made_from(wrong & own.holds(student.values), m)
+    fitted = made & (np.cumsum(made, axis=1) <= _slips(was, student, own)[:, None])
+    return Restored(
+        tuple(replace(way, expected=np.where(_made_into(made, m), way.expected, np.nan)) for way in own.tried),
+        _made_into(fitted, m),
+        was if _other(was, student).any() else None,
+    )
 
 
-def _usual(own: OwnWays) -> Array:
-    """Return up to where tolerances are believed in each column (m + r,): some times the largest that is usual there."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)  # columns of which a way says nothing
-        return np.asarray(_USUAL * np.fmax.reduce([np.nanmedian(way.tolerance, axis=0) for way in own.tried]))
+def _slips(table: StudentTable, printed: StudentTable, ways: OwnWays) -> Counts:
+    """Return how many cells of each row (n,) are other than they are printed, and do not follow from those before either."""
+    return np.asarray((_other(table, printed) & ~ways.holds(table.values)).sum(axis=1))
 
 
-def _likely(key: Key, student: StudentTable, guess: StudentTable, usual: Array) -> Flags:
-    """Return which cells (n, m + r) may be right if the table was a guess: what is worth being worked out."""
-    m, h, values = len(key.coordinates), key.stride, guess.values
-    found, likely = key.velocities_at(key.t, values[:, :m]), np.zeros(values.shape, dtype=bool)
-    for velocities in (found, _later(key, key.t, values)):
-        likely[:, m:] |= near(student.values[:, m:], velocities, usual[m:])
-    for rates in (found[:-1, :m], values[:-1, m : 2 * m]):
-        likely[1:, :m] |= near(student.values[1:, :m], values[:-1, :m] + h * rates, usual[:m])
-    return likely
+def _other(table: StudentTable, than: StudentTable) -> Flags:
+    return np.asarray((table.values != than.values) & np.isfinite(table.values))
 
 
-def _held(ways: Sequence[Way], student: StudentTable) -> Flags:
-    return np.asarray(np.any([way.holds(student.values) for way in ways], axis=0))
+def _made_from(cells: NDArray[Any], m: int) -> NDArray[Any]:
+    """Return cells (n, r + m) beside the row that they are made from: its velocities, the coordinates of the next one."""
+    return np.hstack([cells[:, m:], np.vstack([cells[1:, :m], np.zeros_like(cells[:1, :m])])])
 
 
-def _made_from(cells: Flags, m: int) -> Counts:
-    """Return how many of some cells (n, m + r) are made from each row (n,): its velocities, the coordinates of the next one."""
-    found = cells[:, m:].sum(axis=1)
-    found[:-1] += cells[1:, :m].sum(axis=1)
-    return np.asarray(found)
+def _made_into(cells: Flags, m: int) -> Flags:
+    """Return cells (n, r + m) that stand beside the row that they are made from, where they stand, (n, m + r)."""
+    return np.hstack([np.roll(cells[:, -m:], 1, axis=0), cells[:, :-m]])
 
 
-def _guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> Iterator[tuple[StudentTable, Counts]]:
-    """Yield what rows may have been, and how many cells (n,) each of them was fitted to; as many prove nothing.
+def _guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
+    """Yield what rows may have been where `wrong` cells are made from them.
 
-    In each row it is one of the cells that were `other`, as most of the wrong ones made from it, and the row above, have it;
-    or several, as the next row has them.
+    What is `untold` may be as the rows above make it.  Where several wrong cells are made from a row, it is one of the cells that
+    were `other`, as most of them and the row above have it; or all its coordinates that were, as the next row has them.
     """
+    if (guess := as_it_was(key, was, untold, own)) is not None:
+        yield guess
     m = len(key.coordinates)
-    spoiled, apart = wrong[:, m:].any(axis=1), np.zeros(len(wrong), dtype=bool)
-    apart[1:] = ~_held((own.step, own.step_true), was)[1:, :m].all(axis=1)
-    rows = np.flatnonzero(spoiled & (apart | (_made_from(wrong, m) >= _AGREE)))
-    if not len(rows) or spoiled.sum() > _FEW * len(wrong):
+    rows = np.flatnonzero(_made_from(wrong, m).sum(axis=1) >= _AGREE)
+    if not len(rows) or len(rows) > _FEW * len(wrong):
         return
-    yield _by_next_row(key, was, wrong)
+    yield _by_next_row(key, was, other)
     later = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
     places = np.array([*dict.fromkeys([*range(2 * m), *later])])
     found, agree = _agreed(key, was, own, wrong, rows, places)
@@ -128,38 +125,20 @@ def _guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Fla
     for place in np.argsort(-agree, axis=0, kind="stable"):  # in each row the cell first of which most speaks
         if not (agree[place, every] >= _AGREE).any():
             return
-        guess, at = replace(was, values=was.values.copy()), (rows, places[place])
-        guess.values[at] = found[place, every]
-        fitted = np.full(len(wrong), wrong.size)
-        fitted[rows] = np.where(_beside(key, guess, was)[at], 1 - _held(own.tried, guess)[at], wrong.size)
-        yield guess, fitted
+        guess = replace(was, values=was.values.copy())
+        guess.values[rows, places[place]] = found[place, every]
+        yield guess
 
 
-def _by_next_row(key: Key, was: StudentTable, wrong: Flags) -> tuple[StudentTable, Counts]:
+def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
     """Return the coordinates that broken steps to the next row were made from: several of a row may be misprints."""
     m, h, guess = len(key.coordinates), key.stride, replace(was, values=was.values.copy(), units=was.units.copy())
     q, digits = guess.values[:-1, :m], guess.units[:-1, :m]
     made, doubt = was.values[1:, :m] - h * was.values[:-1, m : 2 * m], was.units[1:, :m] + h * was.units[:-1, m : 2 * m]
     with np.errstate(invalid="ignore"):
-        broken = np.abs(q - made) > HALF * (digits + doubt)
+        broken = (np.abs(q - made) > HALF * (digits + doubt)) & other[:-1, :m]
     q[broken], digits[broken] = made[broken], doubt[broken]
-    fitted = np.full(len(wrong), wrong.size)
-    fitted[:-1][broken.any(axis=1)] = (broken & wrong[1:, :m]).sum(axis=1)[broken.any(axis=1)]
-    return guess, fitted
-
-
-def _beside(key: Key, guess: StudentTable, printed: StudentTable) -> Flags:
-    """Return where guesses (n, m + r) lie near what is printed in rows above or below: roots of chance lie anywhere."""
-    far, close = _FAR * _longest_steps(key), np.zeros(key.table.shape, dtype=bool)
-    for by in (1, 2):
-        close[by:] |= near(guess.values[by:], printed.values[:-by], far)
-        close[:-by] |= near(guess.values[:-by], printed.values[by:], far)
-    return close
-
-
-def _longest_steps(key: Key) -> Array:
-    """Return by how much each column (m + r,) changes from row to row at the most."""
-    return np.asarray(np.max(np.abs(np.diff(key.table, axis=0)), axis=0, initial=0.0))
+    return guess
 
 
 def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Places, places: Places) -> tuple[Array, Counts]:
@@ -195,7 +174,7 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Place
             off = printed - found.reshape(shape)
             if last < _ROUNDS:
                 moved[at] += np.nan_to_num(off / slopes, posinf=0.0, neginf=0.0).ravel()
-        half = np.where(np.abs(off) <= tolerance, tolerance / np.abs(slopes), np.nan)
+        half = np.where((np.abs(off) <= tolerance) & (slopes != 0.0), tolerance / np.abs(slopes), np.nan)
     low, high = (moved[at].reshape(shape) + side * half for side in (-1, 1))
     for way in own.tried:
         made, by = way.expected[rows].T[places, None], way.tolerance[rows].T[places, None]
@@ -203,7 +182,6 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Place
     cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 2)])[used]  # each is made in two ways
     cells = np.concatenate([cells, np.full(len(own.tried), r + m)])
     meet = (low[:, :, None] <= low[:, None]) & (low[:, None] <= high[:, :, None])  # (place, span, where one begins, row)
-    meet &= (high - low <= _NARROW * _longest_steps(key)[places, None, None])[:, :, None]
     counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
     best, (place, row) = counts.argmax(axis=1), np.ogrid[: shape[0], : shape[2]]
     to = np.min(np.where(meet[place, :, best, row], high.transpose(0, 2, 1), np.inf), axis=-1)
