@@ -14,12 +14,13 @@ from coursework.grading.reading.documents.document import FORMATTED, Document
 from coursework.grading.reading.documents.read_document import (
     document_of_archive,
     document_of_bytes,
+    document_of_sheets,
     document_of_text,
     is_document,
     lines_of_document,
     tables_of_document,
 )
-from coursework.grading.reading.equations.equations import most_lines
+from coursework.grading.reading.equations.equations import TURNED, most_lines
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
 from coursework.grading.reading.expected import Expected
@@ -39,7 +40,7 @@ from coursework.grading.reading.files.kinds import (
 from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, unreadable
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
-from coursework.grading.reading.table.tables_of_file import is_spreadsheet, table_of_archive, table_of_text
+from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read_spreadsheet, table_of_text
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -81,7 +82,7 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.entries.append(FileEntry(file.name, kinds[0], kinds, file.size, file.sha256))
     table, trouble = _one_table(found)
     handed = found.equations or found.beside
-    lines = handed[: most_lines(expected)]
+    lines = [_in_unit_of(table, line) for line in handed[: most_lines(expected)]]
     if unread := found.unread + len(handed) - len(lines):
         found.notes.append(note("ignored_file", "lines", number=unread))
     return StudentWork(
@@ -94,6 +95,12 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.review,
         found.unopened,
     )
+
+
+def _in_unit_of(table: Table | None, line: EquationLine) -> EquationLine:
+    """Return a line without the readings that hold where angles are in degrees, unless those of the table are."""
+    is_turned = table is not None and any(column.unit == "deg" for column in table.columns)
+    return line if is_turned else replace(line, others=tuple(other for other in line.others if not other.in_degrees))
 
 
 def _opened(file: SubmittedFile, found: _Found) -> list[SubmittedFile]:
@@ -155,11 +162,14 @@ def _read_archive(file: SubmittedFile, could_be_table: bool, expected: Expected,
         raise _other_kind(kind)
     if not is_spreadsheet(archive):
         raise unreadable("nested_zip")
-    table = table_of_archive(archive, file.name, expected.grid)
-    if table is None:
+    table, sheets = read_spreadsheet(archive, file.name, expected.grid)
+    lines = lines_of_document(document_of_sheets(sheets), file.name, expected)
+    kinds = _kinds([table] if table else [], lines)
+    if not kinds:
         raise unreadable("no_sheet_table", name=file.name)
-    found.tables.append(table)
-    return ("table",)
+    found.tables += [table] if table else []
+    found.take(lines, found.beside)
+    return kinds
 
 
 def _read_document(
@@ -215,7 +225,7 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
     except Refused as error:
         refused = error
     lines = lines_of_document(document, file.name, expected) if document else read_lines(decoded.text, file.name, expected)
-    if refused and not lines.answers and all(line.left is None for line in lines.equations):
+    if refused and not lines.answers and not any(line.left or TURNED.search(line.text) for line in lines.equations):
         raise refused
     found.take(lines, found.equations)
     return _kinds([], lines) or _nothing_in(file, could_be_table, found)

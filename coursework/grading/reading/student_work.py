@@ -101,7 +101,7 @@ class EquationReading:
     """One way to read a line: `left = right`, and the text that was read in its place, "" for the line as it stands.
 
     `guessed` where something was added that does not stand there; `is_loose` where the line may mean something else, so that it
-    counts only where it is right.
+    counts only where it is right.  `in_degrees` where the line turns degrees into radians: right beside a table in degrees.
     """
 
     left: Formula
@@ -109,6 +109,7 @@ class EquationReading:
     text: str = ""
     guessed: bool = False
     is_loose: bool = False
+    in_degrees: bool = False
 
 
 @frozen

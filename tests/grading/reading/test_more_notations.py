@@ -24,6 +24,14 @@ TEXTS = {
     "goes on": "w3*r3*(2*cos(phi3) +\n sin(phi3)) = VMy",
     "goes on set in": "VMy - 2*r3*w3*cos(phi3)\n    - r3*w3*sin(phi3) = 0",
     "data": "r3 = 0.457 m\nphi3 = 2.87 рад; V1 = 4,5 м/с\nVMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
+    "root": "VMy − √5·r3·ω3·sin(φ3 + arctan(2)) = 0",
+    "a right angle": "VMy - 2*r3*w3*cos(phi3) + r3*w3*cos(phi3 + 90°) = 0",
+    "theta": "VMy - 2*r3*θ̇3*cos(θ3) - r3*θ̇3*sin(θ3) = 0",
+    "rows": "w[3][i] = VMy[i]/(r3*(2*cos(phi[3][i]) + sin(phi[3][i])))",
+    "lambda": "w3 = lambda t, phi3: V1*sin(p*t + alpha)/(r3*(2*cos(phi3) + sin(phi3)))",
+    "returned": "def w3(t, phi3):\n    return V1*math.sin(p*t + alpha)/(r3*(2*math.cos(phi3) + math.sin(phi3)))",
+    "between points": "BM*ω3*sinφ3 − BC*ω3*cosφ3 + CP*ω4 = 0",
+    "said": "R = r3/2 - radius of the wheel\n2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + R*w4 = 0",
     "l3": "VMy - 2*l3*w3*cos(theta3) - l3*w3*sin(theta3) = 0",
 }
 
@@ -80,3 +88,17 @@ def test_a_chain_with_a_side_nobody_can_read_is_a_question_and_not_wrong():
 def test_unread_lines_without_a_sign_of_equality_are_told():
     found = marked(f"{REST}\nr3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1)\nWe take link 1 - and then link 2")
     assert [mark.verdict for mark in found.marks] == ["right", "right", "unreadable"]
+
+
+def test_a_velocity_that_vanishes_is_known_in_the_lines_behind_it():
+    found = marked(
+        "VCy = VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0\nVBy = VCy + r3*w3*sin(phi3)\n"
+        "VDy = VBy - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0"
+    )
+    assert (found.independent, len(found.wrong)) == (2, 0)
+
+
+@pytest.mark.parametrize("name", ["V_C", "VC", "v_{C}", "V_Cy = VMy"])
+def test_the_speed_of_a_slider_may_be_called_by_its_point(name):
+    assert marked(f"{name} = -a*w3*cos(phi3) + c*w3*sin(phi3)".replace("VMy = -", "VMy - "), "v102").independent == 1
+    assert marked(f"{name} = a*w3*cos(phi3) + c*w3*sin(phi3)", "v102").independent == 0

@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 from coursework.grading.reading.documents.builder import add_lines
 from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.equations.latex import matrices_in_one_piece
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 from coursework.words.sentence import Sentence
@@ -100,5 +101,6 @@ def _add_plain(document: Document, text: str, first: int, place: Callable[[int],
 
 def _rows(formula: str) -> str:
     r"""Return a formula with a line a row: \\ ends one, a break of the text does not; without its environment."""
+    formula = matrices_in_one_piece(formula)
     bare = re.sub(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\{[lcr|]*\})?", " ", formula.replace("\n", " "))
     return re.sub(r"\\\\(?:\s*\[[^\]]{0,20}\])?", "\n", bare).replace("&", " ")

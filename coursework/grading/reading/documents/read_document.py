@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import pairwise
 from statistics import median
 
-from coursework.grading.reading.documents.document import Document, DocumentLine, DocumentTable
+from coursework.grading.reading.documents.document import Document, DocumentLine, DocumentTable, place_of
 from coursework.grading.reading.documents.docx import document_of_docx, main_part
 from coursework.grading.reading.documents.json_data import document_of_json
 from coursework.grading.reading.documents.json_text import is_json
@@ -68,6 +68,17 @@ def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
     if is_json(decoded.text):
         return document_of_json(decoded.text, decoded.encoding, rows_read(grid.rows), columns_read(grid.rows))
     return document_of_markdown(decoded.text, decoded.encoding) if is_markdown(decoded.text) else None
+
+
+def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
+    """Return the cells of a spreadsheet in which an equation may have been typed, as lines."""
+    document = Document("cells")
+    for sheet in sheets:
+        for number, row in enumerate(sheet.rows, start=1):
+            for cell in row:
+                if cell.kind == "text" and _TRIED.search(cell.text):
+                    document.add_line(cell.text, place_of("sheet", sheet=sheet.name or "", row=number))
+    return document
 
 
 def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[Table], Refused | None]:

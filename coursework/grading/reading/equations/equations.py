@@ -12,7 +12,7 @@ from dataclasses import field, replace
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
-from coursework.grading.reading.equations.plain_text import plain
+from coursework.grading.reading.equations.plain_text import of_radians, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
 from coursework.grading.reading.equations.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected
@@ -32,7 +32,7 @@ _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—−]\s+")
 # A name and a formula: that of what is to vanish, as F(2) = r1*w1… is handed to a program that seeks roots.
 _FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[]\s*\d{1,2}\s*[)\]])?\s*=([^=]+)")
-_TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # names that nobody knows are an equation all the same
+TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # names that nobody knows are an equation all the same
 
 
 def most_lines(expected: Expected) -> int:
@@ -55,6 +55,8 @@ def read_line(
     """
     names = Names(spellings_for(expected), expected, own or {}, listed)
     found, fault = _readings(text, names)
+    if (turned := of_radians(text)) != text:
+        found += [replace(one, text=one.text or turned, is_loose=True, in_degrees=True) for one in _readings(turned, names)[0]]
     firm = [reading for reading in found if not reading.is_loose]
     if firm:
         first = firm[0]
@@ -67,7 +69,7 @@ def read_line(
         fault = Fault(say("fault.G063", example=example), column=1)
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
-    relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and _TURNED.search(short) is not None)
+    relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
     return EquationLine(file, line, short, None, None, fault=told, others=others, relates=relates)
 
 

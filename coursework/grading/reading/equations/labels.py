@@ -39,6 +39,7 @@ _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
+_SAID_IN_WORDS = re.compile(r"\s[-–—]\s+([^\W\d_]{3,})(?:[\s,.]+[^\W\d_]{2,})+[.;]?\s*$")
 _SAID = re.compile(r"[,;.]\s+([^\W\d_]{2,})")
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # of the words before: a point before a digit is the number's
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
@@ -150,6 +151,8 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     aside = _ASIDE_AT_END.search(text)
     if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not is_name(said[0]):
         return _ended(text[: aside.start()], is_name)
+    if (said_words := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and not is_name(said_words[1]):
+        return text[: said_words.start()]
     for said_after in _SAID.finditer(text, text.rfind("=") + 1):
         if not is_name(said_after[1]):
             return text[: said_after.start()]

@@ -2,7 +2,7 @@ r"""LaTeX as students type it -> the plain signs that equations are read in.
 
 Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
 its word, for the strict reader to refuse.  Nothing is run or expanded: there are no macros here.
-Used by `lines.py` (what is one line) and `plain_text.py` (what stands in it).
+Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula of Markdown, `markdown.py`.
 """
 
 from __future__ import annotations
@@ -50,8 +50,7 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     """
     if "\\" not in text:
         return list(enumerate(text.split("\n"), start=1))
-    if text.count("\\begin") < _MOST:
-        text = _MATRIX.sub(_as_matrix, text)
+    text = matrices_in_one_piece(text)
     lines: list[tuple[int, str]] = []
     inside, first, kept = False, 0, ""
     for number, line in enumerate((_REMARK.sub("", line) for line in text.split("\n")), start=1):
@@ -70,6 +69,11 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
             lines.append((first, kept))
             kept = ""
     return [*lines, (first, kept)] if kept.strip() else lines
+
+
+def matrices_in_one_piece(text: str) -> str:
+    r"""Return a text in which no matrix has lines or columns of its own: [a, b; c, d] for \begin{pmatrix}a & b \\ c & d…"""
+    return _MATRIX.sub(_as_matrix, text) if text.count("\\begin") < _MOST else text
 
 
 def _as_matrix(found: re.Match[str]) -> str:

@@ -32,6 +32,7 @@ from coursework.words.errors import Fault
 _QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*[^\d\s=*+()]{0,8}(?:[-^]?\d)?\s*[.,;]?\s*")
 _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
 _SHORT = 80  # characters of a name and its number
+_IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # of V_Cy = … = 0, which says what V_Cy is, too
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _FEWEST = 4  # words of an expression that is no prose
 
@@ -40,6 +41,7 @@ def definition(text: str, expected: Expected, own: Meanings) -> tuple[str, Formu
     """Return the name and the formula of a line that defines a name of the student's own, None for any other line."""
     names = Names(spellings_for(expected), expected, own)
     name, formula = own_name(text, names.spellings)
+    formula = _IS_ZERO.sub("", formula)
     if not name or not formula.strip() or "=" in formula:
         return None
     read = read_as_one(f"0 = {formula}", names)

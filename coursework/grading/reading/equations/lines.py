@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import most_lines, names_in, read_line, spellings_for
+from coursework.grading.reading.equations.equations import TURNED, most_lines, names_in, read_line, spellings_for
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
     are_listed,
@@ -43,6 +43,8 @@ _ALIGNED = re.compile(r"(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
+_DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a function of Python, and what it returns
+_RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _QUOTES = '"“”„«»`'
 _REMARK = re.compile(
     r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)_).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
@@ -95,10 +97,16 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 
 def _written(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
+    function = ""
     for number, line in _continued(logical_lines(text), expected):
+        if defined := _DEFINED.fullmatch(line):
+            function = f"{defined[1]} = "
+            continue
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip().strip(_QUOTES)
         bare = bare.strip("'") if bare.startswith("'") else bare
         bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
+        if returned := _RETURNED.match(bare):
+            bare = f"{function if TURNED.search(bare) else ''}{bare[returned.end() :]}"
         if bare:
             yield number, bare
 
@@ -170,14 +178,17 @@ def _definitions(lines: Sequence[tuple[int, str]], expected: Expected) -> dict[s
     own: dict[str, Formula] = {}
     spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
+    labels: set[str] = set()  # before more than one line: V_D = … = 0 along x, and again along y
     for _, line in lines[:_MOST_DEFINITIONS]:
         if (found := definition(line, expected, own)) and words[found[0]] > 1:
+            labels |= {found[0]} if found[0] in own and _VANISHED.search(line) else set()
             own.setdefault(*found)
-    return own
+    return {name: formula for name, formula in own.items() if name not in labels}
 
 
 def _defines(line: str, own: Mapping[str, Formula], expected: Expected) -> bool:
-    return bool(own) and key(own_name(line, spellings_for(expected))[0]) in own
+    name, formula = own_name(line, spellings_for(expected)) if own else ("", "")
+    return key(name) in own and "=" not in formula  # V_Cy = … = 0 is an equation, too
 
 
 def relates(read: EquationLine, expected: Expected) -> bool:

@@ -15,7 +15,7 @@ from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.reader import MAX_NODES
-from coursework.variant.formula.tree import Formula, evaluate_any, mapped, named, terms
+from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
@@ -88,6 +88,10 @@ def _lengths(variant: Variant, starts: tuple[tuple[str, float], ...]) -> Meaning
         bars = [part for part in parts if part.op == "@"]
         if len(parts) == 2 and len(other) == len(bars) == 1:
             offer(other[0], name, bars[0].args[0])
+        for upright in (part for part in parts if part.op == "pair" and len(parts) == 2 and other):
+            sides = [side for side in upright.args if constant(side) != 0]
+            if len(sides) == 1 and sides[0].op != "neg":
+                offer(other[0], name, sides[0])
     for first, second, distance in _distances(variant, points, starts):
         alike = [given.name for given in variant.given if given.si == "m" and abs(given.value - distance) <= _SAME * distance]
         if len(alike) == 1:

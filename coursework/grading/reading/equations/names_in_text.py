@@ -11,9 +11,13 @@ from functools import lru_cache
 from coursework.grading.reading.table.headers import aliases, fold
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.tree import spelled
+from coursework.variant.record.entries import Binding
 from coursework.variant.record.variant import Variant
 
 BUILT_IN = ("t", "pi")
+_AXES = {"0": "x", "pi/2": "y"}
+_TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q)(\d+)")
 
 
 @frozen
@@ -36,7 +40,8 @@ class Spellings:
     def angle(self, name: str) -> str | None:
         """Return the coordinate that a spelling means, an angle too that has a rate and no column."""
         folded = spell(_key(name))
-        return self.canonical(name) or (folded if folded in self.rates else None)
+        turning = _TURNING.sub(r"phi\1", folded)  # by another letter, where the variant calls nothing so
+        return self.canonical(name) or next((one for one in (folded, turning) if one in self.rates), None)
 
 
 def _key(name: str) -> str:
@@ -45,9 +50,14 @@ def _key(name: str) -> str:
 
 @lru_cache(maxsize=64)
 def _spellings(
-    names: tuple[str, ...], columns: tuple[tuple[str, str], ...], rates: tuple[tuple[str, str], ...], data: tuple[str, ...]
+    names: tuple[str, ...],
+    columns: tuple[tuple[str, str], ...],
+    rates: tuple[tuple[str, str], ...],
+    data: tuple[str, ...],
+    speeds: tuple[tuple[str, str], ...],
 ) -> Spellings:
-    others = {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
+    others = {key: name for key, name in speeds if len({one for same, one in speeds if same == key}) == 1}
+    others |= {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
     folded: dict[str, list[str]] = {}
     for name in names:
         folded.setdefault(_key(name), []).append(name)
@@ -60,11 +70,19 @@ def _spellings(
     )  # fmt: skip
 
 
+def _speed(binding: Binding) -> list[str]:
+    """Return how the speed of a point may be called: V_C, and V_Cy where it runs along the axis y."""
+    along = spelled(binding.along) if binding.along else ""
+    return [_key(f"v{binding.point}{axis}") for axis in ("", _AXES.get(along, ""))]
+
+
 def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
     """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
     rates = {entry.name: entry.rate for entry in variant.coordinates}
+    speeds = [(spelling, one.name) for one in variant.bindings if one.point and not one.relative for spelling in _speed(one)]
     for name, unit in columns:
         angle = f"phi{name.removeprefix('w')}"
         if unit == "1/s" and name.startswith("w") and name not in rates.values() and angle not in variant.names:
             rates[angle] = name
-    return _spellings(tuple(variant.names), columns, tuple(rates.items()), tuple(entry.name for entry in variant.given))
+    given = tuple(entry.name for entry in variant.given)
+    return _spellings(tuple(variant.names), columns, tuple(rates.items()), given, tuple(speeds))

@@ -35,7 +35,17 @@ _DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
 _STAR_MATH = re.compile(r"%(?=[a-z]{3,8}_)")
 _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # of Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
-_OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*t\s*\)|\[\s*t\s*\])")
+_OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
+_OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[ijkn]\s*\]|\(i\))")
+_LAMBDA = re.compile(r"=\s*(?:lambda\b[\w\s,]{0,60}:|@\s*\([\w\s,]{0,60}\))")  # of Python, of MATLAB
+_PI = r"(?:(?:np|numpy|math|Math)\.)?(?:pi|π|ПИ|ПІ)(?:\(\))?"
+_IN_DEGREES = re.compile(
+    r"\b(?:(?:np|numpy|math|Math)\.)?(?:radians|deg2rad|РАДИАНЫ|РАДІАНИ)\s*(?=\()|(?<=\b(?:sin|cos))d\b"
+    rf"|\s*[*·⋅]\s*{_PI}\s*/\s*180\b|\s*/\s*180\s*[*·⋅]\s*{_PI}(?!\w)|(?<![\w.]){_PI}\s*/\s*180\s*[*·⋅]\s*",
+    re.IGNORECASE,
+)
+_DEGREES = re.compile(r"([-+*/(]\s*)(\d{1,3})\s*(?:°|º|\^\s*\{?\\circ\}?)")
+_ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
 _OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # of StarMath; that of TeX divides a whole group
 _EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # of SymPy
 _POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
@@ -48,6 +58,9 @@ def plain(text: str, spellings: Spellings) -> str:
     ['w3', '=', 'w3']
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
+    text = _DEGREES.sub(r"\1(\2*pi/180)", text)
+    text = _LAMBDA.sub("= ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
+    text = _OF_ROW.sub(lambda found: _of_row(found, spellings), text)
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\bcdot\b", "*", text))
@@ -61,12 +74,23 @@ def plain(text: str, spellings: Spellings) -> str:
     return text
 
 
+def of_radians(text: str) -> str:
+    """Return a line whose angles are in degrees with the names of the angles alone: sin(phi3) for SIN(phi3*PI()/180)."""
+    return _IN_DEGREES.sub("", text)
+
+
 def _indexed(found: re.Match[str], spellings: Spellings) -> str:
     """Return `w[3]` and `w(3)` as the name with this index, where the variant has one; a name of its own may be multiplied."""
     name, index = found[1], re.sub(r"[\s,]", "", found[2] or found[3])
     if spellings.angle(name + index) is None or (found[3] and name in spellings.known):
         return found[0]
     return name + index
+
+
+def _of_row(found: re.Match[str], spellings: Spellings) -> str:
+    """Return `w3[i]`, the value of some row, as the velocity; a row before or after, `[i + 1]`, is another value."""
+    meant = spellings.angle(re.sub(r"[\[\]\s]", "", found[1]))
+    return found[0] if meant is None or meant in BUILT_IN else found[1]
 
 
 def _of_time(found: re.Match[str], spellings: Spellings) -> str:

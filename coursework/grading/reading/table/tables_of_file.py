@@ -40,7 +40,10 @@ def read_table(content: bytes, name: str, grid: Grid) -> Table | Trouble:
 
 def _read(content: bytes, name: str, grid: Grid) -> Table | None:
     if content.startswith(b"PK"):
-        return table_of_archive(Archive(content), name, grid)
+        table, _ = read_spreadsheet(Archive(content), name, grid)
+        if table is None:
+            raise unreadable("no_sheet_table", name=name)
+        return table
     return table_of_text(decode(content), name, grid)
 
 
@@ -49,23 +52,26 @@ def is_spreadsheet(archive: Archive) -> bool:
     return xlsx.WORKBOOK in archive.parts or ods.CONTENT in archive.parts
 
 
-def table_of_archive(archive: Archive, name: str, grid: Grid) -> Table | None:
-    """Return the table of a spreadsheet.  Raises `Refused`."""
+def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[Table | None, list[Sheet]]:
+    """Return the table of a spreadsheet, None where no sheet has one, and its sheets.  Raises `Refused`."""
     bounds = rows_read(grid.rows), columns_read(grid.rows)
-    sheets: Iterable[Sheet]
+    given: Iterable[Sheet]
     if xlsx.WORKBOOK in archive.parts:
-        sheets, kind = xlsx.sheets_of(archive, *bounds), "xlsx"
+        given, kind = xlsx.sheets_of(archive, *bounds), "xlsx"
     elif ods.CONTENT in archive.parts:
-        sheets, kind = ods.sheets_of(archive, *bounds), "ods"
+        given, kind = ods.sheets_of(archive, *bounds), "ods"
     else:
         raise unreadable("damaged")
-    skipped: list[str] = []
-    for sheet in sheets:
-        table = read_sheets([sheet], Origin(name, kind, "cells", _told(sheet, skipped)), grid)
-        if table is not None:
-            return table
-        skipped.append(sheet.name or "")
-    raise unreadable("no_sheet_table", name=name)
+    table: Table | None = None
+    sheets: list[Sheet] = []
+    try:
+        for sheet in given:
+            table = table or read_sheets([sheet], Origin(name, kind, "cells", _told(sheet, sheets)), grid)
+            sheets.append(sheet)
+    except Refused:  # of a sheet behind the table nothing need be read
+        if table is None:
+            raise
+    return table, sheets
 
 
 def table_of_text(decoded: Decoded, name: str, grid: Grid) -> Table | None:
@@ -80,5 +86,5 @@ def table_of_text(decoded: Decoded, name: str, grid: Grid) -> Table | None:
     return read_sheets([sheet], Origin(name, decoded.encoding, found.separator, notes), grid)
 
 
-def _told(sheet: Sheet, skipped: list[str]) -> tuple[Note, ...]:
-    return (note("ignored_file", "sheet", sheet=sheet.name or ""),) if skipped else ()
+def _told(sheet: Sheet, before: list[Sheet]) -> tuple[Note, ...]:
+    return (note("ignored_file", "sheet", sheet=sheet.name or ""),) if before else ()

@@ -1,0 +1,41 @@
+"""Equations in the cells of a workbook, in matrices, in programs that count in degrees: read, or asked about, never lost."""
+
+from __future__ import annotations
+
+from tests.grading.reading.dialects import DIALECTS, workbook, written
+from tests.grading.reading.test_more_notations import MATRICES
+from tests.grading.reading.test_read_submission import COLUMNS, EQUATIONS, GRID, read, table
+from tests.grading.scenes import times
+
+
+def test_equations_typed_into_the_cells_of_a_workbook_are_read() -> None:
+    heads, *rows = [["t", *GRID.names], *written(times(GRID), COLUMNS, "fixed", 4, "rad")]
+    sheet = [[f"t:{text}" for text in heads], *([f"n:{float(text)!r}" for text in row] for row in rows), ["t:h = 0.02 s"]]
+    lines = EQUATIONS.split("\n")[1:3]
+    work = read(("w.xlsx", workbook({"Table": sheet, "Уравнения": [[f"t:{line}"] for line in lines]})))
+    assert work.table is not None and work.files[0].kinds == ("table", "equations")
+    assert work.equations is not None and [line.text for line in work.equations] == [lines[0]]  # the other has no "="
+    assert work.equations[0].where == "sheet “Уравнения”, row 1"
+    alone = read(("w.xlsx", workbook({"Уравнения": [[f"t:{line}"] for line in lines]})), ("t.csv", table()))
+    assert alone.table is not None and alone.equations is not None
+
+
+def test_matrices_that_nobody_can_read_are_lines_and_not_a_bad_table() -> None:
+    program = (
+        "A = np.array([[r1*np.sin(phi1), r2*np.sin(phi2)],\n [r1*np.cos(phi1), r2*np.cos(phi2)]])\nw = np.linalg.solve(A, b)"
+    )
+    work = read(("t.csv", table()), ("e.txt", program.encode()))
+    assert work.equations is not None and all(line.left is None for line in work.equations)
+
+
+def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_alone() -> None:
+    line = b"w3 = VMy/(r3*(2*COS(phi3*PI()/180) + SIN(RADIANS(phi3))))"
+    degrees = DIALECTS["excel_ru"](GRID.names, written(times(GRID), COLUMNS, "fixed", 4, "deg"), "deg")
+    for content, turned in ((degrees, True), (table(), False)):
+        work = read(("t.csv", content), ("e.txt", line))
+        assert work.equations is not None and any(other.in_degrees for other in work.equations[0].others) is turned
+
+
+def test_a_matrix_between_dollars_is_read_row_by_row() -> None:
+    work = read(("t.csv", table()), ("e.md", MATRICES["latex"].replace("\\[", "$$", 1).replace("\\]", "$$").encode()))
+    assert work.equations is not None and len(work.equations) == 2 and all(line.left for line in work.equations)
