@@ -56,11 +56,6 @@ def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[
         earlier += block.unknowns
 
 
-def acting_on(equations: VelocityEquations, scheme: ForceScheme) -> Acting:
-    """Return what acts on every body where all velocities and their derivatives are known."""
-    return ActingWriter(equations, scheme).acting()
-
-
 @dataclass(slots=True)
 class ActingWriter:
     """What acts on bodies, as expressions of positions, velocities and their derivatives."""

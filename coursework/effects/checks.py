@@ -6,17 +6,14 @@ Used by `scene/motion_results.py`.  Words stand under [check.CODE]; to add one: 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import Action, add_wrench
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
-from coursework.results.checks.result import Finding, Group, Verdict, floored, judged, skipped
+from coursework.results.checks.result import Check, Finding, Verdict, floored, skipped
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
 AGREE = 1e-10  # two ways that compute the same, as a share of the largest
@@ -24,16 +21,6 @@ POWER_SHARE = 1e-3
 LEAST_DIGITS = 6.0
 _ALL_DIGITS = 16.0
 _CLOSE = 0.05  # of the largest drive
-
-
-@frozen
-class ForceCheck:
-    """`code` is stable; `judge` finds a verdict from the rows and from the exact ones (None where there are none)."""
-
-    code: str
-    judge: Callable[[ForceAnalysis, ForceAnalysis | None], Finding]
-    group: Group = "computation"
-    is_least: bool = False
 
 
 def _graded(
@@ -195,20 +182,18 @@ def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     return Finding("PASS", say(f"check.FRICTION.{'still' if told else 'pass'}", power=lost, row=row + 1, **told), row=row + 1)
 
 
-FORCE_CHECKS: tuple[ForceCheck, ...] = (
-    ForceCheck("VIRTUAL-POWER", _virtual_power),
-    ForceCheck("GROUPS", _groups),
-    ForceCheck("REACTIONS-SUM", _sum),
-    ForceCheck("POWER", _power, "motion"),
-    ForceCheck("FORCE-ACCURACY", _accuracy, "motion"),
-    ForceCheck("CONTACT", _contact),
-    ForceCheck("FRICTION", _friction),
-    ForceCheck("FORCE-CONDITION", _condition, is_least=True),
+FORCE_CHECKS: tuple[Check, ...] = (
+    Check("VIRTUAL-POWER", "computation", _virtual_power),
+    Check("GROUPS", "computation", _groups),
+    Check("REACTIONS-SUM", "computation", _sum),
+    Check("POWER", "motion", _power),
+    Check("FORCE-ACCURACY", "motion", _accuracy),
+    Check("CONTACT", "computation", _contact),
+    Check("FRICTION", "computation", _friction),
+    Check("FORCE-CONDITION", "computation", _condition, is_least=True),
 )
 
 
 def check_forces(own: ForceAnalysis, exact: ForceAnalysis | None) -> tuple[Finding, ...]:
     """Return what every check of forces finds."""
-    return tuple(
-        judged(check.judge, own, exact, code=check.code, group=check.group, is_least=check.is_least) for check in FORCE_CHECKS
-    )
+    return tuple(check.finding(own, exact) for check in FORCE_CHECKS)

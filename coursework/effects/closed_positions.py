@@ -35,9 +35,8 @@ def newton_statements(
     variant, symbols = equations.variant, equations.symbols
     names = [variant.coordinates[place].name for place in others]
     listed = [one for one in equations.positions if one.target in {"zero", "start"}]
-    values, slopes = [one.expression for one in listed], []
-    for value in values:
-        slopes.append([symbols.partial(value, symbol(name)) for name in names])
+    values = [one.expression for one in listed]
+    slopes = [[symbols.partial(value, symbol(name)) for name in names] for value in values]
     found = compile_values(equations, [*values, *(slope for row in slopes for slope in row)])[0](0.0, *start)
     matrix = np.array(found[len(values) :], dtype=float).reshape(len(values), len(names))
     used = _independent(matrix)

@@ -7,7 +7,6 @@ Used by `scene/motor_scene.py`.  Words stand under [check.CODE].
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from contextlib import nullcontext
 
 import numpy as np
@@ -15,7 +14,7 @@ import numpy as np
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.equations_of_motion import EquationsOfMotion
 from coursework.motion.schemes import Scheme
-from coursework.results.checks.result import Finding, judged, percent, skipped
+from coursework.results.checks.result import Check, Finding, percent, skipped
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
@@ -42,7 +41,7 @@ def check_dynamics(
 ) -> tuple[Finding, ...]:
     """Return what every check finds."""
     evidence = Evidence(own, exact, dynamics, scheme, step)
-    return tuple(judged(judge, evidence, code=code, group="motion") for code, judge in CHECKS)
+    return tuple(check.finding(evidence) for check in CHECKS)
 
 
 def remainder(found: ForceAnalysis) -> tuple[Array, float]:
@@ -158,6 +157,4 @@ def _step(e: Evidence) -> Finding:
     return Finding("PASS", say("check.STABLE.pass", **told, swing=e.step * swinging), product, limit)
 
 
-CHECKS: tuple[tuple[str, Callable[[Evidence], Finding]], ...] = (
-    ("ENERGY", _energy), ("MOTION", _accuracy), ("STABLE", _step),
-)  # fmt: skip
+CHECKS = (Check("ENERGY", "motion", _energy), Check("MOTION", "motion", _accuracy), Check("STABLE", "motion", _step))

@@ -25,7 +25,6 @@ from coursework.equations.algebra.expression import ONE, ZERO, Expression, add
 from coursework.equations.codegen.programs import Assign
 from coursework.equations.reduction.symbolic import Vector, symbol
 from coursework.motion.geometry.time_derivatives import derivative
-from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -89,7 +88,7 @@ class _Writer:
         results = [*self.motion.solved, *self.others(), *entries.values(), *beside]
         still = [Assign(derivative(rate), ZERO) for rate in self.motion.rates]
         compiled = self.motion.compiled("rubbing", [*self.motion.statements(), *still], results)
-        sizes = Sizes(count, free, len(self.motion.others), len(pairs))
+        sizes = count, free, len(self.motion.others)
         return Rubbing(tuple(pairs), partial(_state, compiled, sizes, tuple(entries), tuple(drives)))
 
     def others(self) -> list[Expression]:
@@ -145,24 +144,19 @@ class _Writer:
         return speed
 
 
-@frozen
-class Sizes:
-    """How many unknown forces, free rates, other coordinates and pairs there are."""
-
-    unknowns: int
-    free: int
-    others: int
-    pairs: int
-
-
 def _state(
-    compiled: Callable[..., Any], sizes: Sizes, at: tuple[tuple[int, int], ...], drives: tuple[int, ...], *state: float
+    compiled: Callable[..., Any],
+    sizes: tuple[int, int, int],
+    at: tuple[tuple[int, int], ...],
+    drives: tuple[int, ...],
+    *state: float,
 ) -> State:
-    """Return a state from what its expressions are."""
-    found, count, free = compiled(*state), sizes.unknowns, sizes.free
-    a, others = list(found[:free]), list(found[free : free + sizes.others])
-    matrix = np.zeros((count, count + 1 + free + sizes.pairs))
-    begin = free + sizes.others
+    """Return a state from what its expressions are; `sizes`: of unknown forces, free rates and other coordinates."""
+    found, (count, free, beside_free) = compiled(*state), sizes
+    begin, width = free + beside_free, 4 + free
+    a, others = list(found[:free]), list(found[free:begin])
+    beside = [found[k : k + width] for k in range(begin + len(at), len(found), width)]
+    matrix = np.zeros((count, count + 1 + free + len(beside)))
     for place, value in zip(at, found[begin:], strict=False):
         matrix[place] = value
     try:
@@ -172,8 +166,6 @@ def _state(
     except np.linalg.LinAlgError:
         raise ZeroDivisionError from None
     loose, reactions = solved[:, 0] + slopes @ np.array(a), units + slopes @ changes
-    width = 4 + free
-    beside = [found[k : k + width] for k in range(begin + len(at), len(found), width)]
     return State(
         a, others, loose.tolist(), reactions.T.tolist(), changes.T.tolist(), [one[:2] for one in beside],
         [one[2] for one in beside], [one[3] for one in beside], [list(one[4:]) for one in beside],

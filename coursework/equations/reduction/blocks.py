@@ -123,8 +123,8 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
 
     Raises `InputError` for systems that do not determine the velocities.
     """
-    choice = choose(equations, start)
-    used = [equations.equations[index] for index in choice.used]
+    chosen, notes = choose(equations, start)
+    used = [equations.equations[index] for index in chosen]
     names = equations.unknowns
     rows = [frozenset(names.index(name) for name in equation.coefficients) for equation in used]
     owner = match(rows, len(names))
@@ -139,8 +139,8 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
             told = say("fault.V401", names=tuple(e.name for e in members))
             raise InputError([Fault(told, equations.variant.file, members[0].line)])
         found.append(block)
-    unused = tuple(e.name for i, e in enumerate(equations.equations) if i not in choice.used)
-    return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)
+    unused = tuple(e.name for i, e in enumerate(equations.equations) if i not in chosen)
+    return Reduction(tuple(found), tuple(equation.name for equation in used), unused, notes)
 
 
 def _block(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:

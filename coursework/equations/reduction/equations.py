@@ -103,9 +103,8 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
             try:
                 with placed(variant, say("place.constraint", name=constraint.name), constraint.line):
                     equations.append(_written(constraint, variant, symbols))
-            except NonLinear as fault:
-                where = say("place.column", place=say("place.constraint", name=constraint.name), column=fault.column)
-                faults.append(Fault(fault.message, variant.file, constraint.line, 0, where))
+            except InputError as error:
+                faults += error.faults
             continue
         with placed(variant, say("place.constraint", name=constraint.name), constraint.line):
             components = _components(constraint, symbols, variant)
@@ -211,14 +210,10 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
 _WHERE = {"*": "product", "/": "denominator", "^": "power", "call": "function"}
 
 
-class NonLinear(ValueError):
-    """A velocity equation is not linear in the unknown velocities."""
-
-    def __init__(self, tree: Formula, names: set[str]) -> None:
-        self.column = tree.column
-        where = say(f"equation.within.{_WHERE[tree.op]}")
-        self.message = say("fault.V402", names=tuple(sorted(names)), where=where, text=spelled(tree)[:60])
-        super().__init__(self.message)
+def _non_linear(tree: Formula, names: set[str]) -> FormulaFault:
+    """Return the fault of a velocity equation that is not linear in the unknown velocities."""
+    where = say(f"equation.within.{_WHERE[tree.op]}")
+    return FormulaFault(tree.column, say("fault.V402", names=tuple(sorted(names)), where=where, text=spelled(tree)[:60]))
 
 
 def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Speed:
@@ -238,7 +233,7 @@ def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Speed:
         if tree.op == "*" and not unknown & set(carrier.names()):
             carrier, factor = factor, carrier
         if unknown & set(factor.names()):
-            raise NonLinear(tree, inside)
+            raise _non_linear(tree, inside)
         scale = symbols.scalar(factor) if tree.op == "*" else 1 / symbols.scalar(factor)
         return STILL.plus(_linear(carrier, unknown, symbols), scale)
-    raise NonLinear(tree, inside)
+    raise _non_linear(tree, inside)

@@ -15,7 +15,6 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import match, over_and_under
 from coursework.equations.reduction.system import LinearSystem, compile_system
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
@@ -29,16 +28,10 @@ _MISSING = "fault.V404"
 _MOST_CONDITION = 1e15
 
 
-@frozen
-class Choice:
-    """`used` indices of equations, `notes` sentences about those left out."""
-
-    used: tuple[int, ...]
-    notes: tuple[str, ...]
-
-
-def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: bool = False) -> Choice:
-    """Return a maximal independent set of equations in the author's order.
+def choose(
+    equations: VelocityEquations, start: Sequence[float], *, numbers: bool = False
+) -> tuple[tuple[int, ...], tuple[str, ...]]:
+    """Return the places of a maximal independent set of equations in the author's order, and sentences about the others.
 
     `start`: coordinates at t = 0 (rad, m).  `numbers`: judge by numbers also where each velocity has an equation of its own,
     which says nothing against two equations that are multiples of each other.  Raises `InputError` where velocities stay
@@ -48,7 +41,7 @@ def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: boo
     rows = [frozenset(equations.unknowns.index(name) for name in equation.coefficients) for equation in listed]
     owner = match(rows, len(equations.unknowns))
     if len(listed) == len(equations.unknowns) and -1 not in owner and not numbers:
-        return Choice(tuple(range(len(listed))), ())
+        return tuple(range(len(listed))), ()
     system = compile_system(equations, listed)
     matrix, right, _ = system.matrix(0.0, start)
     generic = _generic(system, start)
@@ -66,7 +59,7 @@ def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: boo
     if conflicts or len(kept) < len(equations.unknowns):
         raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
     notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)
-    return Choice(tuple(kept), notes)
+    return tuple(kept), notes
 
 
 def _generic(system: LinearSystem, start: Sequence[float]) -> Array:

@@ -23,7 +23,7 @@ from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Slopes
 from coursework.system.arrays import Array, as_columns
-from coursework.system.frozen import caching, frozen
+from coursework.system.frozen import caching
 
 if TYPE_CHECKING:
     pass
@@ -104,28 +104,19 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     """
     blocks = tuple((block.equations, block.unknowns) for block in reduction.blocks)
     key = ("rates", tuple(wanted or ()), blocks)
-    parts = equations.once(key, lambda: _parts(equations, reduction, wanted))
-    body = parts.program.bind(constants(equations.variant))
-    arguments = [private(name) for name in ("t", *parts.coordinates)]
-    return Rates(
-        parts.coordinates, parts.velocities, parts.blocks,
-        compile_function("rates", arguments, body, parts.results),
-        compile_later("rates", arguments, body, parts.results, numpy=True), body, equations, breaks(equations.variant),
-    )  # fmt: skip
+    coordinates, velocities, needed, results, written = equations.once(key, lambda: _parts(equations, reduction, wanted))
+    body = written.bind(constants(equations.variant))
+    arguments = [private(name) for name in ("t", *coordinates)]
+    scalar = compile_function("rates", arguments, body, results)
+    rows = compile_later("rates", arguments, body, results, numpy=True)
+    return Rates(coordinates, velocities, needed, scalar, rows, body, equations, breaks(equations.variant))
 
 
-@frozen
-class _Parts:
-    """`Rates` as far as no datum changes them."""
-
-    coordinates: tuple[str, ...]
-    velocities: tuple[str, ...]
-    blocks: tuple[int, ...]
-    results: tuple[str, ...]
-    program: Program
+_Parts = tuple[tuple[str, ...], tuple[str, ...], tuple[int, ...], tuple[str, ...], Program]
 
 
 def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None) -> _Parts:
+    """Return what of `Rates` no datum changes, the names of its results and its program."""
     variant = equations.variant
     every = (*variant.rates, *(name for name, _ in variant.unknowns))
     coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, every)
@@ -136,7 +127,7 @@ def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
     statements = [statement for index in blocks for statement in block_statements(reduction.blocks[index], index)]
     statements += [Assign(local(_result(name)), symbol(name)) for name in listed]
     results = (*map(_result, listed), *(f"_det{index}" for index in blocks))
-    return _Parts(kept, listed, blocks, results, scene_program(equations, statements))
+    return kept, listed, blocks, results, scene_program(equations, statements)
 
 
 def _result(velocity: str) -> str:

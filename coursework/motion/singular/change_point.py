@@ -16,7 +16,6 @@ import numpy as np
 
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
 
 MAX_NEWTON = 12
 _CLOSE = 1e-13  # rad or m; Newton's last correction
@@ -30,17 +29,12 @@ _TOLD = 1e3 * float(np.finfo(float).eps) / _STEP  # of the matrix: differences t
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
 
-@frozen
-class Crossing:
-    """A change point: `time` (s), `position`; by how much the motion misses it."""
+def nearest_change_point(
+    flow: Flow, t: float, q: Array, block: int, rates: Array, within: float, miss: float
+) -> tuple[float, Array] | None:
+    """Return time (s) and position of the change point of `block` at most `within` (rad or m) from (t, q), None without one.
 
-    time: float
-    position: Array
-    miss: float
-
-
-def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Array, within: float) -> Crossing | None:
-    """Return the change point of `block` at most `within` (rad or m) from (t, q), None where Newton finds none.
+    `miss`: by how much of its size the motion may miss it.
 
     `rates` (m,) of the motion at (t, q).  Unknowns are the time and the displacement of the block's own unknowns; they make
     the determinant and the demand of the drive zero and keep every equation of the block but the one that is lost.
@@ -96,7 +90,7 @@ def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Arra
     if np.max(np.abs(x)) > within:
         return None
     time, position = moved(1.0, x, base)
-    return Crossing(float(time), np.array(position), abs(gap) / scale)
+    return (float(time), np.array(position)) if abs(gap) / scale <= miss else None
 
 
 def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...] | None:

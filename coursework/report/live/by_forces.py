@@ -11,7 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from coursework.effects.acting import COUPLE, Acting, accelerated, acting_on
+from coursework.effects.acting import COUPLE, Acting, ActingWriter, accelerated
 from coursework.effects.closed_positions import newton_statements
 from coursework.effects.motion_writer import MotionWriter
 from coursework.effects.scheme import read_scheme
@@ -87,7 +87,7 @@ def moved_by(run: SceneRun, places: Sequence[Any]) -> Moved:
     scene = scene_of(with_weights(run.variant), run.settings)
     if scene.variant.motor is not None:
         return _by_motor(scene, run.scheme, places)
-    acting = acting_on(scene.equations, read_scheme(scene.mechanism))
+    acting = ActingWriter(scene.equations, read_scheme(scene.mechanism)).acting()
     velocities = [*scene.variant.rates, *(name for name, _ in scene.variant.unknowns)]
     own = Piece(
         "acting", [one for block in accelerated(scene.equations, scene.reduction) for one in block], acting.wanted,
@@ -103,7 +103,7 @@ def _by_motor(scene: Scene, scheme: str, places: Sequence[Any]) -> Moved:
     motor = MotionWriter(equations, scene.reduction, forces, tuple(scene.start))
     statements = motor.statements()
     before = [*given_once([*(Assign(local(name), value) for name, value in motor.weights.items()), *statements])]
-    acting = acting_on(equations, forces)
+    acting = ActingWriter(equations, forces).acting()
     free, v = [symbol(rate) for rate in motor.rates], {"v": [private(rate) for rate in motor.rates]}
     unknowns = [name for name, _ in variant.unknowns]
     slopes = [*map(symbol, variant.rates), *motor.solved, *map(symbol, unknowns)]

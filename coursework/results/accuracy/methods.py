@@ -70,8 +70,14 @@ def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
             if problem.is_affordable(rows * substeps, newton * _CORRECTION, bounds):
                 setting = f"{rows * substeps}"
                 yield Trial(projected_title(newton), setting, substeps, partial(_projected, problem, newton, substeps))
+    field, start = problem.rates.evaluate, np.array(problem.start, dtype=float)
     for tolerance in TOLERANCES:
-        yield Trial(say("study.adaptive"), say("study.tolerance", value=tolerance), 0, partial(_adaptive, problem, tolerance))
+        yield Trial(
+            say("study.adaptive"),
+            say("study.tolerance", value=tolerance),
+            0,
+            partial(integrate_adaptive, field, start, problem.times, tolerance),
+        )
     if is_closed:
         yield Trial(say("study.closed"), f"{rows}", 0, partial(_closed, problem), closed=True)
 
@@ -100,10 +106,6 @@ def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int
     motion = march(problem.rates, DEFAULT_SCHEME.name, problem.start, problem.step / substeps, end, correction)
     steps = problem.rows * substeps
     return motion.coordinates, steps * (1 + newton)
-
-
-def _adaptive(problem: Problem, tolerance: float) -> tuple[Array, int]:
-    return integrate_adaptive(problem.rates.evaluate, np.array(problem.start, dtype=float), problem.times, tolerance)
 
 
 def _closed(problem: Problem) -> tuple[Array, int]:

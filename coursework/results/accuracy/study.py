@@ -23,7 +23,7 @@ from coursework.results.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import sentences_of, unsettled
 from coursework.results.accuracy.timing import QUICK_REPEAT, REPEATS, seconds, timed_once
-from coursework.results.accuracy.trace import errors, orders_of
+from coursework.results.accuracy.trace import orders_of
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
@@ -61,7 +61,7 @@ def make_study(
             if trial.fine not in fine:
                 fine[trial.fine] = _finer(problem, trial.fine, closed=is_same)
             # Compared with itself the closure would have no error at all.
-            found = errors(positions, other if trial.closed and is_same else fine[trial.fine])
+            gaps = np.abs(positions - (other if trial.closed and is_same else fine[trial.fine]))
         except (ArithmeticError, ValueError, np.linalg.LinAlgError, NotReached) as error:
             rows.append(
                 StudyRow(trial.method, trial.setting, 0, np.nan, np.nan, None, say("study.failed", kind=type(error).__name__))
@@ -71,8 +71,10 @@ def make_study(
         # The first trial is Euler with the table's own step: a ratio to it says more than seconds of one machine.
         first = rows[0].seconds if rows else spent
         ratio = spent / first if spent and first else None
-        units = problem.units[found.grid_at], problem.units[found.end_at]
-        rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units, ratio))
+        columns, last = np.max(gaps, axis=0), gaps[-1]
+        units = problem.units[int(np.argmax(columns))], problem.units[int(np.argmax(last))]
+        largest = float(np.max(columns)), float(np.max(last))
+        rows.append(StudyRow(trial.method, trial.setting, evaluations, *largest, spent, "", *units, ratio))
     orders, end_orders = orders_of(rows, floor, _NO_ORDER), orders_of(rows, floor, _NO_ORDER, end=True)
     title = title_of(SCHEMES[scheme])
     own_row = next(row for row in rows if row.method == title)

@@ -14,17 +14,6 @@ import numpy as np
 from coursework.motion.integration.loops import Loop
 from coursework.results.accuracy.record import StudyRow
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
-
-
-@frozen
-class Errors:
-    """Largest |coordinate - reference| (rad or m): over the whole grid, and in the last row only; in which coordinate."""
-
-    grid: float
-    end: float
-    grid_at: int
-    end_at: int
 
 
 def trace(
@@ -43,13 +32,6 @@ def trace(
         q = loop(row * step, rows * substeps, length / substeps, *q)
         found.append(q)
     return np.array(found)
-
-
-def errors(positions: Array, reference: Array) -> Errors:
-    """Return the errors of some rows against the same rows of the reference."""
-    gaps = np.abs(positions - reference)
-    columns = np.max(gaps, axis=0)
-    return Errors(float(np.max(columns)), float(np.max(gaps[-1])), int(np.argmax(columns)), int(np.argmax(gaps[-1])))
 
 
 def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float | None:

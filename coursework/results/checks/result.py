@@ -81,13 +81,41 @@ def skipped(sentence: str) -> Finding:
     return Finding("SKIP", sentence)
 
 
-def judged(judge: Callable[..., Finding], *evidence: Any, code: str, group: Group, is_least: bool = False) -> Finding:
-    """Return what a check finds.  A fault inside it is an ERROR of the tool, never of the student, and other checks go on."""
-    try:
-        found = judge(*evidence)
-    except Exception as error:
-        found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
-    return replace(found, code=code, group=group, is_least=is_least)
+@frozen
+class Need:
+    """`met` by the evidence, or skipped with the sentence `otherwise`; `headline` then begins the summary."""
+
+    met: Callable[..., bool]
+    otherwise: Callable[..., Sentence]
+    headline: Callable[..., str] = lambda *_: ""
+
+    def skipped(self, *evidence: Any) -> Finding:
+        """Return the finding of a check that lacks it."""
+        return Finding("SKIP", self.otherwise(*evidence), headline=self.headline(*evidence))
+
+
+@frozen
+class Check:
+    """`code` is stable; `needs` are met, or the first that is not says what is skipped; `judge` then finds a verdict.
+
+    `group`: "computation" is whether what was written was computed right, "motion" whether it is close to the mechanism's.
+    `is_least`: its limit is the least that passes, not the most.
+    """
+
+    code: str
+    group: Group
+    judge: Callable[..., Finding]
+    needs: tuple[Need, ...] = ()
+    is_least: bool = False
+
+    def finding(self, *evidence: Any) -> Finding:
+        """Return what it finds.  A fault inside it is an ERROR of the tool, never of the student, and other checks go on."""
+        lacking = next((need for need in self.needs if not need.met(*evidence)), None)
+        try:
+            found = self.judge(*evidence) if lacking is None else lacking.skipped(*evidence)
+        except Exception as error:
+            found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
+        return replace(found, code=self.code, group=self.group, is_least=self.is_least)
 
 
 def floored(share: float, decimals: int = 4) -> float:

@@ -6,6 +6,7 @@ Enters: findings.  Leaves: a `Sentence`.  Used by the page, run.json and the com
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from operator import attrgetter
 
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.result import Finding, percent
@@ -13,11 +14,9 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 
-def _code(finding: Finding) -> str:
-    return finding.code
-
-
-def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Callable[[Finding], str] = _code) -> Sentence:
+def summary(
+    findings: Sequence[Finding], *, is_motion: bool = False, named: Callable[[Finding], str] = attrgetter("code")
+) -> Sentence:
     """Return what the checks say of a run; `is_motion`: its rows are exact; `named`: what a check is called, else its code."""
     told = list(dict.fromkeys(finding.headline for finding in findings if finding.headline))
     by_code = {finding.code: finding for finding in findings}

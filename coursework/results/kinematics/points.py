@@ -20,11 +20,7 @@ def point_rows(equations: VelocityEquations, motion: Motion, second: Array | Non
     wanted = [component for vector in vectors.values() for component in vector]
     order = 1 if second is None else 2
     levels = [rows(motion.t, motion.coordinates, motion.velocities, second) for rows in jets(equations, wanted, order)]
-    names = []
-    columns = []
-    for index, name in enumerate(vectors):
-        for level, prefix in zip(levels, ("", "v", "a"), strict=False):
-            for place, axis in enumerate("xy"):
-                names.append(f"{name}.{prefix}{axis}")
-                columns.append(level[:, 2 * index + place])
+    prefixes = ("", "v", "a")[: order + 1]
+    names = [f"{name}.{prefix}{axis}" for name in vectors for prefix in prefixes for axis in "xy"]
+    columns = [level[:, 2 * index + place] for index in range(len(vectors)) for level in levels for place in (0, 1)]
     return tuple(names), np.array(columns).T.reshape(len(motion.t), len(names))

@@ -11,7 +11,7 @@ from collections.abc import Hashable, Sequence
 from fractions import Fraction
 
 from coursework.system.frozen import frozen
-from coursework.variant.dimensions.exponents import NUMBER, TIME, Dimension, Exponent, System, added, dimension_of, is_known
+from coursework.variant.dimensions.exponents import NUMBER, TIME, Dimension, System, added, dimension_of, is_known
 from coursework.variant.formula.tree import Formula, constant, factors, terms
 
 _SUMS = {"+", "-", "neg"}
@@ -96,7 +96,7 @@ class Measurer:
         if op == "^":
             base, has = self._measure(tree.args[0])
             power = constant(tree.args[1]) or 0
-            return (None if base is None else added(NUMBER, base, _whole(power))), has
+            return (None if base is None else added(NUMBER, base, power.numerator if power.denominator == 1 else power)), has
         if op == "@":
             self._require_angle(tree, tree.args[1])
         return self._call(tree) if op == "call" else self._measure(tree.args[0])
@@ -172,7 +172,3 @@ _HALF = Fraction(1, 2)
 def _is_of_time_alone(tree: Formula) -> bool:
     # In "1 + t + t^2/2" every term has a factor with a unit, of which 1 is not written.
     return {*tree.names()} <= {"t", "pi"} and not any(node.si for node in tree.walk())
-
-
-def _whole(power: Exponent) -> Exponent:
-    return power.numerator if power.denominator == 1 else power

@@ -109,14 +109,8 @@ def _judge(place: Place, measurer: Measurer) -> None:
         measurer.compare("place", found, Term(tree, place.wanted))
 
 
-@frozen
-class _Found:
-    """A fault, the numbers of the places that cannot hold for other reasons, and the file in which they alone are left."""
-
-    fault: Fault
-    others: frozenset[int]
-    variant: Variant
-    freed: frozenset[KeyPath]
+# A fault, the numbers of the places that cannot hold for other reasons, and the file in which they alone are left.
+_Found = tuple[Fault, frozenset[int], Variant, frozenset[KeyPath]]
 
 
 @frozen
@@ -135,10 +129,9 @@ class _Search:
             left = sorted(number for number in outcome.clashes if wanted is None or number in wanted)
             if not left:
                 return
-            found = self._found(left[0], outcome, variant, freed)
-            yield found.fault
-            variant, freed = found.variant, found.freed
-            wanted = found.others if wanted is None else wanted & found.others
+            fault, others, variant, freed = self._found(left[0], outcome, variant, freed)
+            yield fault
+            wanted = others if wanted is None else wanted & others
 
     def _pass(self, variant: Variant, freed: frozenset[KeyPath]) -> _Outcome:
         """Return a pass over the whole file in which the data at the paths `freed` may measure anything."""
@@ -152,7 +145,7 @@ class _Search:
         for turned, fault in _turned(variant, self.source):
             kept = self._pass(turned, freed).clashes.keys()
             if number not in kept and kept < before:
-                return _Found(fault, frozenset(kept), turned, freed)
+                return fault, frozenset(kept), turned, freed
         source, at = self.source, self.source.path_of(place.path)
         names = outcome.measurer.names
         parts = sum(1 for one in places(variant, names, self.times) for formula in one.formulas for _ in formula.walk())
@@ -166,7 +159,7 @@ class _Search:
         if must is None or not si_unit(must):
             fault = source.fault(at, fault_of_terms(place, clash, outcome.solved))
             apart = frozenset(one for one in before if _is_independent(outcome, number, one))
-            return _Found(fault, apart.intersection(*(after.clashes for _, after in mended)), variant, freed)
+            return fault, apart.intersection(*(after.clashes for _, after in mended)), variant, freed
         datum, after = candidates[0]
         others, now_freed = frozenset(after.clashes), freed | {datum.path}
         blame = replace(datum, must=must)
@@ -180,7 +173,7 @@ class _Search:
             fault = source.fault(at, fault_of_either(blame, line, place, clash, outcome.solved))
         else:
             fault = Fault(fault_of_datum(blame, place, clash, after.solved), source.file, line)
-        return _Found(fault, others, variant, now_freed)
+        return fault, others, variant, now_freed
 
     def _mends_itself(self, number: int, outcome: _Outcome, variant: Variant, freed: frozenset[KeyPath], passes: int) -> bool:
         """Return whether the formula holds as soon as one name is taken out of a product, or one term put into a bracket."""

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.judging.broken import Broken
-from coursework.variant.record.entries import Group
+from coursework.variant.record.entries import Group, reached
 from coursework.variant.record.roles import entries, letters_of, mode_meaning
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import Shape
@@ -85,17 +85,9 @@ def _later(group: Group, met: set[str], known: set[str], variant: Variant) -> st
     """Return the point or coordinate a group needs before the chain has it, or an empty string."""
     coordinates, points = {c.name for c in variant.coordinates}, dict(variant.points)
     later = {other.meets for other in variant.groups}
-    todo, seen = [name for formula in group.formulas for name in formula.names()], set[str]()
-    while todo:
-        name = todo.pop()
-        if name in seen:
-            continue
-        seen.add(name)
-        if name in points:
-            todo.extend(points[name].names())
-        elif name not in met and ((name in coordinates and name not in known) or name in later):
-            return name
-    return ""
+    needed = reached([name for formula in group.formulas for name in formula.names()], points)
+    late = (name for name in needed if name not in points and name not in met)
+    return next((name for name in late if (name in coordinates and name not in known) or name in later), "")
 
 
 def _circles(variant: Variant) -> Iterator[Fault]:

@@ -122,11 +122,9 @@ def _beside_zero(tree: Formula, variant: Variant, zero: str) -> list[tuple[str, 
     if tree.op == "name":
         return [(tree.name, zero)]
     if tree.op == "*":
-        first, second = tree.args
-        return [
-            *_beside_zero(first, variant, zero or (spelled(second) if _value(second, variant) == 0 else "")),
-            *_beside_zero(second, variant, zero or (spelled(first) if _value(first, variant) == 0 else "")),
-        ]
+        both = ((tree.args[0], tree.args[1]), (tree.args[1], tree.args[0]))
+        zeros = [(one, zero or (spelled(other) if _value(other, variant) == 0 else "")) for one, other in both]
+        return [entry for one, beside in zeros for entry in _beside_zero(one, variant, beside)]
     return [entry for arg in tree.args for entry in _beside_zero(arg, variant, zero)]
 
 

@@ -5,22 +5,22 @@ Leaves `reader.py` inside a `Variant`.  Used by `variant.py`, through which ever
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, KeysView, Mapping
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 
-def reached(names: Iterable[str], points: Mapping[str, Formula]) -> set[str]:
-    """Return names, and all names that the points among them are built from."""
-    found: set[str] = set()
+def reached(names: Iterable[str], points: Mapping[str, Formula]) -> KeysView[str]:
+    """Return names, and all names that the points among them are built from, in the order met from the last name on."""
+    found: dict[str, None] = {}
     waiting = [*names]
     while waiting:
         name = waiting.pop()
         if name not in found:
-            found.add(name)
+            found[name] = None
             waiting += points[name].names() if name in points else ()
-    return found
+    return found.keys()
 
 
 @frozen

@@ -13,9 +13,9 @@ from coursework.commands.cli import main
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
 from coursework.results.checks import check as records
-from coursework.results.checks.check import CHECKS, Check, Need, check_motion
+from coursework.results.checks.check import CHECKS, check_motion
 from coursework.results.checks.evidence import ALIKE, worst
-from coursework.results.checks.result import GROUPS, VERDICTS, Finding, floored
+from coursework.results.checks.result import GROUPS, VERDICTS, Check, Finding, Need, floored
 from coursework.results.checks.summary import summary
 from coursework.words.sentences import say
 from tests.results.checks.scenes import evidence_of, finding, solve
