@@ -85,10 +85,6 @@ def error_figure(context: PageContext, study: AccuracyStudy) -> Figure:
     return Figure(svg, WIDTH, height, alt, context.lettered(caption))
 
 
-def _order_text(context: PageContext, study: AccuracyStudy, name: str) -> str:
-    return context.numbers.fixed(study.orders[name], 2) if name in study.orders else ""
-
-
 def _table(context: PageContext, study: AccuracyStudy) -> Table:
     numbers = context.numbers
     keys = ["method", "steps", "evaluations", "max_error"] + (["time", "ratio"] if study.seconds_shown else [])
@@ -120,8 +116,8 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
     notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
         orders = context.words("join.numbers").join(
-            context.words("accuracy.order", method=context.told(name, LONGEST_NAME), order=_order_text(context, study, name))
-            for name in study.orders
+            context.words("accuracy.order", method=context.told(name, LONGEST_NAME), order=context.numbers.fixed(order, 2))
+            for name, order in study.orders.items()
         )
         notes.append(context.words("accuracy.orders", orders=orders))
     return Table(
