@@ -18,7 +18,7 @@ import numpy as np
 from coursework.drawing.paper.sheet import width
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.graphs.graph_paper import INK, LETTERS, picture, words
-from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, upward, way_of
+from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, scale_for, upward, way_of
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -257,7 +257,10 @@ def _piece(mark: str, ink: str, dashes: str) -> str:
 
 
 def _pen(places: Points, ink: str, dashes: str) -> str:
-    return polyline(places, f'stroke="{ink}"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
+    if len(places) < 2:
+        return ""
+    dashed = f' stroke-dasharray="{dashes}"' if dashes else ""
+    return f'<path fill="none" stroke="{ink}"{dashed} d="{way_of(places)}"/>'
 
 
 def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
