@@ -19,6 +19,7 @@ from coursework.commands.options import (
     CommandWithTemplates,
     Formats,
     SchemeOption,
+    held_to_limits,
     limited,
     listed,
     offered,
@@ -90,16 +91,13 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
 @VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="The picture to write (default: NAME.gif).")
 @click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
-@limited
+@held_to_limits
 @spoken(passed_on=True)
-def animate_command(variant: str, out: Path | None, scheme: str | None, budget: float, memory: float, language: str) -> int:
+def animate_command(variant: str, out: Path | None, scheme: str | None, language: str) -> int:
     """Write VARIANT in motion as one animated picture, the true mechanism beside that of the table."""
     from coursework.commands.animate import animate_variant
-    from coursework.commands.screen import tell_faults
-    from coursework.system.budget import Budget, watched
 
-    with watched(Budget(budget, memory), variant, tell_faults):
-        return animate_variant(variant, out, scheme, language)
+    return animate_variant(variant, out, scheme, language)
 
 
 @main.command("listing", short_help="Print the coursework as a program of your own.")
@@ -115,29 +113,23 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, budget: 
 @click.option("--out", type=click.Path(path_type=Path), help="The file to write (default: the screen).")
 @click.option("--chart", type=click.Path(path_type=Path), help="Write the block diagram of this program: FILE.svg.")
 @spoken(passed_on=True, option="--comments")
-@limited
-def listing_command(variant: str, budget: float, memory: float, **options: Any) -> int:
+@held_to_limits
+def listing_command(variant: str, **options: Any) -> int:
     """Print VARIANT as a program that needs no library and prints its table; draw its block diagram."""
     from coursework.commands.listing import list_variant
-    from coursework.commands.screen import tell_faults
-    from coursework.system.budget import Budget, watched
 
-    with watched(Budget(budget, memory), variant, tell_faults):
-        return list_variant(variant, **options)
+    return list_variant(variant, **options)
 
 
 @main.command("check", short_help="Tell faults, mobility, and whether it can move.")
 @VARIANT
-@limited
+@held_to_limits
 @spoken(passed_on=False)
-def check_command(variant: str, budget: float, memory: float) -> int:
+def check_command(variant: str) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
     from coursework.commands.check import check_variant
-    from coursework.commands.screen import tell_faults
-    from coursework.system.budget import Budget, watched
 
-    with watched(Budget(budget, memory), variant, tell_faults):
-        return check_variant(variant)
+    return check_variant(variant)
 
 
 @main.command("variants")
@@ -179,18 +171,13 @@ def new_command(
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
 @templates(passed_on=False)
-@limited
+@held_to_limits
 @spoken(passed_on=True)
-def accuracy_command(
-    variant: str, out: Path | None, formats: tuple[str, ...] | None, budget: float, memory: float, language: str
-) -> int:
+def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | None, language: str) -> int:
     """Show what accuracy costs in time for VARIANT."""
     from coursework.commands.accuracy import accuracy_page
-    from coursework.commands.screen import tell_faults
-    from coursework.system.budget import Budget, watched
 
-    with watched(Budget(budget, memory), variant, tell_faults):
-        return accuracy_page(variant, out, formats, language)
+    return accuracy_page(variant, out, formats, language)
 
 
 @main.command("grade", cls=CommandWithTemplates)

@@ -136,7 +136,7 @@ def _handed_in_alone(source: Path, submission: Submission, platform: str) -> str
     """Return what is known of when one submission was handed in: what Gradescope says, or that Canvas calls a file of it late."""
     if platform == "gradescope" and (time := created_at(source)):
         return time
-    owners = [canvas_owner(file.name) for file in submission.files]
+    owners = (canvas_owner(file.name) for file in submission.files)
     return LATE if any(owner and owner.late for owner in owners) else UNKNOWN
 
 

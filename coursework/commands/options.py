@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import wraps
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -158,3 +159,17 @@ def limited(command: Callable[..., int]) -> Callable[..., int]:
         "--memory", type=above_zero, default=1024.0, show_default=True, help="Most memory beyond the start, MiB."
     )
     return seconds(memory(command))
+
+
+def held_to_limits(command: Callable[..., int]) -> Callable[..., int]:
+    """Add the same to a command on one variant, which is held to them."""
+
+    @wraps(command)
+    def watching(*, variant: str, budget: float, memory: float, **options: Any) -> int:
+        from coursework.commands.screen import tell_faults
+        from coursework.system.budget import Budget, watched
+
+        with watched(Budget(budget, memory), variant, tell_faults):
+            return command(variant=variant, **options)
+
+    return limited(watching)

@@ -1,7 +1,7 @@
 """What is said on the screen, in the language of the command.
 
 Enters: sentences, and faults.  Leaves: lines on standard output or standard error.
-Used by the other commands and `cli.py`.
+Used by the other commands and `options.py`.
 """
 
 from __future__ import annotations

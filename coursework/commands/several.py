@@ -171,7 +171,7 @@ def run_variants(
 ) -> int:  # fmt: skip
     """Return the exit status of one run, or the worst of several."""
     limits = Budget(budget, memory)
-    if not is_several(variants) and not combined:
+    if len(variants) == 1 and not _is_pattern(variants[0]) and not combined:
         with watched(limits, variants[0], tell_faults):
             return run_variant(variants[0], out=out, formats=formats, language=language, **options)
     for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error", "verbose")}
@@ -179,11 +179,6 @@ def run_variants(
         raise InputError(say("fault.C032"))
     task = RunTask(out or Path("coursework-runs"), formats, language, options, limits, templates, combined)
     return run_several(variants, jobs, task)
-
-
-def is_several(variants: Sequence[str]) -> bool:
-    """Return whether more than one variant is meant: several words, or a pattern."""
-    return len(variants) > 1 or any(_is_pattern(variant) for variant in variants)
 
 
 def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:

@@ -27,7 +27,7 @@ from coursework.results.checks.result import Finding
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
-from coursework.system.on_demand import Ledger, computed
+from coursework.system.on_demand import computed
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -53,6 +53,7 @@ class MotorScene(Scene):
     """A scene whose motion follows from forces; its velocities are states of their own."""
 
     follows_laws: ClassVar[bool] = False
+    kind_of_results: ClassVar[type[MotionResults]] = MotorResults
 
     @property
     def scheme(self) -> Scheme | None:
@@ -199,13 +200,4 @@ class MotorScene(Scene):
     @cached_property
     def exact_analysis(self) -> ForceAnalysis:
         """The forces of the exact rows."""
-        return MotorResults(self, self.exact, Ledger()).forces
-
-    def over(self, motion: Motion) -> MotionResults:
-        """Return what follows from a motion of this scene's mechanism."""
-        return MotorResults(self, motion, Ledger())
-
-    @cached_property
-    def results(self) -> MotionResults:
-        """What follows from the rows of the coursework."""
-        return MotorResults(self, self.motion, self.ledger)
+        return self.over(self.exact).forces

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from coursework.motion.integration.motion import AT_EVENT, Motion
 from coursework.scene.motion_results import MotionResults
@@ -28,6 +28,8 @@ PLAIN = {
 class Scene(WayToMotion):
     """A variant and how it is to be run, with the results of its rows."""
 
+    kind_of_results: ClassVar[type[MotionResults]] = MotionResults
+
     def __repr__(self) -> str:
         name = f"{visible(self.variant.name)}{changed(self.variant.set_values)}"
         return f"<{type(self).__name__} of {name}: {self.settings.scheme}, h = {self.variant.time.step:g} s>"
@@ -44,9 +46,9 @@ class Scene(WayToMotion):
 
     def over(self, motion: Motion) -> MotionResults:
         """Return what follows from a motion, any motion of this scene's mechanism, with a ledger of its own."""
-        return MotionResults(self, motion, Ledger())
+        return self.kind_of_results(self, motion, Ledger())
 
     @cached_property
     def results(self) -> MotionResults:
         """What follows from the rows of the coursework."""
-        return MotionResults(self, self.motion, self.ledger)
+        return self.kind_of_results(self, self.motion, self.ledger)

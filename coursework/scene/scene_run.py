@@ -240,11 +240,6 @@ class SceneRun:
         kept = ((one, shows.listing) for one, shows in shown if isinstance(shows, (OwnFigure, OwnSection)))
         return tuple(listing(self.of(one)) for one, listing in kept if listing is not None)
 
-    def _own_figures(self) -> Iterator[tuple[str, Quantity[Any], OwnFigure[Any]]]:
-        for name, one in quantities_for(self.asked).items():
-            if isinstance(one.shows, OwnFigure):
-                yield name, one, one.shows
-
     def mechanism(self) -> Drawing | None:
         """Return the mechanism with names, lengths, angles and drive, None where the file places no points.
 
@@ -268,7 +263,9 @@ class SceneRun:
 
     def figures(self, written: Callable[[str], str] = str) -> dict[str, tuple[Drawing, ...]]:
         """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""
-        return {name: shows.of(self.results, self.of(one), written) for name, one, shows in self._own_figures()}
+        records = ((one, one.shows) for one in quantities_for(self.asked).values())
+        own = ((one, shows) for one, shows in records if isinstance(shows, OwnFigure))
+        return {one.name: shows.of(self.results, self.of(one), written) for one, shows in own}
 
     @property
     def accuracy(self) -> AccuracyStudy | None:

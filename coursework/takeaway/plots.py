@@ -10,8 +10,8 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from coursework.drawing.paper.symbols import LOWERED, angle_word, rate_word
 from coursework.motion.integration.motion import Motion
+from coursework.report.text.symbols import symbol
 from coursework.results.accuracy.record import AccuracyStudy
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.record.variant import no_column
@@ -24,16 +24,6 @@ if TYPE_CHECKING:
 ROWS: dict[str, Any] = {"linestyle": "--", "marker": "o", "markersize": 3.5}
 MOTION: dict[str, Any] = {"linestyle": "-", "linewidth": 1.2}
 BETWEEN = 8  # points of the exact line from row to row
-
-
-def symbol(name: str) -> str:
-    """Return the name of a column as a label writes it.
-
-    >>> symbol("w3"), symbol("phi1"), symbol("u")
-    ('ω₃', 'φ₁', 'u')
-    """
-    letter, low, prime = rate_word(name) if rate_word(name)[0] == "ω" else angle_word(name)
-    return letter + (low.translate(LOWERED) if low.isdigit() else f"_{low}" if low else "") + prime
 
 
 def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) -> Any:
@@ -97,8 +87,8 @@ def _is_acceleration(motion: Motion, name: str) -> bool:
 
 def _label(motion: Motion, name: str) -> str:
     if _is_acceleration(motion, name):
-        return f"d{symbol(name[1:])}/dt"
-    return name if "." in name else symbol(name)
+        return f"d{symbol(name[1:]).text}/dt"
+    return name if "." in name else symbol(name).text
 
 
 def _column(run: SceneRun, motion: Motion, name: str) -> Any:

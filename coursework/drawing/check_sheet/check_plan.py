@@ -69,16 +69,12 @@ def plan_of(sketch: Sketch, findings: Findings, table: Kinematics) -> CheckPlan 
             taken.update(wanted)
         return fits
 
-    drive = _drive(sketch)
+    drive = tuple(sketch.pose.velocities), tuple(sketch.pose.rates), sketch.pose.driven_lengths
     drawn = polygons(sketch.outline, _constructed(sketch, findings), *drive, on_sheet=on_sheet)
     tabled = polygons(sketch.outline, table, *drive, on_sheet=lambda _, ends: ends in taken)
     named = [one.point for one in drawn.found if one.rule == "special"]
     specials = dict(zip(named, taken.values(), strict=True))
     return CheckPlan(drawn, scale_of(drawn, VELOCITY, 0), _images(sketch, drawn), _images(sketch, tabled), specials)
-
-
-def _drive(sketch: Sketch) -> tuple[tuple[str, ...], tuple[str, ...], list[tuple[str, str]]]:
-    return tuple(sketch.pose.velocities), tuple(sketch.pose.rates), sketch.pose.driven_lengths
 
 
 def _images(sketch: Sketch, drawn: Polygons) -> dict[str, complex]:

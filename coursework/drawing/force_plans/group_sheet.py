@@ -6,11 +6,10 @@ Used by `force_plans.py`.
 
 from __future__ import annotations
 
-import bisect
 from collections.abc import Callable, Iterator, Sequence
 
 from coursework.drawing.force_plans.vectors import DIRECTION, FOUND, KNOWN, ForceVector, GroupPlan
-from coursework.drawing.paper.board import COLUMN, EDGE, SCALES, SPEEDS, around
+from coursework.drawing.paper.board import COLUMN, EDGE, SPEEDS, around, largest_scale
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import ITALIC, Sheet
@@ -63,11 +62,7 @@ def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[
             yield at, 2.0
             yield at + ARROW * _way(vector, row), 5.0
 
-    def holds(scale: float) -> bool:
-        left, low, right, high = around(room(1000 / scale))
-        return right - left <= LEFT_PART and high - low <= HIGHEST
-
-    scale = SCALES[min(bisect.bisect_left(SCALES, True, key=holds), len(SCALES) - 1)]
+    scale = largest_scale(room, LEFT_PART, HIGHEST)
     left, low, right, high = around(room(1000 / scale))
     tips = [0j]
     for vector in shown:

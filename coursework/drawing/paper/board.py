@@ -58,16 +58,21 @@ def fit(room: Callable[[float], Iterable[Circle]], highest: float, narrowest: fl
 
     `room(mm)` says what takes room at so many mm a metre.
     """
-
-    def holds(scale: float) -> bool:
-        left, top, right, bottom = around(room(1000 / scale))
-        return right - left <= COLUMN - 2 * EDGE and bottom - top <= highest - 2 * EDGE
-
-    # What takes room at a smaller scale takes less of it.
-    scale = SCALES[min(bisect.bisect_left(SCALES, True, key=holds), len(SCALES) - 1)]
+    scale = largest_scale(room, COLUMN - 2 * EDGE, highest - 2 * EDGE)
     left, top, right, bottom = around(room(1000 / scale))
     width = max(narrowest, right - left + 2 * EDGE)
     return Board(scale, width, bottom - top + 2 * EDGE, complex((width - right - left) / 2, EDGE - top))
+
+
+def largest_scale(room: Callable[[float], Iterable[Circle]], wide: float, high: float) -> float:
+    """Return the largest scale at which everything is within `wide` by `high` mm."""
+
+    def holds(scale: float) -> bool:
+        left, top, right, bottom = around(room(1000 / scale))
+        return right - left <= wide and bottom - top <= high
+
+    # What takes room at a smaller scale takes less of it.
+    return SCALES[min(bisect.bisect_left(SCALES, True, key=holds), len(SCALES) - 1)]
 
 
 def around(circles: Iterable[Circle]) -> Rectangle:

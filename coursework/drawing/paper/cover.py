@@ -42,13 +42,9 @@ def clipped(low: Array, high: Array, begin: Array, step: Array, free: Array | fl
 
 def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
     """Return how many rectangles (left, top, right, bottom) each way from `begin` (n, 2) by `step` (n, 2) goes through."""
-    corners = np.array(boxes).reshape(-1, 4)
-    moved = np.where(step == 0, STILL, step)[:, None]
-    with np.errstate(over="ignore"):
-        first, second = (corners[:, :2] - begin[:, None]) / moved, (corners[:, 2:] - begin[:, None]) / moved
-    enters = np.maximum(np.minimum(first, second).max(axis=2), 0.0)
-    leaves = np.minimum(np.maximum(first, second).min(axis=2), 1.0)
-    return np.asarray(np.count_nonzero(leaves > enters, axis=1))
+    corners, moved = np.array(boxes).reshape(-1, 4), np.where(step == 0, STILL, step)
+    parts = clipped(corners[:, :2], corners[:, 2:], begin, moved)
+    return np.asarray(np.count_nonzero(parts > 0, axis=0))
 
 
 class Lines:

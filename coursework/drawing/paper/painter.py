@@ -18,7 +18,7 @@ from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, 
 from coursework.drawing.outline.poses import Poses
 from coursework.drawing.paper.board import around
 from coursework.drawing.paper.cover import Segment
-from coursework.drawing.paper.sheet import PITCH, Sheet, inside, middle_of, plain
+from coursework.drawing.paper.sheet import PITCH, Sheet, inside, plain
 from coursework.system.angles import dot
 
 LINK = 'stroke="black" stroke-width="0.8"'
@@ -46,7 +46,7 @@ class Painter:
         self.place = poses.pose(row)
         self.at = {name: put(z) for name, z in self.place.items()}
         self.names = outline.shown
-        self.middle = middle_of(self.at[name] for name in self.names)
+        self.middle = sum((self.at[name] for name in self.names), 0j) / max(len(self.names), 1)
         self.grounds: list[tuple[complex, complex]] = []  # rails and hinges as they are drawn
         self.rails: dict[Rail, tuple[complex, complex]] = {}  # the rails among them
 

@@ -249,9 +249,3 @@ def _strokes(begins: Sequence[complex], lean: complex) -> str:
         text += f"m{numbers_of((to_x - x, to_y - y, *stroke), DECIMALS)}"
         x, y = to_x + stroke[0], to_y + stroke[1]
     return text
-
-
-def middle_of(points: Iterable[complex]) -> complex:
-    """Return the mean of points."""
-    listed = list(points)
-    return sum(listed, 0j) / len(listed) if listed else 0j

@@ -18,7 +18,7 @@ import numpy as np
 from coursework.drawing.paper.sheet import width
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.graphs.graph_paper import INK, LETTERS, picture, words
-from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, upward, way_of
+from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, scale_for, upward, way_of
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -55,52 +55,34 @@ Named = tuple[str, tuple[float, float], str]  # words, the end of what they name
 
 @frozen
 class Method:
-    """One line: evaluations, seconds (None = not shown) and largest error at each setting, its measured order."""
+    """One line: `points` (cost, largest error, not below `SMALLEST`) from the cheapest on, its measured order."""
 
     name: str
-    evaluations: tuple[int, ...]
-    seconds: tuple[float | None, ...]
-    errors: tuple[float, ...]
+    points: tuple[tuple[float, float], ...]
     order: float | None
-
-    def points(self, *, timed: bool) -> list[tuple[float, float]]:
-        """Return (cost, largest error), from the cheapest on."""
-        costs = self.seconds if timed else self.evaluations
-        return [
-            (float(cost), max(abs(error), SMALLEST))
-            for _, cost, error in sorted(zip(self.evaluations, costs, self.errors, strict=True))
-            if cost is not None and math.isfinite(error)
-        ]
 
 
 @frozen
 class Chart:
-    """The whole figure; `own` = (evaluations, seconds, error) of the coursework, `labels` by key of the words file."""
+    """The whole figure; `own` = (cost, error) of the coursework, `labels` by key of the words file; `timed`: cost is running
+    time, else evaluations.
+    """
 
     methods: tuple[Method, ...]
-    own: tuple[int, float | None, float] | None
+    own: tuple[float, float] | None
     floor: float
     error_label: str
     labels: dict[str, str]
+    timed: bool
     band: Callable[[list[str]], str] = ", ".join
-
-    @property
-    def timed(self) -> bool:
-        """Return whether the cost is running time, else evaluations."""
-        return any(seconds is not None for method in self.methods for seconds in method.seconds)
 
 
 def chart(page: Chart) -> tuple[str, float]:
     """Return error against cost, and mm high."""
-    timed = page.timed
-    lines = [(method, method.points(timed=timed), *STYLES[index % len(STYLES)]) for index, method in enumerate(page.methods)]
-    lines = [line for line in lines if line[1]]
-    own = (page.own[1 if timed else 0], max(abs(page.own[2]), SMALLEST)) if page.own else (None, 0.0)
-    errors = [error for _, points, *_ in lines for _, error in points] + ([own[1]] if own[0] else [])
-    errors += [page.floor / 10] if page.floor > 0 else []
-    y = scale_for(errors, HEIGHT - BOTTOM, TOP, ROOM_Y)
-    costs = [cost for _, points, *_ in lines for cost, _ in points] + ([own[0]] if own[0] else [])
-    x = scale_for(costs, LEFT, WIDTH - RIGHT, ROOM_X)
+    lines = [(one, one.points, *STYLES[index % len(STYLES)]) for index, one in enumerate(page.methods) if one.points]
+    shown = [point for _, points, *_ in lines for point in points] + ([page.own] if page.own else [])
+    y = scale_for([*(error for _, error in shown), page.floor / 10], HEIGHT - BOTTOM, TOP, ROOM_Y)
+    x = scale_for((cost for cost, _ in shown), LEFT, WIDTH - RIGHT, ROOM_X)
     inside, named = _ground(page, x, y)
     alike = [line for line in lines if line[0].order is not None and round(line[0].order) == BAND_ORDER and len(line[1]) > 1]
     band = sorted(alike, key=lambda line: line[1][0][1]) if len(alike) > 1 else []
@@ -122,8 +104,8 @@ def chart(page: Chart) -> tuple[str, float]:
     dots = np.array([dot for line in drawn for dot in (*_dotted(line), *4 * line)]).reshape(-1, 2)
     ring: list[Box] = []
     first = ""
-    if own[0] is not None:
-        at = (x.at(own[0]), y.at(own[1]))
+    if page.own:
+        at = (x.at(page.own[0]), y.at(page.own[1]))
         inside += f'<circle {OWN} cx="{at[0]:.2f}" cy="{at[1]:.2f}" r="{OWN_RADIUS}"/>'
         piece = f'<circle {OWN} cx="{KEY_WIDE / 2:g}" r="{OWN_RADIUS}"/>'
         ring.append((at[0] - OWN_RADIUS, at[1] - OWN_RADIUS, at[0] + OWN_RADIUS, at[1] + OWN_RADIUS))
@@ -257,7 +239,10 @@ def _piece(mark: str, ink: str, dashes: str) -> str:
 
 
 def _pen(places: Points, ink: str, dashes: str) -> str:
-    return polyline(places, f'stroke="{ink}"' + (f' stroke-dasharray="{dashes}"' if dashes else ""))
+    if len(places) < 2:
+        return ""
+    dashed = f' stroke-dasharray="{dashes}"' if dashes else ""
+    return f'<path fill="none" stroke="{ink}"{dashed} d="{way_of(places)}"/>'
 
 
 def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:

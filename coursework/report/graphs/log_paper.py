@@ -95,13 +95,6 @@ def _lines(grid: str, axis: str) -> str:
     return f'<path stroke="{GRID}" stroke-width="0.1" d="{grid}"/><path stroke="{INK}" stroke-width="0.2" d="{axis}"/>'
 
 
-def polyline(points: Points, pen: str) -> str:
-    """Return a line through points (mm); nothing for a single one."""
-    if len(points) < 2:
-        return ""
-    return f'<path fill="none" {pen} d="{way_of(points)}"/>'
-
-
 def way_of(points: Points) -> str:
     """Return the d of a line through points (mm)."""
     return way(list(np.array(points).T))

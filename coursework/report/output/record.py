@@ -95,11 +95,6 @@ def _finding(finding: Finding) -> dict[str, Any]:
     return {name: getattr(finding, name) for name in (*kept, *more)}
 
 
-def study_record(run: SceneRun) -> dict[str, Any]:
-    """Return what `accuracy.json` holds."""
-    return {"variant": run.variant.name, "title": run.variant.title, "versions": run.versions, "scheme": run.settings.scheme}
-
-
 def as_json(content: dict[str, Any]) -> bytes:
     """Return a record as the bytes of its file: a line a key, and a line a record where a key holds a list of them."""
     lines = ",\n".join(f" {_written(key)}: {_lines(value)}" for key, value in content.items())

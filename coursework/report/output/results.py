@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from coursework.report.output.gate import pass_gate
-from coursework.report.output.record import record, stamp_of, study_record
+from coursework.report.output.record import record, stamp_of
 from coursework.report.output.tables import run_tables, study_csv
 from coursework.scene.quantities import PLOTS, quantities_for
 from coursework.scene.scene_run import SceneRun
@@ -104,4 +104,6 @@ class StudyResults(Results):
 
     def record(self) -> dict[str, Any]:
         """Return which variant was studied with what."""
-        return study_record(self.run) | self.letters()
+        variant, settings = self.run.variant, self.run.settings
+        told = {"variant": variant.name, "title": variant.title, "versions": self.run.versions, "scheme": settings.scheme}
+        return told | self.letters()

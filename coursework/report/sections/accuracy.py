@@ -7,7 +7,9 @@ Used by `sections.py`.
 
 from __future__ import annotations
 
-from coursework.report.graphs.accuracy_figures import Chart, Method, chart
+import math
+
+from coursework.report.graphs.accuracy_figures import SMALLEST, Chart, Method, chart
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
@@ -63,30 +65,28 @@ def _told(study: AccuracyStudy) -> list[StudyRow]:
 
 def error_figure(context: PageContext, study: AccuracyStudy) -> Figure:
     words = context.words
+    finished = _finished(study)
+    timed = study.seconds_shown and any(row.seconds is not None for row in finished)
     methods = []
-    for name in dict.fromkeys(row.method for row in _finished(study)):
-        rows = [row for row in _finished(study) if row.method == name]
-        methods.append(Method(
-            context.told(name, LONGEST_NAME), tuple(row.evaluations for row in rows),
-            tuple(row.seconds if study.seconds_shown else None for row in rows),
-            tuple(row.max_error for row in rows), study.orders.get(name),
-        ))  # fmt: skip
+    for name in dict.fromkeys(row.method for row in finished):
+        rows = sorted((row for row in finished if row.method == name), key=lambda row: (row.evaluations, row.max_error))
+        costs = [(row.seconds if timed else row.evaluations, max(abs(row.max_error), SMALLEST)) for row in rows]
+        points = tuple((cost, error) for cost, error in costs if cost is not None and math.isfinite(error))
+        methods.append(Method(context.told(name, LONGEST_NAME), points, study.orders.get(name)))
     labels = {key: words(f"accuracy.{key}") for key in ("seconds", "own_legend", "floor_legend")}
     of = "energy_" if _is_energy(study) else ""
     labels["evaluations"] = words("accuracy.slopes" if of else "accuracy.evaluations")
-    own = (study.own[1], study.own[3] if study.seconds_shown else None, study.own[2]) if study.own else None
-    page = Chart(tuple(methods), own, study.floor, words("accuracy.error", unit=_unit(context, study)), labels, words.listing)
+    own_cost = study.own and study.own[3 if timed else 1]
+    own = (float(own_cost), max(abs(study.own[2]), SMALLEST)) if study.own and own_cost is not None else None
+    label = words("accuracy.error", unit=_unit(context, study))
+    page = Chart(tuple(methods), own, study.floor, label, labels, timed, words.listing)
     floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context, study))
-    caption = words("accuracy.caption_timed" if page.timed else f"accuracy.{of}caption_one")
+    caption = words("accuracy.caption_timed" if timed else f"accuracy.{of}caption_one")
     reference = words("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
     caption = words.sentences([caption, words("accuracy.caption_rest", floor=floor), reference])
     alt = words("accuracy.alt", methods=words.listing([method.name for method in methods]))
     svg, height = chart(page)
     return Figure(svg, WIDTH, height, alt, context.lettered(caption))
-
-
-def _order_text(context: PageContext, study: AccuracyStudy, name: str) -> str:
-    return context.numbers.fixed(study.orders[name], 2) if name in study.orders else ""
 
 
 def _table(context: PageContext, study: AccuracyStudy) -> Table:
@@ -120,8 +120,8 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
     notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
         orders = context.words("join.numbers").join(
-            context.words("accuracy.order", method=context.told(name, LONGEST_NAME), order=_order_text(context, study, name))
-            for name in study.orders
+            context.words("accuracy.order", method=context.told(name, LONGEST_NAME), order=context.numbers.fixed(order, 2))
+            for name, order in study.orders.items()
         )
         notes.append(context.words("accuracy.orders", orders=orders))
     return Table(

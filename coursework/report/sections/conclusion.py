@@ -118,7 +118,8 @@ def _return(context: PageContext) -> list[str]:
     if not own:
         key = "conclusion.positions" if left else "conclusion.repeats"
         return [say(key, row=row + 1, time=time)]
-    most = max(own, key=lambda split: abs(split.total) / _size(context, split))
+    scale = evidence(context).scale
+    most = max(own, key=lambda split: abs(split.total) / scale.get(split.name, 1.0))
     values = {"row": row + 1, "symbol": context.lettering(most.name), "gap": _gap(context, most, most.total)}
     if context.run.tableau is None:
         return [say("conclusion.misses", **values)]
@@ -126,10 +127,6 @@ def _return(context: PageContext) -> list[str]:
     has_returned = abs(most.period) <= EVEN * abs(most.total)
     key = "own" if has_returned else "moved" if variant.time.period is None else "parted"
     return [say(f"conclusion.{key}", **values, **parts, time=time, whole=context.quantity(variant.time.period or 0.0, "s"))]
-
-
-def _size(context: PageContext, split: Split) -> float:
-    return evidence(context).scale.get(split.name, 1.0)
 
 
 def _gap(context: PageContext, split: Split, value: float) -> str:

@@ -1,6 +1,6 @@
 """Motion under forces: the equation of motion, what a step costs here, energy beside that of the motion itself.
 
-Enters: a `PageContext` of a run with a motor.  Leaves: parts.  Used by `by_forces.py`.
+Enters: a `PageContext` of a run with a motor.  Leaves: parts.  Used by the list of sections, by name.
 """
 
 from __future__ import annotations

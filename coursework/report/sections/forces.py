@@ -1,6 +1,6 @@
 """The forces: masses and inertia of the check row, group after group on paper, the lever, both read and compared, every row.
 
-Enters: a `PageContext` of a run that was asked for forces.  Leaves: parts.  Used by `by_forces.py`.
+Enters: a `PageContext` of a run that was asked for forces.  Leaves: parts.  Used by the list of sections, by name.
 """
 
 from __future__ import annotations

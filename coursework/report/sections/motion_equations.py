@@ -5,7 +5,7 @@ Enters: a `PageContext`.  Leaves: displayed equations with the words around them
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -223,7 +223,9 @@ def _contours(context: PageContext, first: bool) -> list[Part]:
     derived = [one for one in context.run.equations if one.derived]
     if not derived:
         return []
-    parts: list[Part] = list(_constant_angles(context))
+    parts: list[Part] = []
+    if angles := [display(named(name), angle, context.rates) for name, angle in context.angles.angles]:
+        parts += [Paragraph(context.say("constraints.angles")), Equations(angles, flow=True)]
     rest = {one.name: one for one in derived}
     contours = contours_of(context.run.scene.mechanism)
     parts += _points(context, contours)
@@ -266,10 +268,3 @@ def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
         if name in met and (set(formula.names()) & coordinates)
     ]
     return [Paragraph(context.say("constraints.points")), Equations(shown, flow=True)] if shown else []
-
-
-def _constant_angles(context: PageContext) -> Iterator[Part]:
-    """Yield the line that defines each constant angle."""
-    if lines := [display(named(name), angle, context.rates) for name, angle in context.angles.angles]:
-        yield Paragraph(context.say("constraints.angles"))
-        yield Equations(lines, flow=True)

@@ -121,26 +121,17 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     row = context.run.results.evidence.period_row or 0
     end = float(context.run.motion.t[row])
     late = abs(end - round(end / period) * period)
-    told = {"row": row + 1, "end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
+    told: dict[str, object] = {"row": row + 1, "end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
     most = max(coordinates, key=lambda split: abs(split.period))
     of_row = "" if row == len(context.run.motion.t) - 1 and round(end / period) == 1 else "_row"
     if context.run.tableau is None:
-        return [say(f"why.elsewhere{of_row}" if unreturned(context) else f"why.returns{of_row}", **told)]
-    if late < 1e-9 * period:
-        return [say(f"why.period_met{of_row}", **told)]
-    if all(abs(split.period) < HARDLY * abs(split.total) for split in coordinates):
-        return [
-            say(
-                f"why.period_near{of_row}", late=context.with_unit(context.numbers.scalar(late, SHORT), context.unit("s")), **told
-            )
-        ]
-    part, whole = (context.numbers.scalar(value, 2 if value is most.period else 3) for value in (most.period, most.total))
-    return [
-        say(
-            f"why.period{of_row}",
-            part=part,
-            whole=context.with_unit(whole, most.unit),
-            symbol=context.lettering(most.name),
-            **told,
-        )
-    ]
+        key = "elsewhere" if unreturned(context) else "returns"
+    elif late < 1e-9 * period:
+        key = "period_met"
+    elif all(abs(split.period) < HARDLY * abs(split.total) for split in coordinates):
+        key, told["late"] = "period_near", context.with_unit(context.numbers.scalar(late, SHORT), context.unit("s"))
+    else:
+        key, whole = "period", context.numbers.scalar(most.total, 3)
+        told |= {"part": context.numbers.scalar(most.period, 2), "whole": context.with_unit(whole, most.unit)}
+        told["symbol"] = context.lettering(most.name)
+    return [say(f"why.{key}{of_row}", **told)]

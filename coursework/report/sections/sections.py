@@ -12,16 +12,15 @@ from typing import Any
 
 from coursework.report.graphs.figures import drawn_parts
 from coursework.report.sections.accuracy import accuracy
-from coursework.report.sections.by_forces import dynamics, energy, forces
 from coursework.report.sections.checks import checks
 from coursework.report.sections.conclusion import conclusion
 from coursework.report.sections.construction import graph_check
 from coursework.report.sections.control import control
 from coursework.report.sections.dead_point import dead_point
 from coursework.report.sections.graphs import graphs
+from coursework.report.sections.late import dynamics, energy, flowchart, forces, listing
 from coursework.report.sections.method import method
 from coursework.report.sections.motion_equations import equations
-from coursework.report.sections.program import flowchart, listing
 from coursework.report.sections.results import results
 from coursework.report.sections.solution import solution
 from coursework.report.sections.statement import statement

@@ -154,14 +154,10 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
 
 def _values(context: PageContext, row: int) -> dict[str, float]:
     """Return the data, the laws and the entries of a row by name (SI)."""
-    motion, equations = context.run.motion, context.run.scene.equations
+    motion = context.run.motion
     values = {**context.run.variant.values, "t": float(motion.t[row]), "pi": np.pi}
     laws = [law.name for law in (*context.run.variant.drive, *context.run.variant.functions) if law.name not in motion.names]
-    at = slice(row, row + 1)
-    found = compile_rows(equations, [symbol(name) for name in laws], 1)(
-        motion.t[at], motion.coordinates[at], motion.velocities[at]
-    )
-    values.update(zip(laws, found[0].tolist() if laws else [], strict=True))
+    values |= _in_row(context, {name: symbol(name) for name in laws}, row)
     values |= {name: float(motion.column(name)[row]) for name in motion.names}
     if context.run.asks(ACCELERATIONS):
         second = context.run.results.accelerations[row].tolist()
@@ -171,12 +167,18 @@ def _values(context: PageContext, row: int) -> dict[str, float]:
 
 def _slopes(context: PageContext, rests: list[Expression], row: int) -> dict[str, float]:
     """Return what else stands in second derivatives in a row by name (SI): the slopes of laws, "∂us/∂t"."""
-    motion, equations = context.run.motion, context.run.scene.equations
+    equations = context.run.scene.equations
     free = sorted({one for rest in rests for one in rest.free_symbols}, key=str)
     named_symbols = {name: one for one in free if (name := as_sum(one, equations.order).name).startswith("∂")}
-    at = slice(row, row + 1)
-    found = compile_rows(equations, [*named_symbols.values()], 1)(motion.t[at], motion.coordinates[at], motion.velocities[at])
-    return dict(zip(named_symbols, found[0].tolist() if named_symbols else [], strict=True))
+    return _in_row(context, named_symbols, row)
+
+
+def _in_row(context: PageContext, wanted: Mapping[str, Expression], row: int) -> dict[str, float]:
+    """Return the values (SI) of named expressions in a row."""
+    motion, at = context.run.motion, slice(row, row + 1)
+    values = compile_rows(context.run.scene.equations, [*wanted.values()], 1)
+    found = values(motion.t[at], motion.coordinates[at], motion.velocities[at])[0] if wanted else np.zeros(0)
+    return dict(zip(wanted, found.tolist(), strict=True))
 
 
 def _in_numbers(context: PageContext, left: Formula, right: Formula, values: Mapping[str, float]) -> Display | None:
@@ -221,12 +223,10 @@ def _quotients(context: PageContext, extra: ExtraTable) -> list[Part]:
     du, dw = context.symbol(f"d{other.rate}"), context.symbol(f"d{crank.rate}")
     first, twice = f"frac(d {q.typst}, d {c.typst})", f"frac(d^2 {q.typst}, d {c.typst}^2)"
     one, two = f"d{q.text}/d{c.text}", f"d²{q.text}/d{c.text}²"
+    second_text = f"{two} = ({du.text} − {one} {dw.text})/{turn.text}²"
     shown = [
         Display(f"{first} = frac({u.typst}, {turn.typst})", f"{one} = {u.text}/{turn.text}"),
-        Display(
-            f"{twice} = frac(1, {turn.typst}^2) ({du.typst} - {first} {dw.typst})",
-            f"{two} = ({du.text} − {one} {dw.text})/{turn.text}²",
-        ),
+        Display(f"{twice} = frac(1, {turn.typst}^2) ({du.typst} - {first} {dw.typst})", second_text),
     ]
     place = extra.names.index(f"d{other.name}/d{crank.name}")
     results = [numbers.scalar(numbers.without_noise(float(value), 1.0), SHOWN) for value in extra.rows[row, place : place + 2]]

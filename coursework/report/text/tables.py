@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,6 @@ from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.quantities import GRAPH_CHECK
 from coursework.scene.scene_run import SceneRun
-from coursework.system.frozen import frozen
 
 TABLE_FILE = "table.csv"  # has the table of results, and beside it the columns of what is asked for row by row
 MOST_ROWS = 32  # rows printed; a longer table is thinned, table.csv holds it whole
@@ -57,18 +57,11 @@ def row_at(context: PageContext, place: float) -> str:
     return context.words("stop.between", row=math.floor(place) + 1, next=math.floor(place) + 2)
 
 
-@frozen
-class Grid:
-    """Columns of a table: names, units, rows (n, names); how large the terms of each are, where that is known."""
-
-    names: Sequence[str]
-    units: Sequence[str]
-    rows: Any
-    sizes: Sequence[float] = ()
-
-    def part(self, first: int, last: int | None = None) -> Grid:
-        """Return some of the columns."""
-        return Grid(self.names[first:last], self.units[first:last], self.rows[:, first:last], self.sizes[first:last])
+def _part(table: ExtraTable, first: int, last: int | None = None) -> ExtraTable:
+    """Return some of the columns."""
+    kept = slice(first, last)
+    names, units, rows, sizes = table.names[kept], table.units[kept], table.rows[:, kept], table.sizes[kept]
+    return replace(table, names=names, units=units, rows=rows, sizes=sizes)
 
 
 def rules_for(rows: int) -> list[int]:
@@ -98,7 +91,7 @@ def motion_parts(context: PageContext) -> list[Part]:
         told = [f"{context.lettering(one)}{TIGHT}={TIGHT}{words.amount(plain(v), unit_of(one))}" for one, v in constant.items()]
         notes.append(words("table.constant", listed=words.listing(told)))
     rows = run.motion.rows[:, [place for place, name in enumerate(run.motion.names) if name not in constant]]
-    return _by_row(context, Grid(names, units, rows), run.motion.t, caption, words.sentences(notes))
+    return _by_row(context, ExtraTable("", tuple(names), tuple(units), rows), run.motion.t, caption, words.sentences(notes))
 
 
 def given_constants(run: SceneRun) -> dict[str, float]:
@@ -116,12 +109,11 @@ def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part
     """Return the table of a further quantity; with row and time where it has a line for every row.  `file` holds it whole."""
     caption, note = (with_own_letters(context.told(text)) for text in (extra.title, extra.note))
     caption = caption.rstrip(".。") + context.words("table.stop")
-    whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
     if extra.names[0] == "t":
-        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, HALF_PAGE, file)
+        return _by_row(context, _part(extra, 1), extra.rows[:, 0], caption, note, HALF_PAGE, file)
     if len(extra.rows) == len(context.run.motion.t):
-        return _by_row(context, whole, context.run.motion.t, caption, note, HALF_PAGE, file)
-    columns, texts = _columns(context, whole, thinned(len(extra.rows)))
+        return _by_row(context, extra, context.run.motion.t, caption, note, HALF_PAGE, file)
+    columns, texts = _columns(context, extra, thinned(len(extra.rows)))
     return [
         Table(
             columns,
@@ -133,7 +125,7 @@ def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part
     ]
 
 
-def largest_of(grid: Grid, index: int) -> float:
+def largest_of(grid: ExtraTable, index: int) -> float:
     """Return the largest entry of the columns that are of one point and one unit with this one; 0 for no column of a point."""
     owner, point, _ = grid.names[index].partition(".")
     alike = [i for i, name in enumerate(grid.names) if name.startswith(f"{owner}.") and grid.units[i] == grid.units[index]]
@@ -141,7 +133,7 @@ def largest_of(grid: Grid, index: int) -> float:
     return max(sizes, default=0.0)
 
 
-def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
+def _columns(context: PageContext, grid: ExtraTable, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
     heads = [Column(context.symbol_runs([n]), context.unit(u)) for n, u in zip(grid.names, grid.units, strict=True)]
     sizes = [max(largest_of(grid, index), grid.sizes[index] if grid.sizes else 0.0) for index in range(len(heads))]
     texts = [context.numbers.column(grid.rows[kept, index], sizes[index]) for index in range(len(heads))]
@@ -149,7 +141,7 @@ def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Co
 
 
 def _by_row(
-    context: PageContext, grid: Grid, t: Any, caption: str, note: str, longest: int = ONE_PAGE, file: str = TABLE_FILE
+    context: PageContext, grid: ExtraTable, t: Any, caption: str, note: str, longest: int = ONE_PAGE, file: str = TABLE_FILE
 ) -> list[Part]:
     """Return one table, or as many as the columns need; each repeats row and time."""
     check_row = context.run.variant.time.check_row
@@ -164,7 +156,7 @@ def _by_row(
     parted = pieces(grid.names)
     # Several tables of every k-th row, each kept on one page, would leave a third of each empty.
     for number, (first, last) in enumerate(parted, start=1):
-        heads, texts = _columns(context, grid.part(first, last), kept)
+        heads, texts = _columns(context, _part(grid, first, last), kept)
         columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), context.unit("s")), *heads]
         rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
         which = context.words("table.part", part=number, parts=len(parted)) if len(parted) > 1 else ""

@@ -6,6 +6,7 @@ Enters: lines.  Leaves: fewer lines that say the same.  Used by `listings.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from coursework.takeaway.listing.syntax import Syntax
 
@@ -31,28 +32,34 @@ def dense(lines: list[str], syntax: Syntax) -> list[str]:
 
 def closer(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
     """Return lines in which assignments of one kind follow each other in one line; those of data have the same unit."""
-    found: list[str] = []
-    for line in lines:
+
+    def joined(above: str, line: str) -> str:
         text, said = _parts(line, syntax)
-        before, told = _parts(found[-1], syntax) if found else ("", "")
-        joined = f"{before}{'' if before.endswith(';') else ';'} {text.lstrip()}{said}"
-        if said == told and _is_set(text) and _is_set(before) and _margin(text) == _margin(before) and len(joined) <= widest:
-            found[-1] = joined
-        else:
-            found.append(line)
-    return found
+        before, told = _parts(above, syntax)
+        fits = said == told and _is_set(text) and _is_set(before) and _margin(text) == _margin(before)
+        return f"{before}{'' if before.endswith(';') else ';'} {text.lstrip()}{said}" if fits else ""
+
+    return _merged(lines, joined, widest)
 
 
 def behind(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
     """Return lines in which a comment stands behind the line below it where both fit."""
-    found: list[str] = []
-    for line in lines:
-        above = found[-1] if found else ""
-        joined = f"{line}  {above.lstrip()}"
+
+    def joined(above: str, line: str) -> str:
         named = re.match(rf" *{re.escape(syntax.comment)}\d+ ", above)
         is_free = line.strip() and not line.lstrip().startswith(syntax.comment) and not _parts(line, syntax)[1]
-        if named and is_free and len(joined) <= widest and _margin(above) == _margin(line):
-            found[-1] = joined
+        return f"{line}  {above.lstrip()}" if named and is_free and _margin(above) == _margin(line) else ""
+
+    return _merged(lines, joined, widest)
+
+
+def _merged(lines: list[str], joined: Callable[[str, str], str], widest: int) -> list[str]:
+    """Return lines, each joined to the one above where the two make one that is not too wide."""
+    found: list[str] = []
+    for line in lines:
+        both = joined(found[-1], line) if found else ""
+        if both and len(both) <= widest:
+            found[-1] = both
         else:
             found.append(line)
     return found

@@ -6,8 +6,9 @@ Enters: a `Writer`.  Leaves: the lines of a listing.  Used by `listings.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
-from coursework.takeaway.listing.round_about import Lines, by_printf, data_lines, limit_lines, numbered, row_by_row
+from coursework.takeaway.listing.round_about import Lines, by_printf, data_lines, limit_lines, listed, numbered, row_by_row
 from coursework.takeaway.listing.tables import functions
 from coursework.takeaway.listing.writer import Writer, indented
 
@@ -39,10 +40,6 @@ def javascript(one: Writer) -> Lines:
     """Return the listing in JavaScript."""
     outs = one.velocities
 
-    def call(stage: int) -> str:
-        found = ", ".join(numbered(stage, rate) for rate in outs)
-        return f"const [{found}] = {one.rates}({', '.join(one.slope(stage, numbered))});"
-
     def show(values: Sequence[str]) -> str:
         return f'console.log([{", ".join(values)}].map((x) => Number(x.toPrecision(15))).join(","));'
 
@@ -52,17 +49,13 @@ def javascript(one: Writer) -> Lines:
         *one.head(), "", one.box("data"), *data_lines(one, lambda name, value: f"let {name} = {value};"),
         *(f"const {line}" for line in one.known()), *functions(one), "",
         one.of_velocities, f"function {one.rates}({', '.join([one.t, *one.coordinates])}) {{", *indented(inside), "}", "",
-        one.box("start"), *row_by_row(one, call, show),
+        one.box("start"), *row_by_row(one, partial(listed, one), show),
     ]  # fmt: skip
 
 
 def octave(one: Writer) -> Lines:
     """Return the listing in Octave."""
     outs = one.velocities
-
-    def call(stage: int) -> str:
-        found = ", ".join(numbered(stage, rate) for rate in outs)
-        return f"[{found}] = {one.rates}({', '.join(one.slope(stage, numbered))});"
 
     def leave(values: Sequence[str]) -> Lines:
         return [*(f"{name} = {value};" for name, value in zip(outs, values, strict=True)), "return;"]
@@ -74,5 +67,5 @@ def octave(one: Writer) -> Lines:
         one.of_velocities, f"function [{', '.join(outs)}] = {one.rates}({', '.join([one.t, *one.coordinates])})",
         *indented([*shared, *limits, *one.blocks()]), "end", "",
         one.box("data"), *shared, *data_lines(one, lambda name, value: f"{name} = {value};"), *one.known(), "",
-        one.box("start"), *row_by_row(one, call, by_printf),
+        one.box("start"), *row_by_row(one, partial(listed, one), by_printf),
     ]  # fmt: skip

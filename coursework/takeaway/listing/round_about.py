@@ -58,6 +58,12 @@ def row_by_row(
     return [heads, one.box("loop"), *rows, one.box("again"), one.box("end")]
 
 
+def listed(one: Writer, stage: int) -> str:
+    """Return what takes the velocities of a slope from the list that is returned."""
+    found = ", ".join(numbered(stage, rate) for rate in one.velocities)
+    return f"{one.syntax.declares}[{found}] = {one.rates}({', '.join(one.slope(stage, numbered))});"
+
+
 def by_printf(values: Sequence[str]) -> str:
     """Return what prints the numbers of a row in C and Octave."""
     return f'printf("{",".join(["%.15g"] * len(values))}\\n", {", ".join(values)});'

@@ -47,11 +47,6 @@ HOUSES = {
 }  # fmt: skip
 
 
-def house_of(language: str) -> House:
-    """Return the style of a language."""
-    return HOUSES.get(language, House())
-
-
 @frozen
 class Style:
     """A style of paragraphs; None of a size, a line or an indent is that of the text; lengths in mm, spaces in pt."""

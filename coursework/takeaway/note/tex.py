@@ -28,11 +28,7 @@ PREAMBLES = {
     "uk": _CYRILLIC + "\\AtBeginDocument{\\renewcommand{\\figurename}{Рисунок}\\renewcommand{\\tablename}{Таблиця}}",
     "zh": _SHARED + "\\captionsetup{labelsep=quad}",
 }
-
-
-def class_of(language: str) -> str:
-    """Return the class of the document."""
-    return {"zh": "ctexart", "en": "article"}.get(language, "extarticle")
+CLASSES = {"zh": "ctexart", "en": "article"}  # of documents; "extarticle" in other languages
 
 
 def sized_tables(blocks: list[Node]) -> list[Node]:

@@ -23,7 +23,7 @@ from coursework.takeaway.note.dialects import DIALECTS
 from coursework.takeaway.note.formulas import latex_of
 from coursework.takeaway.note.pandoc import called
 from coursework.takeaway.note.sections import Headings, headings, section_blocks, title_blocks
-from coursework.takeaway.note.styles import House, house_of
+from coursework.takeaway.note.styles import HOUSES, House
 from coursework.words.data_folders import REPORTS, folder
 
 MODULE, EXTRA = "pypandoc", "note"
@@ -61,7 +61,7 @@ def _office_note(
 
 def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
     """Yield the note for LaTeX, and the drawings that it shows."""
-    from coursework.takeaway.note.tex import PREAMBLES, class_of, sized_tables
+    from coursework.takeaway.note.tex import CLASSES, PREAMBLES, sized_tables
 
     note = _Note(results, "tex")
     title, author = tree.text(results.model.heading), tree.text(results.model.author)
@@ -75,7 +75,7 @@ def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
         "--toc",
         "--toc-depth=2",
         "-V",
-        f"documentclass={class_of(results.language)}",
+        f"documentclass={CLASSES.get(results.language, 'extarticle')}",
         "-V",
         "papersize=a4",
     ]
@@ -99,7 +99,7 @@ class _Note:
         self.pictures = pictures(parts, pictures_of(results.model))
         shown = [item for part in parts if isinstance(part, Equations) for item in part.items]
         latex = latex_of((one.math for one in shown), self.words("decimal"), aligned=suffix == "tex")
-        self.house = house_of(results.language)
+        self.house = HOUSES.get(results.language, House())
         named = {one.name for one in shown if one.name}
         self.blocks = Blocks(self.dialect, latex, self._place, self.house.width, named)
 

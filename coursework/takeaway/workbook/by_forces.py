@@ -128,7 +128,7 @@ class _Writer:
             if text in self.cells or _NUMBER.fullmatch(text):
                 self.cells[target] = self.cells.get(text, f"({text})")
             else:
-                column = Column(self._head(target), _formula(text, self.cells), _rows(values, self.table.rows))
+                column = Column(self._head(target), expression(text, _CELLS, self.cells), _rows(values, self.table.rows))
                 column.shown, column.until = target.startswith(("_det", "_acc")), until
                 self.cells[target] = f"${self.table.add(column)}{f'${FIRST}' if until else ROW}"
 
@@ -162,7 +162,3 @@ class _Writer:
 
 def _rows(values: Any, count: int) -> Array:
     return np.broadcast_to(np.asarray(values, dtype=float), (count,)).copy()
-
-
-def _formula(text: str, cells: dict[str, str]) -> str:
-    return expression(text, _CELLS, cells)

@@ -18,15 +18,16 @@ LABELS = {
 
 
 def made_up(*, timed: bool) -> Chart:
-    costs = tuple(24 * 4**k for k in range(6))
+    each = 1e-6 if timed else 1
     methods = tuple(
         Method(
-            f"method {order}", costs, tuple(cost * 1e-6 if timed else None for cost in costs),
-            tuple(10.0**-order / 4.0 ** (order * k) * more for k in range(6)), float(order),
+            f"method {order}",
+            tuple((24 * 4**k * each, 10.0**-order / 4.0 ** (order * k) * more) for k in range(6)),
+            float(order),
         )
         for order, more in ((1, 1), (2, 1), (2, 3), (4, 1))
-    )  # fmt: skip
-    return Chart(methods, (24, 24e-6 if timed else None, 0.1), 1e-14, "error, rad", LABELS)
+    )
+    return Chart(methods, (24 * each, 0.1), 1e-14, "error, rad", LABELS, timed)
 
 
 def check_words(svg: str) -> None:
