@@ -142,14 +142,10 @@ class EquationLine:
 
 @frozen
 class AnswerLine:
-    """One measured answer: a number with its unit (SI in `value`), blank, or unreadable."""
+    """One measured answer: its `value` in SI, None where it is blank or unreadable."""
 
-    file: str
-    line: int
     name: str
-    text: str
     value: float | None
-    unit: str
     state: Literal["read", "blank", "unreadable"]
 
 

@@ -75,10 +75,9 @@ def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[
 
     A document without tables of cells may have one as text, line by line.
     """
-    columns = tuple((column.name, column.unit) for column in grid.columns)
     found: list[Table] = []
     refused: list[tuple[int, Refused]] = []
-    for table in joined(document.tables, columns):
+    for table in joined(document.tables, grid.units):
         try:
             if read := read_sheets([Sheet(None, table.rows)], Origin(name, document.kind, "cells"), grid):
                 found.append(replace(read, place=table.place))

@@ -39,7 +39,7 @@ _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
-_ALIGNED = re.compile(r"(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
+_ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
@@ -79,7 +79,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         tried, characters = tried + 1, characters + min(len(line), MAX_CHARACTERS)
         if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
             found.unread += "=" in line
-        elif answer := _answer(line, name, number, expected):
+        elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
         elif beside is None and (_defines(line, own, expected) or is_datum(line, expected)):
             continue
@@ -109,7 +109,7 @@ def _continued(lines: Iterable[tuple[int, str]], expected: Expected) -> Iterator
     for number, line in lines:
         if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, expected):
             begun = _GOES_ON_SIGN.sub("", kept).rstrip()
-            rest = _unaligned(line)
+            rest = _ALIGNED.sub("", line)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
             continue
         if kept:
@@ -128,18 +128,12 @@ def _goes_on(kept: str, line: str, expected: Expected) -> bool:
         return not (kept.rstrip().endswith("=") and "=" in line)
     if "=" in kept and not both and kept.count("(") > kept.count(")"):
         return True
-    rest = _unaligned(line)
+    rest = _ALIGNED.sub("", line)
     if both or not _BEGINS.match(rest):
         return False
     if "=" in line:
         return line[:1].isspace() or is_part_of_equation(kept, expected)
     return "=" in kept and not _VANISHED.search(kept) and is_equation_without_sign(rest, expected)
-
-
-def _unaligned(line: str) -> str:
-    """Return a line without what sets it in or aligns it."""
-    found = _ALIGNED.match(line)
-    return line[found.end() :] if found else line
 
 
 def _pieces(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
@@ -155,10 +149,6 @@ def _beside(text: str, expected: Expected, sign: str | None) -> Iterator[tuple[i
         bare = line.strip(_EDGES)
         if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
             yield number, bare
-
-
-def _answer(line: str, name: str, number: int, expected: Expected) -> AnswerLine | None:
-    return read_answer(line[:500], name, number, expected.answers) if expected.answers else None
 
 
 def _is_equation(line: str, expected: Expected) -> bool:
