@@ -19,9 +19,9 @@ from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.system.frozen import frozen
 from coursework.variant.formula import reader
-from coursework.variant.formula.tree import Formula, FormulaFault, mapped
+from coursework.variant.formula.tree import Formula, FormulaFault, with_names
 from coursework.variant.toml.source import Source
-from coursework.words.errors import Fault, InputError
+from coursework.words.errors import Fault
 from coursework.words.sentences import closest, say
 
 MORE_LINES = 20  # beyond twice the equations needed
@@ -42,7 +42,7 @@ def most_lines(expected: Expected) -> int:
 
 def spellings_for(expected: Expected) -> Spellings:
     """Return the spellings of the names that equations may have."""
-    return spellings_of(expected.variant, tuple((column.name, column.unit) for column in expected.grid.columns))
+    return spellings_of(expected.variant, expected.grid.units)
 
 
 def read_line(
@@ -91,9 +91,9 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
             sides = sides_of(candidate, names.spellings, closely=closely)
             read = _of_sides(sides, names)
             if isinstance(read, Fault):
-                # Every sign was understood, a name was not: that is the fault to tell.
+                # Every sign was understood, a name was not: that is the fault to tell, where the name stands as it is.
                 if read.place and not named:
-                    fault = named = Fault(read.message, column=_column_of(read.place, text))
+                    fault = named = Fault(read.message, column=max(text.find(read.place), 0) + 1)
             else:
                 found += [
                     replace(one, guessed=one.guessed or closely)
@@ -172,23 +172,13 @@ def read_constraints(source: Source, file: str, expected: Expected) -> list[Equa
         line = source.positions.find(("constraint", place, key))[0]
         if not isinstance(text, str):
             continue
-        if key == "closure":
-            fault = Fault(say("fault.G062"), file, line)
-            lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], None, None, fault=fault))
-            continue
-        read = _strict(text, names)
+        read = Fault(say("fault.G062")) if key == "closure" else _strict(text, names)
         if isinstance(read, Fault):
             fault = Fault(read.message, file, line, read.column)
             lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], None, None, fault=fault))
         else:
             lines.append(EquationLine(file, line, text, *read))
     return lines
-
-
-def faults_as_lines(error: InputError, file: str) -> list[EquationLine]:
-    """Return what makes a variant file unreadable as one line that cannot be read."""
-    fault = error.faults[0]
-    return [EquationLine(file, fault.line, "", None, None, fault=fault)]
 
 
 @frozen
@@ -199,6 +189,10 @@ class Names:
     expected: Expected
     own: Meanings = field(default_factory=dict)
     listed: bool = False
+
+    def declared(self, name: Formula) -> Formula:
+        """Return a name as the variant declares it."""
+        return replace(name, name=self.spellings.canonical(name.name) or name.name)
 
     def is_name(self, word: str) -> bool:
         """Return whether a word means something here: a name, a function, several glued together, one of the student's own."""
@@ -223,16 +217,5 @@ def _strict(text: str, names: Names) -> tuple[Formula, Formula] | Fault:
     whole = put_in(Formula("-", sides), meant) if meant else Formula("-", sides)
     if whole is None:
         return Fault(say("fault.G064"), column=1)
-    left, right = whole.args
-    return _renamed(left, names.spellings), _renamed(right, names.spellings)
-
-
-def _renamed(tree: Formula, spellings: Spellings) -> Formula:
-    if tree.op == "name":
-        return replace(tree, name=spellings.canonical(tree.name) or tree.name)
-    return mapped(tree, lambda arg: _renamed(arg, spellings))
-
-
-def _column_of(name: str, text: str) -> int:
-    """Return where a name stands in the line as handed in, 1 where its spelling was another."""
-    return max(text.find(name), 0) + 1
+    left, right = (with_names(side, names.declared) for side in whole.args)
+    return left, right
