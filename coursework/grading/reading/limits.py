@@ -34,6 +34,11 @@ def unreadable(code: str, /, **values: object) -> Refused:
     return Refused(Trouble("unreadable", code, say(f"reading.trouble.{code}", **values)))
 
 
+def other_kind(key: str, /, **values: object) -> Refused:
+    """Return the refusal of a file that is none of those that are read; its sentence is `reading.trouble.<key>`."""
+    return Refused(Trouble("unreadable", "other_kind", say(f"reading.trouble.{key}", **values)))
+
+
 def doubtful(code: str, /, **values: object) -> Refused:
     """Return the refusal of a file that a person must look at."""
     return Refused(Trouble("needs-review", code, say(f"reading.trouble.{code}", **values)))
