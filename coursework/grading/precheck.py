@@ -127,11 +127,11 @@ def _equations(work: StudentWork, told: Told) -> bool:
     if work.equations is None:
         told(say("screen.no_equations"))
         return True
-    unread = [line for line in work.equations if line.left is None]
+    unread = [line for line in work.equations if line.tree is None]
     told(say("screen.equations_read", count=len(work.equations), unread=len(unread)))
     for line in work.equations:
         kind, known = "place" if line.place else "line", {"line": line.line, "place": line.where}
-        if line.left is None:
+        if line.tree is None:
             told(say(f"screen.{kind}", why=line.fault.message if line.fault else say("screen.not_equation"), **known))
         elif line.repaired:
             told(say(f"screen.{kind}_read_as", repaired=line.repaired, **known))

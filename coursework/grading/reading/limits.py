@@ -44,11 +44,6 @@ def doubtful(code: str, /, **values: object) -> Refused:
     return Refused(Trouble("needs-review", code, say(f"reading.trouble.{code}", **values)))
 
 
-def rows_read(rows: int) -> int:
-    """Return how many rows of a file are read for a grid of `rows` rows."""
-    return max(ROWS, rows + 100)
-
-
-def columns_read(rows: int) -> int:
-    """Return how many columns are read: a transposed table has a column a row."""
-    return max(COLUMNS, rows + 10)
+def bounds(rows: int) -> tuple[int, int]:
+    """Return how many rows and columns of a file are read for a grid of `rows` rows: a transposed table has a column a row."""
+    return max(ROWS, rows + 100), max(COLUMNS, rows + 10)

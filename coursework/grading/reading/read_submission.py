@@ -214,7 +214,7 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
     except Refused as error:
         refused = error
     lines = lines_of_document(document, file.name, expected) if document else read_lines(decoded.text, file.name, expected)
-    if refused and not lines.answers and all(line.left is None for line in lines.equations):
+    if refused and not lines.answers and all(line.tree is None for line in lines.equations):
         raise refused
     found.take(lines, found.equations)
     return _kinds([], lines) or _nothing_in(file, could_be_table, found)

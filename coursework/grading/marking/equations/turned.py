@@ -14,10 +14,8 @@ from coursework.variant.formula.tree import Formula, with_names
 
 def with_other_sign(line: EquationLine, names: Collection[str]) -> EquationLine:
     """Return a line that was read with each of the names replaced by its negative; its text stays."""
-    assert line.left is not None
-    assert line.right is not None
 
     def turned(name: Formula) -> Formula:
         return Formula("neg", (name,), column=name.column) if name.name in names else name
 
-    return replace(line, left=with_names(line.left, turned), right=with_names(line.right, turned), others=())
+    return replace(line, tree=with_names(line.difference, turned), others=())

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import most_lines, names_in, read_line, spellings_for
+from coursework.grading.reading.equations.equations import most_lines, names_of, read_line, spellings_for
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
     are_listed,
@@ -24,7 +24,6 @@ from coursework.grading.reading.equations.line_kinds import (
     own_name,
 )
 from coursework.grading.reading.equations.meanings import key
-from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.parts import parts_of
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
@@ -87,7 +86,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.equations.append(read_line(line, name, number, expected, own, listed=listed))
         elif beside is not None and relates(read := read_line(line, name, number, expected), expected):
             found.equations.append(read)
-    if beside is not None and all(line.left is None for line in found.equations):
+    if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     found.answers = [*answers.values()]
     return found
@@ -172,12 +171,5 @@ def _defines(line: str, own: Mapping[str, Formula], expected: Expected) -> bool:
 
 def relates(read: EquationLine, expected: Expected) -> bool:
     """Return whether a line names a sought velocity and something it depends on."""
-    named, sought = _names(read, spellings_for(expected)), {*expected.variant.sought}
+    named, sought = names_of(read, spellings_for(expected)), {*expected.variant.sought}
     return bool(named & sought and named - sought - {"t"})
-
-
-def _names(read: EquationLine, spellings: Spellings) -> set[str]:
-    """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
-    if read.left is not None and read.right is not None:
-        return {node.name for node in (*read.left.walk(), *read.right.walk()) if node.op == "name"}
-    return names_in(read.text, spellings)

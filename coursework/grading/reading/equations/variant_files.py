@@ -48,7 +48,7 @@ def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantF
         source = read_source(content, name, {})
     except InputError as error:
         fault = error.faults[0]
-        return VariantFile((EquationLine(name, fault.line, "", None, None, fault=fault),))
+        return VariantFile((EquationLine(name, fault.line, "", fault=fault),))
     known = Schema.keys().keys()
     unknown = tuple(str(key)[:40] for key in source.data if key not in known)
     differing = _differing(source.data, expected)

@@ -14,7 +14,7 @@ from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.separators import split
-from coursework.grading.reading.limits import columns_read, rows_read, unreadable
+from coursework.grading.reading.limits import bounds, unreadable
 from coursework.grading.reading.student_work import Table
 from coursework.grading.reading.submission import Note, note
 from coursework.grading.reading.table.table import Origin, read_sheets
@@ -27,12 +27,11 @@ def is_spreadsheet(archive: Archive) -> bool:
 
 def table_of_archive(archive: Archive, name: str, grid: Grid) -> Table | None:
     """Return the table of a spreadsheet.  Raises `Refused`."""
-    bounds = rows_read(grid.rows), columns_read(grid.rows)
     sheets: Iterable[Sheet]
     if xlsx.WORKBOOK in archive.parts:
-        sheets, kind = xlsx.sheets_of(archive, *bounds), "xlsx"
+        sheets, kind = xlsx.sheets_of(archive, *bounds(grid.rows)), "xlsx"
     elif ods.CONTENT in archive.parts:
-        sheets, kind = ods.sheets_of(archive, *bounds), "ods"
+        sheets, kind = ods.sheets_of(archive, *bounds(grid.rows)), "ods"
     else:
         raise unreadable("damaged")
     skipped: list[str] = []
@@ -46,7 +45,7 @@ def table_of_archive(archive: Archive, name: str, grid: Grid) -> Table | None:
 
 def table_of_text(decoded: Decoded, name: str, grid: Grid) -> Table | None:
     """Return the table of a text, None for a text that holds none.  Raises `Refused`."""
-    found = split(decoded.text, rows_read(grid.rows), columns_read(grid.rows))
+    found = split(decoded.text, *bounds(grid.rows))
     if found is None:
         return None
     if found.has_pairs:
