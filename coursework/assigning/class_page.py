@@ -61,7 +61,7 @@ def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, wo
 def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
     """Return the strip of one drawn datum over its range."""
     values = [read(each.values[one.path]).value for each in accepted]
-    every = sorted((read(one.text(place)).value, one.text(place)) for place in _ends(one))
+    every = sorted((read(text).value, text) for text in one.ends)
     (low, first), (high, last) = every[0], every[-1]
     told = strip(
         values,
@@ -76,10 +76,6 @@ def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, wor
 
 def _head(one: Range, assignment: Assignment, words: Words) -> list[dict[str, str]]:
     return [{"t": words("assigned.row")}] if one.path[0] == "time" else symbol_runs(assignment.template, one.name)
-
-
-def _ends(one: Range) -> Sequence[int]:
-    return range(one.count) if one.choice else (0, one.count - 1)
 
 
 def _dressed(text: str, words: Words) -> str:

@@ -23,7 +23,6 @@ from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings
 from coursework.report.wording.data_meanings import meanings
 from coursework.scene.scene import Scene
-from coursework.variant.record.changes import determined
 from coursework.variant.record.entries import ROWS_BEFORE_N
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
@@ -57,11 +56,6 @@ class Handout:
     def variant(self) -> Variant:
         """Return the variant with the student's data."""
         return self.individual.variant
-
-    @property
-    def solved(self) -> frozenset[str]:
-        """Return the coordinates whose start the geometry gives."""
-        return determined(self.variant)
 
     @property
     def least_decimals(self) -> int:

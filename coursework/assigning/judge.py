@@ -151,7 +151,7 @@ def _measured(
     t = np.arange(rows.shape[1]) * h
     angular = [m + place for place, name in enumerate(model.velocities) if model.variant.unit_of(name) == "rad/s"]
     with np.errstate(all="ignore"):
-        gap = np.max(np.abs(rows[:, :, :m] - exact[:, :: _pace(fine, h), :m][:, : len(t)]), axis=(1, 2))
+        gap = np.max(np.abs(rows[:, :, :m] - exact[:, :: round(h / float(fine[1])), :m][:, : len(t)]), axis=(1, 2))
         fastest = np.max(np.abs(rows[:, :, angular]), axis=(1, 2), initial=0.0)
         slopes = rows[:, :-1, m : 2 * m]
         ahead = model.rates(t[1:], rows[:, :-1, :m] + h * slopes, data)[..., :m]
@@ -164,10 +164,6 @@ def _measured(
     return {
         "euler_error": gap, "least_determinant": np.min(scaled, axis=0), "largest_velocity": fastest, "one_step_gap": step_gap,
     }  # fmt: skip
-
-
-def _pace(fine: Array, step: float) -> int:
-    return round(step / float(fine[1]))
 
 
 def _scales(model: Model, variants: list[Variant], data: Data) -> Array:

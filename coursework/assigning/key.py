@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout
-from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, symbol_runs
+from coursework.assigning.page_words import Equation, Plain, equation, lettered, symbol_runs
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.output.tables import timed_csv
 from coursework.report.sections.construction import READING_HEADS, reading_row
@@ -57,7 +57,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "check": _check(handout, words),
         "enlarge": words("title.enlarge"),
     }
-    drawn = pictures(mathematics([*written, *solved]))
+    drawn = pictures([*written, *solved])
     return fitted(filled("key.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs))
 
 

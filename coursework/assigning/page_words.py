@@ -6,7 +6,6 @@ Used by `sheet.py`, `key.py` and `class_page.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
 from coursework.report.formulas.display import display, marked, marked_text
@@ -24,13 +23,12 @@ LONGEST = 200
 
 def symbol_runs(variant: Variant, name: str) -> list[dict[str, str]]:
     """Return the symbol of a name as runs."""
-    one = symbol(name, Rates(frozenset(velocities(variant))))
-    return [{"t": one.head}] if one.is_word and not one.subscript else [{"v": one.head, "s": one.subscript}]
+    return [symbol(name, rates_of(variant)).run]
 
 
 def symbol_text(variant: Variant, name: str) -> str:
     """Return the symbol of a name as text, for sentences: "ω₃"; a letter alone is marked, so that it is set as a symbol."""
-    text = symbol(name, Rates(frozenset(velocities(variant)))).text
+    text = symbol(name, rates_of(variant)).text
     return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 else text
 
 
@@ -40,7 +38,7 @@ def time_text(variant: Variant, key: str, words: Words) -> str:
     formula = variant.times.get(("time", key))
     if formula is None:
         return value
-    return f"{Setter(typst=False, rates=Rates(frozenset(velocities(variant)))).set(formula).source} = {value}"
+    return f"{Setter(typst=False, rates=rates_of(variant)).set(formula).source} = {value}"
 
 
 def lettered(variant: Variant, text: str) -> list[dict[str, str]]:
@@ -49,9 +47,9 @@ def lettered(variant: Variant, text: str) -> list[dict[str, str]]:
     return runs(printed(text), (*variant.columns, *(given.name for given in variant.given), *laws))
 
 
-def velocities(variant: Variant) -> tuple[str, ...]:
-    """Return the velocities of a table, in its order."""
-    return variant.columns[len(variant.coordinates) :]
+def rates_of(variant: Variant) -> Rates:
+    """Return the velocities of a table, as symbols of their derivatives know them."""
+    return Rates(frozenset(variant.velocities))
 
 
 def datum(text: str, unit: str, words: Words) -> str:
@@ -61,7 +59,7 @@ def datum(text: str, unit: str, words: Words) -> str:
 
 def equation(variant: Variant, left: Formula, right: Formula, words: Words, name: str = "") -> Equation:
     """Return a displayed equation; `name` stands at its margin."""
-    shown = marked(display(left, right, Rates(frozenset(velocities(variant))), name), words("decimal"))
+    shown = marked(display(left, right, rates_of(variant), name), words("decimal"))
     return {"math": shown.math, "text": shown.text, "name": shown.name}
 
 
@@ -83,18 +81,12 @@ def _function(variant: Variant, law: Law, words: Words) -> str:
     name = symbol_text(variant, law.name)
     if law.table:
         return words("sheet.tabled", name=name, file=clean(law.file, LONGEST))
-    plain = Setter(typst=False, rates=Rates(frozenset(velocities(variant))))
-    parts = [law.formula] if law.formula is not None else [piece for _, piece in law.pieces]
-    return "; ".join(f"{name} = {marked_text(plain.set(part).source, words('decimal'))}" for part in parts)
+    plain = Setter(typst=False, rates=rates_of(variant))
+    return "; ".join(f"{name} = {marked_text(plain.set(part).source, words('decimal'))}" for part in law.formulas)
 
 
 def _from(time: float, words: Words) -> str:
     return words("sheet.from", time=words.amount(words.numbers.plain(time), "s"))
-
-
-def mathematics(equations: Iterable[Equation]) -> list[str]:
-    """Return the Typst sources of equations."""
-    return [one["math"] for one in equations]
 
 
 Plain = dict[str, Any]

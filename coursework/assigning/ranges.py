@@ -68,6 +68,11 @@ class Range:
         """Return the name of the datum."""
         return self.path[1]
 
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """Return the values between which all lie: the first and the last, each one that is listed."""
+        return self.choice or (self.text(0), self.text(self.count - 1))
+
     def text(self, place: int) -> str:
         """Return one value (place from 0).
 

@@ -116,10 +116,9 @@ class _Reader:
         if one is None:
             return []
         last = self.template.time.steps + 1
-        values = [one.text(place) for place in (range(one.count) if one.choice else (0, one.count - 1))]
-        wrong = [text for text in values if not text.isdecimal() or not 1 <= int(text) <= last]
+        wrong = [text for text in one.ends if not text.isdecimal() or not 1 <= int(text) <= last]
         if wrong or one.decimals:
-            self._say(path, "fault.A028", last=last, found=(wrong or values)[0])
+            self._say(path, "fault.A028", last=last, found=(wrong or one.ends)[0])
             return []
         return [one]
 

@@ -12,7 +12,7 @@ from contextlib import suppress
 from fractions import Fraction
 
 from coursework.assigning.handout import Handout
-from coursework.assigning.page_words import lettered, symbol_runs, velocities
+from coursework.assigning.page_words import lettered, rates_of, symbol_runs
 from coursework.drawing.lettering.turns import Signed, Turn, turns
 from coursework.mechanism.groups.kind import summed
 from coursework.mechanism.mechanism import Mechanism
@@ -20,7 +20,6 @@ from coursework.report.formulas.display import marked_text
 from coursework.report.formulas.typst_math import Setter
 from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Runs
-from coursework.report.text.symbols import Rates
 from coursework.report.text.words import Words
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, part_of_pi, signed
 from coursework.variant.record.entries import Binding, Coordinate
@@ -41,7 +40,7 @@ def sense_rows(handout: Handout, words: Words) -> list[list[Runs]]:
         told = _angle(variant, one, turn, words) if one.unit == "rad" else _length(mechanism, one, words)
         rows.append(((one.name, one.rate), *told))
     rates = {one.rate for one in variant.coordinates}
-    rows += [((name,), *_velocity(variant, name, words)) for name in velocities(variant) if name not in rates]
+    rows += [((name,), *_velocity(variant, name, words)) for name in variant.velocities if name not in rates]
     driven = [law.name for law in variant.drive if law.name in {f"V{variant.driven}x", f"V{variant.driven}y"}]
     if driven:
         ways = words("join.comma").join(words("sheet.sense.right" if name.endswith("x") else "sheet.sense.up") for name in driven)
@@ -120,7 +119,7 @@ def _way(variant: Variant, parts: Signed, words: Words, key: str) -> str:
 
 def _set(variant: Variant, formula: Formula, words: Words) -> str:
     """Return a formula as text; what parts coordinates is no decimal comma."""
-    text = Setter(typst=False, rates=Rates(frozenset(velocities(variant))), in_sentence=True).set(formula).source
+    text = Setter(typst=False, rates=rates_of(variant), in_sentence=True).set(formula).source
     mark = words("decimal")
     return marked_text(text if mark == POINT else text.replace(", ", "; "), mark)
 

@@ -6,10 +6,10 @@ Used by `assign.py`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 from coursework.assigning.handout import Handout, guide_number
-from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
+from coursework.assigning.page_words import Equation, Plain, datum, drives, lettered, symbol_runs, symbol_text, time_text
 from coursework.assigning.senses import sense_rows
 from coursework.grading.marking.rubric import PARTS, Answer, Rubric
 from coursework.report.formulas.svg import Drawn, draw
@@ -17,6 +17,7 @@ from coursework.report.graphs.figures import scale_on_paper
 from coursework.report.text.parts import Runs
 from coursework.report.text.readable import least_width
 from coursework.report.text.words import Words
+from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import OutputError
 from coursework.words.stylesheets import fitted
@@ -54,14 +55,14 @@ def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plai
 
 def sheet_html(page: Plain) -> str:
     """Return a task sheet for the screen, which prints on A4 and fetches nothing."""
-    drawn = pictures(mathematics(page["drive"]))
+    drawn = pictures(page["drive"])
     return fitted(filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs))
 
 
-def pictures(sources: Sequence[str]) -> Drawn:
+def pictures(equations: Iterable[Equation]) -> Drawn:
     """Return equations as SVG; none where Typst is missing, and the text form stands in their place."""
     try:
-        return draw(sources)
+        return draw([one["math"] for one in equations])
     except OutputError:
         return Drawn({}, "")
 
@@ -71,14 +72,13 @@ def _drawing(handout: Handout, words: Words) -> Plain | None:
     if drawing is None:
         return None
     caption = scale_on_paper(words, lettered(handout.variant, words.written(drawing.caption)))
-    size = {"width": round(drawing.width, 4), "height": round(drawing.height, 4)}
-    size |= {"least": least_width(drawing.svg, drawing.width)}
     return {
         "svg": drawing.svg,
         "alt": words.written(drawing.alt),
         "caption": caption,
         "least": least_width(drawing.svg, drawing.width),
-        **size,
+        "width": round(drawing.width, 4),
+        "height": round(drawing.height, 4),
     }
 
 
@@ -94,9 +94,10 @@ def data_rows(handout: Handout, words: Words) -> list[list[object]]:
 def start_rows(handout: Handout, words: Words) -> list[list[object]]:
     """Return the start of each coordinate: as drawn, or as the geometry gives it."""
     rows: list[list[object]] = []
+    solved = determined(handout.variant)
     for place, coordinate in enumerate(handout.variant.coordinates):
         own = handout.individual.accepted.values.get(("coordinates", coordinate.name, "start"))
-        fixed = coordinate.start is not None and coordinate.name not in handout.solved
+        fixed = coordinate.start is not None and coordinate.name not in solved
         if own is not None or fixed:
             text = datum(coordinate.text, coordinate.written or coordinate.unit, words)
         else:

@@ -15,6 +15,7 @@ from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.points import true_steps
+from coursework.grading.marking.verdicts import telling_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import FileEntry, StudentWork
@@ -97,8 +98,7 @@ def _steps(key: Key, cells: Cells, named: Named, told: Told) -> None:
     """Say the first row whose angles do not follow from the row before by Euler's rule."""
     m = len(key.coordinates)
     values = cells.student.values
-    speaks = np.isfinite(values[1:, :m]) & np.isfinite(values[:-1, :m]) & np.isfinite(values[:-1, m : 2 * m]) & key.stepped
-    against = speaks & ~true_steps(key, cells)
+    against = telling_steps(key, cells) & ~true_steps(key, cells)
     if not against.any():
         told(say("screen.steps_follow"))
         return
@@ -127,11 +127,11 @@ def _equations(work: StudentWork, told: Told) -> bool:
     if work.equations is None:
         told(say("screen.no_equations"))
         return True
-    unread = [line for line in work.equations if line.left is None]
+    unread = [line for line in work.equations if line.tree is None]
     told(say("screen.equations_read", count=len(work.equations), unread=len(unread)))
     for line in work.equations:
         kind, known = "place" if line.place else "line", {"line": line.line, "place": line.where}
-        if line.left is None:
+        if line.tree is None:
             told(say(f"screen.{kind}", why=line.fault.message if line.fault else say("screen.not_equation"), **known))
         elif line.repaired:
             told(say(f"screen.{kind}_read_as", repaired=line.repaired, **known))

@@ -83,11 +83,9 @@ def _collected(source: Source, place: Place) -> Submission:
     if not place.file_lists:
         return Submission(place.id, place.name, ())
     found = source.collect(place.file_lists[0])
-    name = place.name or found.name
-    if len(place.file_lists) > 1:
-        listed = tuple(file_list.folder or file_list.id for file_list in place.file_lists)
-        return replace(found, id=place.id, name=name, review=say("reading.review.resubmitted", names=listed))
-    return replace(found, id=place.id, name=name)
+    listed = tuple(file_list.folder or file_list.id for file_list in place.file_lists)
+    review = say("reading.review.resubmitted", names=listed) if len(listed) > 1 else found.review
+    return replace(found, id=place.id, name=place.name or found.name, review=review)
 
 
 def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> ClassList:

@@ -111,7 +111,8 @@ def grade_class(
             progress()
     for student in by_id.keys() - graded.places.keys():
         before = journal.read(by_id[student])
-        _page_removed(out, before)
+        if _page_stands(out, before, wanted=True):  # of a submission that is there no more
+            (out / page_name(student)).unlink()
         graded.changes.append(Change(student, _mark(before), "", "withdrawn"))
     graded.changes.sort(key=lambda change: change.id)
     return graded
@@ -124,12 +125,6 @@ def _page_written(out: Path, outcome: Outcome) -> str:
     content = outcome.page.encode("utf-8")
     write_bytes(out / page_name(outcome.id), content)
     return hashlib.sha256(content).hexdigest()
-
-
-def _page_removed(out: Path, entry: Entry) -> None:
-    """Remove the page of a submission that is there no more, if it is the one that was written here."""
-    if _page_stands(out, entry, wanted=True):
-        (out / page_name(entry.id)).unlink()
 
 
 def _page_stands(out: Path, entry: Entry, wanted: bool) -> bool:

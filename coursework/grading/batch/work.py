@@ -35,7 +35,7 @@ class VariantSource:
 
     name: str
     content: bytes
-    tables: Mapping[str, bytes] = field(default_factory=dict)
+    tables: Mapping[str, bytes] = field(default_factory=dict, hash=False)
 
     @cached_property
     def sha256(self) -> str:

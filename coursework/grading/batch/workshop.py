@@ -5,9 +5,9 @@ Enters: `Setup`, tasks.  Leaves: `Outcome`s.  Every process of `workers.py` open
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -46,7 +46,7 @@ class Workshop:
         self.setup, self.words = setup, load_phrases(setup.language)
         self.rubric: Rubric = read_rubric(setup.rubric) if setup.rubric else Rubric()
         self._tables = {name: np.array(table) for name, table in setup.class_tables.items()}
-        self._markers: OrderedDict[tuple[str, int | None], tuple[Marker, Expected]] = OrderedDict()
+        self._marker = lru_cache(KEPT)(self._made)
 
     def answer(self, plain_task: Any) -> Outcome:
         """Return the outcome of one task, which has come as plain data."""
@@ -68,11 +68,7 @@ class Workshop:
         marker, expected = self._marker(source, accepted_decimals)
         return marker.grade(read_submission(submission, expected))
 
-    def _marker(self, source: VariantSource, accepted_decimals: int | None) -> tuple[Marker, Expected]:
-        kept = source.sha256, accepted_decimals
-        if kept in self._markers:
-            self._markers.move_to_end(kept)
-            return self._markers[kept]
+    def _made(self, source: VariantSource, accepted_decimals: int | None) -> tuple[Marker, Expected]:
         variant = parse_variant(source.content, source.name, source.tables)
         key = key_of(variant, accepted_decimals)
         if not len(key.table):
@@ -83,8 +79,4 @@ class Workshop:
 
             grid = with_forces(grid, key.forces, self.rubric.forces)
         others = {name: table for name, table in self._tables.items() if name != source.name}
-        made = Marker(key, self.rubric, others), Expected(grid, variant, tuple(a.name for a in self.rubric.answers))
-        self._markers[kept] = made
-        while len(self._markers) > KEPT:
-            self._markers.popitem(last=False)
-        return made
+        return Marker(key, self.rubric, others), Expected(grid, variant, tuple(a.name for a in self.rubric.answers))

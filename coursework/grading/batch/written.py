@@ -37,16 +37,13 @@ def submission_record(place: Place, grade: Mapping[str, Any], page: str, words: 
     """Return one submission as grades.json says it."""
     kept = {key: value for key, value in grade.items() if key not in _NOT_IN_JSON}
     head = {"id": place.id, "name": place.name, "variant": place.variant}
-    notes = [*grade["notes"], *([_not_looked_for(grade["hidden"], words)] if grade.get("hidden") else [])]
+    notes = [*grade["notes"]]
+    if codes := ", ".join(grade.get("hidden") or ()):  # for who reads grades.json, not for the page
+        notes.append({"code": "too_coarse", "text": words.said("reading.note.not_looked_for", codes=codes)})
     if place.row and place.row.locked:
         notes.append({"code": "locked", "text": words.said("reading.note.locked")})
     page_of = {"late": grade.get("late"), "overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
     return {**head, **kept, "notes": notes, **page_of}
-
-
-def _not_looked_for(codes: Sequence[str], words: Phrases) -> dict[str, str]:
-    """Return the note about misconceptions that the printed digits cannot tell: for who reads grades.json, not for the page."""
-    return {"code": "too_coarse", "text": words.said("reading.note.not_looked_for", codes=", ".join(codes))}
 
 
 def write_gradebook(
@@ -77,13 +74,13 @@ def write_gradebook(
     write_bytes(out / "class.html", page.encode("utf-8"))
     write_bytes(out / "changes.csv", _csv(("id", "before", "after", "reason"), changes))
     if worksheet is not None:
-        write_bytes(out / "worksheet.csv", worksheet.filled(_marks(listed, graded, words)))
+        write_bytes(out / "worksheet.csv", worksheet.filled(_marks(places, graded, words)))
         written.append("worksheet.csv")
     if canvas is not None:
-        write_bytes(out / "canvas.csv", canvas.filled(_points(listed, graded, canvas)))
+        write_bytes(out / "canvas.csv", canvas.filled(_points(places, graded, canvas)))
         written.append("canvas.csv")
     if moodle:
-        write_bytes(out / "feedback.zip", feedback_zip(_pages(out, listed, graded)))
+        write_bytes(out / "feedback.zip", feedback_zip(_pages(out, places, graded)))
         written.append("feedback.zip")
     return written
 
@@ -114,18 +111,16 @@ def _json(rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[st
     yield b"\n],\n" + json.dumps(tail, ensure_ascii=False, allow_nan=False)[1:].encode() + b"\n"
 
 
-def _marks(listed: ClassList, graded: Graded, words: Phrases) -> dict[int, tuple[float | None, str]]:
+def _marks(places: Mapping[str, Place], graded: Graded, words: Phrases) -> dict[int, tuple[float | None, str]]:
     """Return points and comment by the record of the worksheet."""
-    rows = {place.id: place.row for place in listed.places if place.row is not None}
     marks: dict[int, tuple[float | None, str]] = {}
     for entry in graded.entries():
-        if (row := rows.get(entry.id)) is not None:
+        if (row := places[entry.id].row) is not None:
             marks[row.record] = entry.grade["score"], told(entry.grade, words)
     return marks
 
 
-def _points(listed: ClassList, graded: Graded, canvas: Gradebook) -> dict[int, float]:
-    places = {place.id: place for place in listed.places}
+def _points(places: Mapping[str, Place], graded: Graded, canvas: Gradebook) -> dict[int, float]:
     found = {}
     for entry in graded.entries():
         place = places[entry.id]
@@ -136,8 +131,7 @@ def _points(listed: ClassList, graded: Graded, canvas: Gradebook) -> dict[int, f
     return found
 
 
-def _pages(out: Path, listed: ClassList, graded: Graded) -> Iterator[tuple[str, str, bytes]]:
-    places = {place.id: place for place in listed.places}
+def _pages(out: Path, places: Mapping[str, Place], graded: Graded) -> Iterator[tuple[str, str, bytes]]:
     for entry in graded.entries():
         page = out / page_name(entry.id)
         for file_list in places[entry.id].file_lists:

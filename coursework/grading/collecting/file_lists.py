@@ -51,10 +51,15 @@ class Names:
     files: list[tuple[str, str]]
     notes: dict[str, list[Note]]
 
+    @property
+    def tops(self) -> set[str]:
+        """Return the first parts of all names."""
+        return {name.partition("/")[0] for name in (*self.folders, *(name for name, _ in self.files))}
+
 
 def unwrapped(names: Names) -> Names:
     """Return names without the one folder that holds all folders, which some systems put around a zip."""
-    tops = {name.partition("/")[0] for name, _ in names.files} | {name.partition("/")[0] for name in names.folders}
+    tops = names.tops
     deep = any("/" in name.partition("/")[2] for name, _ in names.files)
     if len(tops) != 1 or not deep or moodle_owner(next(iter(tops))):
         return names
@@ -65,8 +70,7 @@ def unwrapped(names: Names) -> Names:
 
 def sorted_out(names: Names) -> tuple[str, tuple[FileList, ...]]:
     """Return which platform's download it is, and its file lists."""
-    tops = {name.partition("/")[0] for name, _ in names.files} | {folder.partition("/")[0] for folder in names.folders}
-    if any(moodle_owner(top) for top in tops):
+    if any(moodle_owner(top) for top in names.tops):
         return "moodle", _with_doubts(_by_owner(names, moodle_owner))
     if names.folders or any("/" in name for name, _ in names.files):
         return "folder", _with_doubts(_by_folder(names))
@@ -80,9 +84,7 @@ def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[Fil
     owners: dict[str, list[Owner]] = {}
     files: dict[str, list[tuple[str, str]]] = {}
     notes: dict[str, list[Note]] = {}
-    for top in sorted(
-        {*(name.partition("/")[0] for name, _ in names.files), *(f.partition("/")[0] for f in names.folders), *names.notes}
-    ):
+    for top in sorted(names.tops | names.notes.keys()):
         if owner := owner_of(top):
             owners.setdefault(owner.key, []).append(owner)
             notes.setdefault(owner.key, []).extend(names.notes.get(top, ()))
@@ -139,10 +141,9 @@ def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
         alike.setdefault(_original(file_list.id), []).append(file_list.id)
     checked = []
     for file_list in ordered:
-        twins, copies = same[same_key(file_list.id)], alike[_original(file_list.id)]
-        if file_list.shared:
-            file_list = replace(file_list, review=say("reading.review.same_id", names=(file_list.shared, file_list.shared)))
-        elif len(twins) > 1:
+        twins = [file_list.shared] * 2 if file_list.shared else same[same_key(file_list.id)]
+        copies = alike[_original(file_list.id)]
+        if len(twins) > 1:
             file_list = replace(file_list, review=say("reading.review.same_id", names=tuple(twins)))
         elif len(copies) > 1 and _original(file_list.id) in copies:
             file_list = replace(file_list, review=say("reading.review.resubmitted", names=tuple(copies)))

@@ -43,7 +43,7 @@ def match(
         student = people.by_id.get(same_key(file_list.shared or file_list.id))
         if student is None and platform == "moodle":
             row = rows.get(file_list.number)
-            student = people.of_row(row) if row else (people.named(file_list.name) if worksheet is None else None)
+            student = people.of_row(row) if row else (None if worksheet else people.by_name.get(name_key(file_list.name or "")))
         elif student is None and platform == "canvas":
             student = people.by_id.get(same_key(file_list.number)) or people.by_letters.get((file_list.name or "").casefold())
         if student is None:
@@ -69,9 +69,6 @@ class _People:
             or (self.by_id.get(same_key(row.id_number)) if row.id_number else None)
             or (self.by_name.get(name_key(row.name)) if row.name_is_unique else None)
         )
-
-    def named(self, name: str | None) -> Student | None:
-        return self.by_name.get(name_key(name)) if name else None
 
 
 def _unique(pairs: Iterable[tuple[str, Student]]) -> dict[str, Student]:

@@ -15,6 +15,7 @@ from functools import partial
 from io import BytesIO
 from pathlib import Path, PurePosixPath
 from types import TracebackType
+from typing import IO
 
 from coursework.grading.collecting.file_lists import FileList, Names, sorted_out, unwrapped
 from coursework.grading.platforms.names import legible
@@ -67,13 +68,9 @@ class Source:
         part = self._parts[place]
         try:
             with self._zip.open(part) as file:
-                if part.file_size > FILE_BYTES:
-                    return too_large(name, file.read(HEAD), part.file_size)
-                content = file.read(min(FILE_BYTES, left) + 1)
+                return _bounded(file, name, part.file_size, left)
         except (zipfile.BadZipFile, RuntimeError, OSError, NotImplementedError, EOFError, ValueError, zlib.error):
             return submitted_file(name, b"", say("reading.trouble.damaged"))
-        is_whole = len(content) <= min(FILE_BYTES, left)
-        return submitted_file(name, content) if is_whole else too_large(name, content[:HEAD], len(content))
 
     def _names_in_zip(self) -> Names:
         assert self._zip is not None
@@ -220,13 +217,18 @@ def read_regular(path: Path, name: str, left: int) -> SubmittedFile | Note:
         if status.st_nlink > 1:
             return note("ignored_file", name=name, why=say("reading.why.hard_link"))
         try:
-            # A file may grow while it is read; one byte more than allowed is enough to know.
-            content = b"" if status.st_size > FILE_BYTES else file.read(min(FILE_BYTES, left) + 1)
-            if status.st_size > FILE_BYTES or len(content) > min(FILE_BYTES, left):
-                head = content[:HEAD] or file.read(HEAD)
-                return too_large(name, head, max(status.st_size, len(content)))
+            return _bounded(file, name, status.st_size, left)
         except OSError as error:
             return submitted_file(name, b"", say("reading.trouble.locked", why=reason_of(error)))
+
+
+def _bounded(file: IO[bytes], name: str, size: int, left: int) -> SubmittedFile:
+    """Return a file of so many bytes, of one that is larger than allowed its beginning."""
+    most = min(FILE_BYTES, left)
+    # A file may grow while it is read; one byte more than allowed is enough to know.
+    content = file.read(HEAD if size > FILE_BYTES else most + 1)
+    if size > FILE_BYTES or len(content) > most:
+        return too_large(name, content[:HEAD], max(size, len(content)))
     return submitted_file(name, content)
 
 

@@ -83,7 +83,8 @@ def _slip(key: Key, answer: Answer, row: int, value: float, tolerance: float) ->
     """Return the slip that gives a wrong force, "" where none does or the answer is none; the nearest of several."""
     if key.forces is None or answer.of not in key.forces.names:
         return ""
-    off = {code: min(abs(value - one), abs(value - abs(one))) for code, one in key.forces.slips(answer.of, row).items()}
+    slips = {code: float(rows[row]) for code, rows in key.forces.columns(answer.of)[2].items()}
+    off = {code: min(abs(value - one), abs(value - abs(one))) for code, one in slips.items()}
     code = min(off, key=lambda code: off[code])
     return code if off[code] <= tolerance / CLEARLY else ""
 

@@ -19,6 +19,7 @@ from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.closure import Closure, closed_start, compile_closure
 from coursework.motion.geometry.start import start_values
 from coursework.motion.schemes import DEFAULT_SCHEME
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
@@ -37,8 +38,7 @@ def other_assemblies(variant: Variant, key: Array) -> list[Array]:
             table = make_run(other, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows.copy()
             if table.shape == key.shape:
                 turning = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.unit == "rad"]
-                turns = np.round(np.median(table - key, axis=0)[turning] / _TURN)
-                table[:, turning] -= _TURN * turns
+                table[:, turning] -= whole_turns(np.median(table - key, axis=0)[turning])
                 found.append(table)
     return found
 

@@ -52,18 +52,13 @@ class ForceKey:
     def right(self, name: str, row: int) -> tuple[float, float, float]:
         """Return a force in a row (from 0) of the exact motion and of the table, and the largest of its kind there."""
         exact, table = self._both
-        values = [_of(found.reactions.names, found.reactions.rows, name, row) for found in (exact, table)]
+        values = [float(_whole(found.reactions.names, found.reactions.rows, name)[row]) for found in (exact, table)]
         couple = name[0] in "MK"
         alike = [
             abs(float(value)) for one, value in zip(exact.reactions.names, exact.reactions.rows[row], strict=True)
             if (one[0] in "MK") == couple and np.isfinite(value)
         ]  # fmt: skip
         return values[0], values[1], max(alike, default=abs(values[0]))
-
-    def slips(self, name: str, row: int) -> Mapping[str, float]:
-        """Return what each slip gives."""
-        exact, _ = self._both
-        return {code: _of(exact.reactions.names, rows, name, row) for code, rows in self._slipped.items()}
 
     def columns(self, name: str) -> tuple[Array, Array, Mapping[str, Array]]:
         """Return a force in all rows (n,): of the exact motion, of the table, and as each slip gives it."""
@@ -75,10 +70,6 @@ class ForceKey:
     @cached_property
     def _slipped(self) -> dict[str, Array]:
         return slipped(self._both[0])
-
-
-def _of(names: tuple[str, ...], rows: Array, name: str, row: int) -> float:
-    return float(_whole(names, rows[row : row + 1], name)[0])
 
 
 def _whole(names: tuple[str, ...], rows: Array, name: str) -> Array:

@@ -6,7 +6,7 @@ Only "graded" and "graded-with-notes" carry a number: a format error is no wrong
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from decimal import ROUND_HALF_UP, Decimal
 from typing import TYPE_CHECKING, Any
@@ -163,13 +163,7 @@ class Marker:
             "equations": equations.share if equations else None,
             "answers": answers.share if answers and work.answers else None,
         }
-        judged = verdicts(
-            self.key,
-            table.cells if table else None,
-            table.points if table else None,
-            equations,
-            table.misconception if table else None,
-        )
+        judged = verdicts(self.key, table, equations)
         status, reason, notes = self._status(work, shares)
         if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
             line = unread.line
@@ -226,22 +220,20 @@ class Marker:
             return "graded", None, notes
         return "needs-review", notes[0].text, notes
 
-    def _notes(self, table: TableMarks | None) -> tuple[Note, ...]:
-        found: list[Note] = []
+    def _notes(self, table: TableMarks | None) -> Iterator[Note]:
         if table is not None:
             cells = table.cells
             if count := int((cells.too_coarse & cells.counted).sum()):
-                found.append(note("too_coarse", count=count, least=self.key.least_decimals))
+                yield note("too_coarse", count=count, least=self.key.least_decimals)
             if count := fewer_decimals(self.key, cells):
-                found.append(note("fewer_decimals", count=count, least=self.key.least_decimals))
+                yield note("fewer_decimals", count=count, least=self.key.least_decimals)
             if cells.computed_to is not None:
-                found.append(note("coarse_work", decimals=cells.computed_to))
-            found += table.forces.notes() if table.forces else []
+                yield note("coarse_work", decimals=cells.computed_to)
+            yield from table.forces.notes() if table.forces else ()
             if _is_the_key(cells.student, self.key):
-                found.append(note("bit_identical"))
+                yield note("bit_identical")
         if self.key.stopped:
-            found.append(note("dead_point", reason=self.key.stopped))
-        return tuple(found)
+            yield note("dead_point", reason=self.key.stopped)
 
 
 def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:

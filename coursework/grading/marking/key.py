@@ -139,7 +139,7 @@ class Key:
     @cached_property
     def velocities(self) -> tuple[str, ...]:
         """Return the names of the velocities: rates in the order of the coordinates, then the unknowns."""
-        return self.variant.columns[len(self.coordinates) :]
+        return self.variant.velocities
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -193,10 +193,7 @@ class Key:
         m = len(self.coordinates)
         if self.free is not None:  # the state of a row, then what follows from it
             return (*self.free.state, *(place for place in range(len(self.names)) if place not in self.free.state))
-        solved = [
-            [m + place for place, name in enumerate(self.velocities) if name in block] for block in map(frozenset, self.blocks)
-        ]
-        placed = [place for block in solved for place in block]
+        placed = [place for block in self.blocks for place in sorted(m + self.velocities.index(name) for name in block)]
         driven = [place for place in range(m, m + len(self.velocities)) if place not in placed]
         return (*range(m), *placed, *driven)
 

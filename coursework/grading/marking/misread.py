@@ -28,25 +28,15 @@ def misread(variant: Variant, code: str) -> Variant | None:
 
 
 def _with_drive_turned(variant: Variant) -> Variant:
-    return replace(
-        variant,
-        drive=tuple(
-            replace(
-                law,
-                formula=Formula("neg", (law.formula,)) if law.formula else None,
-                pieces=tuple((begin, Formula("neg", (piece,))) for begin, piece in law.pieces),
-                table=tuple((at, -value) for at, value in law.table),
-            )
-            for law in variant.drive
-        ),
-    )
+    laws = [law.rewritten(lambda formula: Formula("neg", (formula,))) for law in variant.drive]
+    return replace(variant, drive=tuple(replace(law, table=tuple((at, -value) for at, value in law.table)) for law in laws))
 
 
 def _in_degrees(variant: Variant, *, drive: bool, geometry: bool) -> Variant:
     """Return the variant as a calculator set to degrees sees it: every argument of a sine is taken for degrees."""
 
     def laws(found: Sequence[Law]) -> tuple[Law, ...]:
-        return tuple(_law(law) if (geometry if law.of in positions else drive) else law for law in found)
+        return tuple(law.rewritten(_degrees) if (geometry if law.of in positions else drive) else law for law in found)
 
     positions = {coordinate.name for coordinate in variant.coordinates}
     changed = replace(variant, drive=laws(variant.drive), functions=laws(variant.functions))
@@ -57,15 +47,6 @@ def _in_degrees(variant: Variant, *, drive: bool, geometry: bool) -> Variant:
         constraints=tuple(replace(c, left=_degrees(c.left), right=_degrees(c.right)) for c in variant.constraints),
         points=tuple((name, _degrees(point)) for name, point in variant.points),
         holds=tuple(_degrees(hold) for hold in variant.holds),
-    )
-
-
-def _law(law: Law) -> Law:
-    """Return a law in degrees."""
-    return replace(
-        law,
-        formula=_degrees(law.formula) if law.formula else None,
-        pieces=tuple((begin, _degrees(piece)) for begin, piece in law.pieces),
     )
 
 

@@ -12,8 +12,10 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.misconceptions import FEWEST, FEWEST_SHARE, Misconception
-from coursework.grading.marking.table.points import TablePoints, true_steps
+from coursework.grading.marking.table.misconceptions import FEWEST, FEWEST_SHARE
+from coursework.grading.marking.table.points import true_steps
+from coursework.grading.marking.table_marks import TableMarks
+from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
 # Steps that follow from the row before, from which on the integration is right; rows below which nobody can tell.
@@ -29,24 +31,27 @@ class Verdicts:
     arithmetic: Literal["right", "slip", "unknown"]
 
 
-def verdicts(
-    key: Key, cells: Cells | None, points: TablePoints | None, equations: EquationMarks | None, named: Misconception | None
-) -> Verdicts:
+def verdicts(key: Key, table: TableMarks | None, equations: EquationMarks | None) -> Verdicts:
     """Return the verdicts of a submission; a table that is not there leaves two of them unknown."""
     first: Literal["right", "wrong", "none"] = "none"
     if equations is not None:
         complete = equations.independent == equations.needed and not equations.wrong
         first = "none" if equations.unread else "right" if complete else "wrong"
-    if cells is None or points is None:
+    if table is None:
         return Verdicts(first, "unknown", "unknown")
-    return Verdicts(first, _integration(key, cells), _arithmetic(cells, points, named))
+    return Verdicts(first, _integration(key, table.cells), _arithmetic(table))
+
+
+def telling_steps(key: Key, cells: Cells) -> Flags:
+    """Return which steps of the coordinates (n - 1, m) can be told: of those that Euler's rule makes."""
+    m = len(key.coordinates)
+    there = np.isfinite(cells.student.values)
+    return np.asarray(there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m] & key.stepped)
 
 
 def euler_steps(key: Key, cells: Cells) -> tuple[int, int]:
     """Return how many steps of the coordinates are Euler's from the printed row before, and of how many that can be told."""
-    m = len(key.coordinates)
-    there = np.isfinite(cells.student.values)
-    speaks = there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m] & key.stepped
+    speaks = telling_steps(key, cells)
     return int((true_steps(key, cells) & speaks).sum()), int(speaks.sum())
 
 
@@ -59,10 +64,9 @@ def _integration(key: Key, cells: Cells) -> Literal["right", "wrong", "unknown"]
     return "right" if held / spoken >= FOLLOWED else "wrong"
 
 
-def _arithmetic(cells: Cells, points: TablePoints, named: Misconception | None) -> Literal["right", "slip", "unknown"]:
-    wrong = int(cells.wrong.sum())
+def _arithmetic(table: TableMarks) -> Literal["right", "slip", "unknown"]:
+    wrong = int(table.cells.wrong.sum())
     if not wrong:
         return "right"
-    if named is not None:
-        return "unknown"
-    return "slip" if wrong <= max(FEWEST, FEWEST_SHARE * points.cells) else "unknown"
+    few = table.misconception is None and wrong <= max(FEWEST, FEWEST_SHARE * table.points.cells)
+    return "slip" if few else "unknown"

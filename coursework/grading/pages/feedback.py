@@ -26,7 +26,7 @@ from coursework.grading.pages.curves import SIZE, panel
 from coursework.grading.pages.shown_cells import shown_column
 from coursework.grading.reading.table.units import AS_READ
 from coursework.report.text.symbols import symbol
-from coursework.report.text.text_runs import Run, runs, spelt
+from coursework.report.text.text_runs import runs, spelt
 from coursework.words.sentences import Phrases, say
 from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
@@ -167,12 +167,6 @@ def shown_points(value: float | None, words: Phrases) -> str:
     return "–" if value is None else words.number(round(value, 2), ".10g")
 
 
-def _set(name: str) -> Run:
-    """Return a name as it is set: its letter slanted, its index below."""
-    one = symbol(name)
-    return {"t": one.head} if one.is_word and not one.subscript else {"v": one.head, "s": one.subscript}
-
-
 def _lettered(key: Key, text: str) -> str:
     """Return a sentence with the names of columns and data as the pages of the report print them."""
     return spelt(text, (*key.names, *(given.name for given in key.variant.given)))
@@ -186,7 +180,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     if len(key.table) <= MOST_ROWS:
         chosen = list(range(len(key.table)))
     columns = [marked.table.column(name) for name in key.names]
-    heads = [[_set(name)] for name in key.names]
+    heads = [[symbol(name).run] for name in key.names]
     units = [
         words.unit(AS_READ.get(column.unit, column.unit) if column else key.variant.unit_of(name))
         for name, column in zip(key.names, columns, strict=True)
@@ -224,7 +218,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     ]  # fmt: skip
     read = [
         {
-            "name": [_set(name)],
+            "name": [symbol(name).run],
             "at": entry["at"],
             "by": say(f"feedback.by.{entry['by']}"),
             "unit": words.unit(AS_READ.get(entry["unit"], entry["unit"])),

@@ -9,7 +9,7 @@ from __future__ import annotations
 import html
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from datetime import datetime
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
@@ -63,7 +63,6 @@ class WorksheetRow:
     name: str
     email: str
     id_number: str
-    grade: str
     name_is_unique: bool
     locked: bool = False
     modified: datetime | None = None
@@ -113,7 +112,8 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
         raise InputError([Fault(say("fault.G021"), file)])
     titles = cells.columns
     found = {name: titles[title] for name, known in _TITLES.items() for title in known.split(",") if title in titles}
-    maximum = found.get("maximum", _column_of_maximum(cells))
+    equal = _columns_where(cells, _are_one_number, first=1)
+    maximum = found.get("maximum", equal[0] if len(equal) == 1 else None)
     if maximum is None:
         raise InputError([Fault(say("fault.G022"), file, 1)])
     columns = {"identifier": 0, "name": 1, "grade": maximum - 1, "maximum": maximum} | found
@@ -122,26 +122,34 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     last = len(cells.titles) - 1
     if "maximum" not in found and last >= maximum + _AFTER_MAXIMUM:
         columns.setdefault("comment", last)
-    if "changeable" not in columns:
-        columns |= _changeable_column(cells, maximum)
+    for name, holds, first in (("changeable", _are_yes_or_no, maximum + 1), ("email", _are_addresses, 0)):
+        places = _columns_where(cells, holds, first)
+        if places:
+            columns.setdefault(name, places[0])
     if "changeable" in columns:  # the time of the submission stands behind it
         columns.setdefault("modified", min(columns["changeable"] + 1, last))
-    if "email" not in columns:
-        columns |= _email_column(cells)
     greatest, mark = _maximum(cells, maximum)
     return Worksheet(cells, columns, _rows(cells, columns), greatest, mark)
 
 
-def _column_of_maximum(cells: CellText) -> int | None:
-    """Return the only column of equal positive numbers, None where there is none or several."""
+def _columns_where(cells: CellText, holds: Callable[[list[str]], bool], first: int = 0) -> list[int]:
+    """Return the columns, from `first` on, in which everything below the head is such."""
     width = min(len(record) for record in cells.records)
-    equal = []
-    for place in range(1, width):
-        values = {record[place].value.strip() for record in cells.records[1:]}
-        number = printed(next(iter(values)), ".") if len(values) == 1 else None
-        if number and number.is_number and number.value > 0:
-            equal.append(place)
-    return equal[0] if len(equal) == 1 else None
+    rows = range(1, len(cells.records))
+    return [place for place in range(first, width) if holds([cells.value(row, place) for row in rows])]
+
+
+def _are_one_number(values: list[str]) -> bool:
+    number = printed(values[0], ".")
+    return len({*values}) == 1 and number.is_number and number.value > 0
+
+
+def _are_yes_or_no(values: list[str]) -> bool:
+    return {value.casefold() for value in values} <= _YES | _NO
+
+
+def _are_addresses(values: list[str]) -> bool:
+    return any(values) and all(re.fullmatch(r"(?:[^@\s]+@[^@\s]+)?", value) for value in values)
 
 
 def _maximum(cells: CellText, place: int) -> tuple[float, str]:
@@ -153,28 +161,6 @@ def _maximum(cells: CellText, place: int) -> tuple[float, str]:
     if not number.is_number or number.value <= 0 or len({*values}) != 1:
         raise InputError([Fault(say("fault.G024", first=first[:20]), cells.file, 2)])
     return number.value, mark
-
-
-def _changeable_column(cells: CellText, maximum: int) -> dict[str, int]:
-    """Return the first column behind the greatest grades in which nothing but yes or no stands."""
-    width = min(len(record) for record in cells.records)
-    for place in range(maximum + 1, width):
-        if {cells.value(record, place).casefold() for record in range(1, len(cells.records))} <= _YES | _NO:
-            return {"changeable": place}
-    return {}
-
-
-def _email_column(cells: CellText) -> dict[str, int]:
-    width = min(len(record) for record in cells.records)
-    for place in range(width):
-        values = [record[place].value for record in cells.records[1:]]
-        if (
-            values
-            and all(re.fullmatch(r"\s*|[^@\s]+@[^@\s]+", value) for value in values)
-            and any("@" in value for value in values)
-        ):
-            return {"email": place}
-    return {}
 
 
 def _rows(cells: CellText, columns: Mapping[str, int]) -> tuple[WorksheetRow, ...]:
@@ -189,7 +175,7 @@ def _rows(cells: CellText, columns: Mapping[str, int]) -> tuple[WorksheetRow, ..
         name = value(record, "name")
         rows.append(WorksheetRow(
             record, number[1] if number else "", name, value(record, "email"), value(record, "id_number"),
-            value(record, "grade"), names[name_key(name)] == 1,
+            names[name_key(name)] == 1,
             value(record, "changeable").casefold() in _NO,
             moodle_time(value(record, "modified")),
         ))  # fmt: skip

@@ -35,6 +35,11 @@ class Grid:
         """Return the names of the columns, in the order of the key."""
         return tuple(column.name for column in self.columns)
 
+    @property
+    def units(self) -> tuple[tuple[str, str], ...]:
+        """Return (name, SI unit) of the columns."""
+        return tuple((column.name, column.unit) for column in self.columns)
+
 
 @frozen
 class Expected:
@@ -47,8 +52,6 @@ class Expected:
 
 def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]]) -> Grid:
     """Return the grid of a variant from its Euler table (`columns` by name, SI; fewer rows where the motion stops)."""
-    units = {coordinate.name: coordinate.unit for coordinate in variant.coordinates}
-    units |= {coordinate.rate: {"rad": "1/s", "m": "m/s"}.get(coordinate.unit, "1/s") for coordinate in variant.coordinates}
-    units |= dict(variant.unknowns)
     rows = min(len(values) for values in columns.values())
-    return Grid(variant.time.step, rows, tuple(GridColumn(name, units[name], columns[name]) for name in variant.columns))
+    units = {name: variant.unit_of(name).replace("rad/s", "1/s") for name in variant.columns}
+    return Grid(variant.time.step, rows, tuple(GridColumn(name, unit, columns[name]) for name, unit in units.items()))

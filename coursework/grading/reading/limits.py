@@ -34,16 +34,16 @@ def unreadable(code: str, /, **values: object) -> Refused:
     return Refused(Trouble("unreadable", code, say(f"reading.trouble.{code}", **values)))
 
 
+def other_kind(key: str, /, **values: object) -> Refused:
+    """Return the refusal of a file that is none of those that are read; its sentence is `reading.trouble.<key>`."""
+    return Refused(Trouble("unreadable", "other_kind", say(f"reading.trouble.{key}", **values)))
+
+
 def doubtful(code: str, /, **values: object) -> Refused:
     """Return the refusal of a file that a person must look at."""
     return Refused(Trouble("needs-review", code, say(f"reading.trouble.{code}", **values)))
 
 
-def rows_read(rows: int) -> int:
-    """Return how many rows of a file are read for a grid of `rows` rows."""
-    return max(ROWS, rows + 100)
-
-
-def columns_read(rows: int) -> int:
-    """Return how many columns are read: a transposed table has a column a row."""
-    return max(COLUMNS, rows + 10)
+def bounds(rows: int) -> tuple[int, int]:
+    """Return how many rows and columns of a file are read for a grid of `rows` rows: a transposed table has a column a row."""
+    return max(ROWS, rows + 100), max(COLUMNS, rows + 10)

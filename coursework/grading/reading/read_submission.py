@@ -37,7 +37,7 @@ from coursework.grading.reading.files.kinds import (
     kind_of_parts,
     real_kind,
 )
-from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, unreadable
+from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, other_kind, unreadable
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
 from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read_spreadsheet, table_of_text
@@ -150,8 +150,7 @@ def _other_kind(kind: str, key: str = "other_kind") -> Refused:
     """Return the refusal of a file by what it really is, with what to save it as."""
     if kind in {OLD_EXCEL, OLD_WORD}:
         return unreadable("old_excel" if kind == OLD_EXCEL else "old_word")
-    key = "picture" if kind in PICTURES else key
-    return Refused(Trouble("unreadable", "other_kind", say(f"reading.trouble.{key}", kind=kind)))
+    return other_kind("picture" if kind in PICTURES else key, kind=kind)
 
 
 def _read_archive(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
@@ -225,7 +224,7 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
     except Refused as error:
         refused = error
     lines = lines_of_document(document, file.name, expected) if document else read_lines(decoded.text, file.name, expected)
-    if refused and not lines.answers and not any(line.left or TURNED.search(line.text) for line in lines.equations):
+    if refused and not lines.answers and not any(line.tree is not None or TURNED.search(line.text) for line in lines.equations):
         raise refused
     found.take(lines, found.equations)
     return _kinds([], lines) or _nothing_in(file, could_be_table, found)

@@ -98,14 +98,13 @@ class Table:
 
 @frozen
 class EquationReading:
-    """One way to read a line: `left = right`, and the text that was read in its place, "" for the line as it stands.
+    """One way to read a line: its `tree`, left - right, and the text that was read in its place, "" for the line as it stands.
 
     `guessed` where something was added that does not stand there; `is_loose` where the line may mean something else, so that it
     counts only where it is right.  `in_degrees` where the line turns degrees into radians: right beside a table in degrees.
     """
 
-    left: Formula
-    right: Formula
+    tree: Formula
     text: str = ""
     guessed: bool = False
     is_loose: bool = False
@@ -114,7 +113,7 @@ class EquationReading:
 
 @frozen
 class EquationLine:
-    """One line of equations: `text` as handed in; `left = right` once read, else the fault and its column.
+    """One line of equations: `text` as handed in; its `tree`, left - right, once read, else the fault and its column.
 
     `repaired` is the text that was read in its place, "" for the line as it stands; `guessed` where something was added;
     `others` are further ways to read the line, of which one that is right is what was meant; `relates` says of a line nobody
@@ -125,8 +124,7 @@ class EquationLine:
     file: str
     line: int
     text: str
-    left: Formula | None
-    right: Formula | None
+    tree: Formula | None = None
     repaired: str = ""
     fault: Fault | None = None
     others: tuple[EquationReading, ...] = ()
@@ -136,6 +134,12 @@ class EquationLine:
     guessed: bool = False
 
     @property
+    def difference(self) -> Formula:
+        """Return left - right of a line that was read."""
+        assert self.tree is not None
+        return self.tree
+
+    @property
     def where(self) -> Sentence:
         """Return where the line stands, for a person."""
         return self.place or say("reading.place.line", line=self.line)
@@ -143,14 +147,10 @@ class EquationLine:
 
 @frozen
 class AnswerLine:
-    """One measured answer: a number with its unit (SI in `value`), blank, or unreadable."""
+    """One measured answer: its `value` in SI, None where it is blank or unreadable."""
 
-    file: str
-    line: int
     name: str
-    text: str
     value: float | None
-    unit: str
     state: Literal["read", "blank", "unreadable"]
 
 
@@ -165,7 +165,7 @@ class Trouble:
 
 @frozen
 class FileEntry:
-    """One line of `files` in grades.json; `kinds` are of `submission.KINDS`, `kind` the first of them."""
+    """One line of `files` in grades.json; `kinds` what stands in the file, `kind` the first of them."""
 
     name: str
     kind: str

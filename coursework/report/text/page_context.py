@@ -115,8 +115,7 @@ class PageContext:
             if "/" in name:
                 found += derivative(name)
                 continue
-            one = self.symbol(name)
-            found.append({"t": one.head} if one.is_word and not one.subscript else {"v": one.head, "s": one.subscript})
+            found.append(self.symbol(name).run)
         return [*found, *runs(after)]
 
     def symbol_list(self, names: Iterable[str]) -> str:

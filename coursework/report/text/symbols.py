@@ -59,6 +59,11 @@ class Symbol:
         return f"{self.head}_{self.subscript}" if self.subscript else self.head
 
     @property
+    def run(self) -> dict[str, str]:
+        """Return the symbol as a run: a letter with its index, or a word."""
+        return {"t": self.head} if self.is_word and not self.subscript else {"v": self.head, "s": self.subscript}
+
+    @property
     def typst(self) -> str:
         """Return Typst math source."""
         head = f'"{self.letter}"' if self.is_word else " ".join(self.letter)

@@ -97,6 +97,11 @@ def mapped(tree: Formula, change: Callable[[Formula], Formula]) -> Formula:
     return tree if all(map(operator.is_, args, tree.args)) else replace(tree, args=args)
 
 
+def with_names(tree: Formula, change: Callable[[Formula], Formula]) -> Formula:
+    """Return a tree with something else in the place of each name."""
+    return change(tree) if tree.op == "name" else mapped(tree, lambda arg: with_names(arg, change))
+
+
 def replaced(tree: Formula, path: Sequence[int], by: Formula) -> Formula:
     """Return a formula with another node in the place that a path leads to, argument by argument."""
     if not path:

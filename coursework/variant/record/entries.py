@@ -5,7 +5,8 @@ Leaves `reader.py` inside a `Variant`.  Used by `variant.py`, through which ever
 
 from __future__ import annotations
 
-from collections.abc import Iterable, KeysView, Mapping
+from collections.abc import Callable, Iterable, KeysView, Mapping
+from dataclasses import replace
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
@@ -51,6 +52,11 @@ class Law:
     def formulas(self) -> tuple[Formula, ...]:
         """Return every formula the law is written with."""
         return (*(piece for _, piece in self.pieces), *((self.formula,) if self.formula else ()))
+
+    def rewritten(self, change: Callable[[Formula], Formula]) -> Law:
+        """Return the law with every formula changed."""
+        pieces = tuple((begin, change(piece)) for begin, piece in self.pieces)
+        return replace(self, formula=change(self.formula) if self.formula else None, pieces=pieces)
 
 
 @frozen

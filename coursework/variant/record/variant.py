@@ -229,6 +229,11 @@ class Variant:
             raise no_column(column, tuple(name for name in self._units if "." not in name))
         return self._units[column]
 
+    @property
+    def velocities(self) -> tuple[str, ...]:
+        """Return the columns of the table behind the coordinates: rates, then [unknowns]."""
+        return self.columns[len(self.coordinates) :]
+
     @cached_property
     def _units(self) -> dict[str, str]:
         velocities = {c.rate: "rad/s" if c.unit == "rad" else "m/s" for c in self.coordinates}

@@ -19,7 +19,7 @@ def key():
 
 
 def answer(name, value, state="read"):
-    return AnswerLine("answers.txt", 1, name, str(value), value, "1/s", state)
+    return AnswerLine(name, value, state)
 
 
 @pytest.mark.parametrize(

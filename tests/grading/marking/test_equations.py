@@ -31,7 +31,7 @@ EQUIVALENT = [
 
 def line(text, number=1):
     left, _, right = text.partition("=")
-    return EquationLine("equations.txt", number, text, parse(left), parse(right))
+    return EquationLine("equations.txt", number, text, Formula("-", (parse(left), parse(right))))
 
 
 @pytest.fixture(scope="module")
@@ -87,7 +87,7 @@ def test_what_is_not_linear_in_the_velocities_is_wrong(judge, text):
 
 
 def test_a_line_that_could_not_be_read_earns_and_costs_nothing(judge):
-    unread = EquationLine("equations.txt", 5, "w3 == lambda: 0", None, None)
+    unread = EquationLine("equations.txt", 5, "w3 == lambda: 0")
     marks = judge.mark([*(line(text, number) for number, text in enumerate(RIGHT, start=1)), unread])
     assert marks.marks[-1].verdict == "unreadable"
     assert marks.share == 1.0
@@ -120,7 +120,7 @@ def test_every_single_edit_of_the_catalogue_is_found(name):
     variant = coursework.load(name)
     judge = Judge(key_of(variant))
     written = [c for c in variant.constraints if not c.is_closure]
-    marks = judge.mark([EquationLine("e", c.line, "", c.left, c.right) for c in written])
+    marks = judge.mark([EquationLine("e", c.line, "", Formula("-", (c.left, c.right))) for c in written])
     assert {mark.verdict for mark in marks.marks} == {"right"}
     tried = 0
     for constraint in written:
@@ -128,7 +128,7 @@ def test_every_single_edit_of_the_catalogue_is_found(name):
         slips = [edit for edit in edits(tree, judge.kinds) if edit.path and edit.kind != "factor"]
         for edit in slips[:: max(1, len(slips) // 6)]:
             changed = applied(tree, edit)
-            mark = judge.mark([EquationLine("e", 1, "", *changed.args)]).marks[0]
+            mark = judge.mark([EquationLine("e", 1, "", changed)]).marks[0]
             assert mark.verdict != "wrong" or mark.hint is not None, spelled(changed)
             tried += mark.verdict == "wrong"
     assert tried >= len(written)

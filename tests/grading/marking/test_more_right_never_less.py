@@ -14,7 +14,7 @@ from coursework.grading.marking.table.points import ENOUGH_ROWS, FOLLOWING, tabl
 from coursework.grading.marking.table.ways import own_ways
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import parse
-from coursework.variant.formula.tree import spelled
+from coursework.variant.formula.tree import Formula, spelled
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.test_equal_faults import sign_faults, variants
 
@@ -170,7 +170,8 @@ def test_the_tolerance_of_usual_print_is_that_of_its_digits_whatever_is_spoiled(
 def lines(desk, wrong):
     texts = {c.name: f"{spelled(c.left)} - ({spelled(c.right)})" for c in desk.variant.constraints} | wrong
     return [
-        EquationLine("e.txt", number, f"{text} = 0", parse(text), parse("0")) for number, text in enumerate(texts.values(), 1)
+        EquationLine("e.txt", number, f"{text} = 0", Formula("-", (parse(text), parse("0"))))
+        for number, text in enumerate(texts.values(), 1)
     ]
 
 

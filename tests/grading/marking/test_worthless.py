@@ -10,7 +10,7 @@ from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.key import key_of
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import parse
-from coursework.variant.formula.tree import spelled
+from coursework.variant.formula.tree import Formula, spelled
 
 
 @cache
@@ -20,7 +20,7 @@ def judge(name="31"):
 
 def line(text, number=1):
     left, _, right = text.partition("=")
-    return EquationLine("equations.txt", number, text, parse(left), parse(right))
+    return EquationLine("equations.txt", number, text, Formula("-", (parse(left), parse(right))))
 
 
 def marks(texts, name="31"):

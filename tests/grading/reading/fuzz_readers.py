@@ -149,7 +149,7 @@ def run(cases: int, seed: int = 0) -> Counter[str]:
             began = time.process_time()
             try:
                 counts[outcome(read_submission(record_of(Submission, plain_of(handed)), scene))] += 1
-                read_answer(content[:80].decode("utf-8", "replace"), "f", 1, ("wAB",))
+                read_answer(content[:80].decode("utf-8", "replace"), ("wAB",))
             except Exception as error:
                 raise AssertionError(f"case {case}: {error!r}") from error
             spent = time.process_time() - began

@@ -8,9 +8,9 @@ import pytest
 
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.student_work import Table
-from coursework.grading.reading.table.tables_of_file import read_table
 from coursework.variant.catalogue import names
 from tests.grading.reading.dialects import DIALECTS, STYLES, written
+from tests.grading.reading.misread import read_table
 from tests.grading.scenes import expected, times
 from tests.sample import sampled
 

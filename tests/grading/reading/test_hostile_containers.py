@@ -9,9 +9,8 @@ import zipfile
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import Trouble
 from coursework.grading.reading.submission import Submission, submitted_file
-from coursework.grading.reading.table.tables_of_file import read_table
 from tests.grading.reading.dialects import archive, document, workbook
-from tests.grading.reading.misread import GRID, ROWS, column, read, refused
+from tests.grading.reading.misread import GRID, ROWS, column, read, read_table, refused
 from tests.grading.scenes import expected
 
 

@@ -7,9 +7,8 @@ import math
 import pytest
 
 from coursework.grading.reading.student_work import Table, Trouble
-from coursework.grading.reading.table.tables_of_file import read_table
 from tests.grading.reading.dialects import workbook, written
-from tests.grading.reading.misread import COLUMNS, GRID, HEAD, ROWS, cells, codes, column, csv, read, refused
+from tests.grading.reading.misread import COLUMNS, GRID, HEAD, ROWS, cells, codes, column, csv, read, read_table, refused
 from tests.grading.scenes import times
 
 

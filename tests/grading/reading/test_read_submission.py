@@ -44,10 +44,10 @@ def test_a_table_and_equations_and_answers() -> None:
     assert [entry.kind for entry in contents.files] == ["table", "equations", "equations"]
     assert contents.table is not None and contents.trouble is None
     assert contents.equations is not None
-    assert [(line.line, bool(line.repaired), line.left is None) for line in contents.equations] == [
+    assert [(line.line, bool(line.repaired), line.tree is None) for line in contents.equations] == [
         (2, False, False), (3, True, False), (5, False, False), (6, False, True), (4, False, True),
     ]  # fmt: skip
-    assert spelled(contents.equations[1].left) == "2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4"  # type: ignore[arg-type]
+    assert spelled(contents.equations[1].difference.args[0]) == "2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4"
     fault = contents.equations[3].fault
     assert fault is not None and (fault.line, fault.column) == (6, 37)
     assert fault.message == 'symbol "ph1" is not declared. Did you mean "phi1"?'
@@ -74,7 +74,7 @@ def test_equations_beside_a_table_in_one_text_are_read_with_it(dialect: str, pla
     assert contents.table is not None and contents.trouble is None
     assert contents.table.column("w4").values == read(("t.csv", rows)).table.column("w4").values  # type: ignore[union-attr]
     assert contents.equations is not None
-    assert [line.left is None for line in contents.equations] == [False, False]
+    assert [line.tree is None for line in contents.equations] == [False, False]
     first = text.splitlines().index(lines.splitlines()[0]) + 1
     assert [line.line for line in contents.equations] == [first, first + 1]
     assert [entry.kind for entry in contents.files] == ["table"]
@@ -84,7 +84,7 @@ def test_a_line_beside_a_table_that_cannot_be_read_is_told_where_others_can() ->
     broken = "r3*w3*sin(ph3) = VMy"
     contents = read(("work.csv", f"{LINES[0]}\n{broken}\n".encode() + table("csv_utf8").removeprefix(b"\xef\xbb\xbf")))
     assert contents.equations is not None
-    assert [line.left is None for line in contents.equations] == [False, True]
+    assert [line.tree is None for line in contents.equations] == [False, True]
 
 
 def test_titles_above_a_table_are_no_equations_and_a_file_of_equations_goes_first() -> None:
@@ -133,7 +133,7 @@ def test_forms_that_people_write_are_read(line: str) -> None:
     assert contents.equations is not None
     (read_line,) = contents.equations
     assert read_line.fault is None
-    assert read_line.left is not None
+    assert read_line.tree is not None
 
 
 @pytest.mark.parametrize(
@@ -150,11 +150,11 @@ def test_hostile_lines_are_unreadable_with_their_column_and_the_rest_is_read(lin
     contents = read(("equations.txt", f"{line}\nr3*w3 = VMy".encode()))
     assert contents.equations is not None
     hostile, good = contents.equations
-    assert hostile.left is None
+    assert hostile.tree is None
     assert hostile.fault is not None
     assert hostile.fault.column == column, hostile.fault
     assert len(hostile.text) <= 2000
-    assert good.left is not None
+    assert good.tree is not None
 
 
 def test_data_of_a_program_beside_a_table_are_no_equations() -> None:

@@ -12,6 +12,7 @@ _MINUS = "-−–—‐‑－"
 _ALIKE = str.maketrans(dict.fromkeys(_MINUS, "-") | {"·": "*", "⋅": "*", "×": "*", "＋": "+", "（": "(", "）": ")"})
 # What a line and its reading have one by one, in the same order: signs of terms, names and functions.
 _SIGNS = re.compile(f"[{_MINUS}+＋]")
+_SIGN_BEFORE = re.compile(rf"[{_MINUS}+][\s(]*\Z")
 _WORDS = re.compile(r"\\?[^\W\d_][^\W_]*(?:_\{?\w+\}?)?")
 _COMMANDS = {r"\frac", r"\dfrac", r"\tfrac", r"\cdot", r"\left", r"\right", r"\quad", r"\dot", r"\times", r"\mathrm", r"\text"}
 _LABEL = 2  # words that a line may have before its equation
@@ -67,7 +68,5 @@ def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) ->
 
 def _sign_before(text: str, column: int) -> int:
     """Return the column of the sign before a term, of the term itself where none stands there."""
-    place = min(column - 2, len(text) - 1)  # a line is read as text that may be shorter than what was typed
-    while place >= 0 and (text[place].isspace() or text[place] == "("):
-        place -= 1
-    return place + 1 if place >= 0 and text[place] in f"+{_MINUS}" else column
+    found = _SIGN_BEFORE.search(text, 0, max(column - 1, 0))  # a line is read as text that may be shorter than what was typed
+    return found.start() + 1 if found else column

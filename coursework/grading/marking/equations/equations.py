@@ -158,7 +158,7 @@ class Judge:
         nothing = 0
         for line in wrong:
             try:
-                said = linear(difference(line), self.off_closure)
+                said = linear(line.difference, self.off_closure)
             except NoValue:
                 nothing += 1
                 continue
@@ -181,9 +181,9 @@ class Judge:
         """Return a mark with what the line lacks, where it is right and adds nothing, or wrong by no single slip."""
         if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and mark.line.line not in dependent):
             return mark
-        others = [(other.line.where, difference(other.line)) for other in counted if other is not mark]
+        others = [(other.line.where, other.line.difference) for other in counted if other is not mark]
         variant = self.key.variant
-        return replace(mark, lack=lack_of(difference(mark.line), mark.verdict, others, variant, self.off_closure))
+        return replace(mark, lack=lack_of(mark.line.difference, mark.verdict, others, variant, self.off_closure))
 
     def _independent(self, counted: Sequence[EquationMark]) -> tuple[int, tuple[int, ...]]:
         """Return how many lines are independent, and the numbers of those that follow from lines before them.
@@ -196,7 +196,7 @@ class Judge:
         taken: list[list[Linear]] = [[] for _ in probes]
         dependent: list[int] = []
         for mark in sorted(counted, key=lambda mark: mark.verdict == "rounded"):
-            lines = [linear(difference(mark.line), probe) for probe in probes]
+            lines = [linear(mark.line.difference, probe) for probe in probes]
             more = all(rank([*before, line]) > len(before) for before, line in zip(taken, lines, strict=True))
             if more and mark.verdict == "rounded":
                 more = says_more(lines[0], taken[0], ROUNDED)
@@ -209,19 +209,18 @@ class Judge:
 
     def _mark(self, line: EquationLine) -> EquationMark:
         """Return the mark of a line in the way of reading it in which it is right, in the first way where it is in none."""
-        if line.others and (line.left is None or not self._tells(difference(line))):
+        if line.others and (line.tree is None or not self._tells(line.tree)):
             for other in line.others:
-                if self._tells(Formula("-", (other.left, other.right))):
-                    line = replace(line, left=other.left, right=other.right, repaired=other.text, others=(), guessed=True)
+                if self._tells(other.tree):
+                    line = replace(line, tree=other.tree, repaired=other.text, others=(), guessed=True)
                     break
-        if line.left is None or line.right is None:
+        if line.tree is None:
             column = line.fault.column if line.fault else 1
             message = line.fault.message if line.fault else ""
             return EquationMark(line, "unreadable", Hint("reader", column, message, fault=line.fault))
-        tree = difference(line)
-        verdict = self._verdict(tree)
+        verdict = self._verdict(line.tree)
         if verdict == "wrong":
-            return EquationMark(line, verdict, self._slip(tree, line))
+            return EquationMark(line, verdict, self._slip(line.tree, line))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None
         return EquationMark(line, verdict, repaired)
 
@@ -271,13 +270,6 @@ class Judge:
 
 
 _PREFERRED = ("sign", "function", "name", "factor")
-
-
-def difference(line: EquationLine) -> Formula:
-    """Return left - right."""
-    assert line.left is not None
-    assert line.right is not None
-    return Formula("-", (line.left, line.right))
 
 
 def _written(tree: Formula) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.grading.marking.equations.linear import Linear, linear, rank
+from coursework.grading.marking.equations.linear import linear, rank
 from coursework.grading.marking.equations.numbers import NoValue
 from coursework.grading.marking.equations.probe import Probe
 from coursework.variant.formula.tree import Formula
@@ -38,11 +38,8 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
             return say("feedback.lack.any_motion")
         if verdict == "wrong":
             return ""
-        same = [where for where, other in others if _is_the_same(line, linear(other, probe))]
+        known = [(where, linear(other, probe)) for where, other in others]
+        same = [where for where, other in known if np.any(other.directions) and rank([line, other]) < 2]
     except NoValue:
         return ""
     return say("feedback.lack.repeats", place=same[0]) if same else say("feedback.lack.follows")
-
-
-def _is_the_same(line: Linear, other: Linear) -> bool:
-    return bool(np.any(other.directions)) and rank([line, other]) < 2

@@ -11,7 +11,6 @@ from typing import Literal
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
-Part = Literal["", "table", "equations", "answers", "total", "late"]
 # What a sentence is about: why there is no number, what was decided, what was found, the sum that the points come from.
 Kind = Literal["state", "decided", "first", "cause", "finding", "note", "rule"]
 LONGEST = 300  # characters of a text that came from a student
@@ -19,9 +18,9 @@ LONGEST = 300  # characters of a text that came from a student
 
 @frozen
 class Reason:
-    """`text` about a `part` of the grade ("" about all of it)."""
+    """`text` about a `part` of the grade: one of the rubric's, "total", "late", "" about all of it."""
 
-    part: Part
+    part: str
     kind: Kind
     text: Sentence | str
 

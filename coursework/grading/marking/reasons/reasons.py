@@ -11,7 +11,7 @@ from typing import Any
 
 from coursework.grading.marking.grade import GRADED, Grade
 from coursework.grading.marking.reasons.equations import answer_reasons, equation_reasons
-from coursework.grading.marking.reasons.reason import LONGEST, Part, Reason
+from coursework.grading.marking.reasons.reason import LONGEST, Reason
 from coursework.grading.marking.reasons.table import follows_euler, table_reasons
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, say
@@ -49,17 +49,8 @@ def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iter
         yield from equation_reasons(grade.equations, points, most)
     elif part == "answers" and grade.answers and points is not None:
         yield from answer_reasons(grade.answers, points, most)
-    if points is not None and not _is_there(grade, part):
-        yield Reason(_part(part), "rule", say("reading.note.no_part", part=say(f"feedback.part.{part}")))
-
-
-def _is_there(grade: Grade, part: str) -> bool:
-    """Return whether something of a part was handed in."""
-    return {"table": grade.work.table, "equations": grade.work.equations, "answers": grade.work.answers}[part] not in (None, ())
-
-
-def _part(name: str) -> Part:
-    return name  # type: ignore[return-value]
+    if points is not None and getattr(grade.work, part) in (None, ()):  # nothing of it was handed in
+        yield Reason(part, "rule", say("reading.note.no_part", part=say(f"feedback.part.{part}")))
 
 
 def decided(entry: Mapping[str, Any], most: float) -> list[Reason]:

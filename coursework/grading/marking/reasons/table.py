@@ -11,7 +11,7 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import Reason, in_sum
 from coursework.grading.marking.table.misconceptions import Misconception
-from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
+from coursework.grading.marking.table.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import euler_steps
@@ -109,14 +109,9 @@ def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
     if rows := repeated_rows(key, marked.cells):
         yield Reason("table", "finding", say_count("feedback.rows.repeated", len(rows), rows=ranges(rows)))
     for shift in displaced_rows(key, marked.cells)[:_MOST_RUNS]:
-        yield Reason("table", "finding", _shifted(shift))
-
-
-def _shifted(shift: Shift) -> Sentence:
-    return say(
-        "feedback.rows.shifted",
-        first=shift.first, last=shift.last, begin=shift.first + shift.by, end=shift.last + shift.by,
-    )  # fmt: skip
+        begin, end = shift.first + shift.by, shift.last + shift.by
+        told = say("feedback.rows.shifted", first=shift.first, last=shift.last, begin=begin, end=end)
+        yield Reason("table", "finding", told)
 
 
 def _counted(found: Counts) -> Sentence:

@@ -46,6 +46,16 @@ class Claim:
     family: Callable[[TableUnderTest], Iterator[Claim]] | None = None
 
 
+def shifted(rows: Array, by: int) -> Array:
+    """Return rows moved down by `by` (up where negative), NaN where nothing comes in."""
+    moved = np.full_like(rows, np.nan)
+    if by >= 0:
+        moved[by:] = rows[: len(rows) - by]
+    else:
+        moved[:by] = rows[-by:]
+    return moved
+
+
 @dataclass(frozen=True)
 class TableUnderTest:
     """A student's table seen by hypotheses: angles, velocities and their digits by themselves.
@@ -91,22 +101,13 @@ class TableUnderTest:
             blank[:, self.m :] = w
         return blank
 
-    def shifted(self, rows: Array, by: int) -> Array:
-        """Return rows moved down by `by` (up where negative), NaN where nothing comes in."""
-        moved = np.full_like(rows, np.nan)
-        if by > 0:
-            moved[by:] = rows[:-by]
-        else:
-            moved[:by] = rows[-by:]
-        return moved
-
     def steps(self, increments: Array, spread: Array) -> tuple[Array, Array]:
         """Return coordinates (n, m) made from each row before by `increments` (n, m) in rad or m, and their tolerance."""
         h = self.key.step
-        expected = self.shifted(self.q + increments, 1)
+        expected = shifted(self.q + increments, 1)
         size = np.maximum(np.abs(self.w), LEAST * self.key.usual_ranges[self.m : 2 * self.m])
         slack = SLACK * h * np.nan_to_num(size)
-        tolerance = HALF * self.q_units + self.shifted(HALF * self.q_units + HALF * spread + slack, 1)
+        tolerance = HALF * self.q_units + shifted(HALF * self.q_units + HALF * spread + slack, 1)
         return expected, tolerance
 
     def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
@@ -121,10 +122,6 @@ class TableUnderTest:
             return np.zeros_like(function(at))
         return sensitivity(function, at, self.q_units if units is None else units)
 
-    def slopes(self, t: Array | None = None) -> Callable[[Array], Array]:
-        """Return f(t, q); the rows' own times where `t` is None."""
-        return self.stacked(self.key.velocities_at, t)
-
     def stacked(self, function: Callable[[Array, Array], Array], t: Array | None = None) -> Callable[[Array], Array]:
         """Return a function of stacked copies of the rows, as sensitivities need it."""
         times = self.key.t if t is None else t
@@ -133,7 +130,7 @@ class TableUnderTest:
     @cached_property
     def true_velocities(self) -> tuple[Array, Array]:
         """Return the velocities of the printed row's time and angles."""
-        at = self.slopes()
+        at = self.stacked(self.key.velocities_at)
         return self.velocities(at(self.q), self.spread(at))
 
     def nearly(self, found: Array) -> bool:

@@ -35,7 +35,7 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
     turned = _turned(key, student, mirrored=False)
     reference = key.velocities_at(key.t, turned.values[:, :m])
     if _steps_agree(key, turned, reference) and _opposite(student.values[:, m:], reference, key, _angular(key)[m:]):
-        return turned if _wrong(mark_cells(key, turned)) < _wrong(plain) else None
+        return turned if mark_cells(key, turned).wrong.sum() < plain.wrong.sum() else None
     mirrored = _turned(key, student, mirrored=True)
     cells = mark_cells(key, mirrored)
     follows = _explained(key, cells)
@@ -48,7 +48,7 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
         allowed = np.fmax.reduce([way.tolerance[:, m:] for way in plain.ways])
         with np.errstate(invalid="ignore"):
             by_drive = _part(driven <= allowed, ~cells.missing[:, m:])
-    return mirrored if follows >= _EXPLAINED and follows >= by_drive and _wrong(cells) < _wrong(plain) else None
+    return mirrored if follows >= _EXPLAINED and follows >= by_drive and cells.wrong.sum() < plain.wrong.sum() else None
 
 
 def _angular(key: Key) -> Flags:
@@ -124,7 +124,3 @@ def _explained(key: Key, cells: Cells) -> float:
 
 def _part(holds: Flags, of: Flags) -> float:
     return float((holds & of).sum()) / float(of.sum()) if of.any() else 0.0
-
-
-def _wrong(cells: Cells) -> int:
-    return int(cells.wrong.sum())

@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.claims import Claim, TableUnderTest, shifted
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
 from coursework.grading.marking.table.own_equations import equation_claims
@@ -70,7 +70,7 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
         claim = printed.claim(name, printed.steps(stacked(printed.q), printed.spread(stacked)))
         yield replace(claim, table=printed.marched(velocities_at, made))
     rates, units = printed.w, printed.w_units[:, :m]
-    following, units_after = printed.shifted(rates, -1), np.nan_to_num(printed.shifted(units, -1))
+    following, units_after = shifted(rates, -1), np.nan_to_num(shifted(units, -1))
     yield printed.claim("trapezoid", printed.steps(h / 2 * (rates + following), h / 2 * (units + units_after)))
     yield printed.claim("backward", printed.steps(h * following, h * units_after))
 
@@ -79,14 +79,12 @@ def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     """Velocities of another time, or printed a row too late or too early."""
     h, m = printed.key.step, printed.m
     for code, ahead in (("time_ahead", h), ("time_behind", -h)):
-        yield from printed.velocity_claim(code, partial(_at_another_time, printed.key, ahead))
+        yield from printed.velocity_claim(code, partial(_of_times, printed.key, 1.0, ahead))
     found, tolerance = printed.true_velocities
     for code, by in (("omega_late", 1), ("omega_early", -1)):
-        used = printed.shifted(printed.w, -by)
-        units = np.nan_to_num(printed.shifted(printed.w_units[:, :m], -by))
-        yield printed.claim(
-            code, printed.steps(h * used, h * units), (printed.shifted(found, by), printed.shifted(tolerance, by))
-        )
+        used = shifted(printed.w, -by)
+        units = np.nan_to_num(shifted(printed.w_units[:, :m], -by))
+        yield printed.claim(code, printed.steps(h * used, h * units), (shifted(found, by), shifted(tolerance, by)))
 
 
 def _steps(printed: TableUnderTest) -> Iterator[Claim]:
@@ -103,8 +101,8 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h, m)
         claims = [printed.claim("other_step", step)]
-        made: list[Velocities] = [printed.key.velocities_at, partial(_at_part_of_time, printed.key, part)]
-        at = printed.slopes(t=printed.key.t * part)
+        made: list[Velocities] = [printed.key.velocities_at, partial(_of_times, printed.key, part, 0.0)]
+        at = printed.stacked(made[1])
         if printed.nearly(found := at(printed.q)):
             claims.append(printed.claim("other_step", step, printed.velocities(found, printed.spread(at))))
         claims = [
@@ -116,14 +114,9 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
         yield from (replace(claim, part=part) for claim in claims)
 
 
-def _at_another_time(key: Key, ahead: float, t: Array, q: Array) -> Array:
-    """Return the velocities (n, r) of times `ahead` (s) of the rows'."""
-    return key.velocities_at(np.asarray(t + ahead), q)
-
-
-def _at_part_of_time(key: Key, part: float, t: Array, q: Array) -> Array:
-    """Return the velocities (n, r) of part of the rows' times."""
-    return key.velocities_at(np.asarray(part * t), q)
+def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:
+    """Return the velocities (n, r) of part of the rows' times, or of times `ahead` (s) of them."""
+    return key.velocities_at(np.asarray(part * t + ahead), q)
 
 
 def _longer(step: float, m: int, t: Array, q: Array, w: Array) -> Array:

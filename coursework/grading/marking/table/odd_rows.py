@@ -9,6 +9,7 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.claims import shifted
 from coursework.grading.marking.table.ways import as_printed, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -50,11 +51,7 @@ def displaced_rows(key: Key, cells: Cells) -> tuple[Shift, ...]:
 def _rows_alike(key: Key, cells: Cells, by: int) -> Flags:
     """Return which rows (n,) are the key's row `by` below, in every cell that is there."""
     values = cells.student.values
-    expected = np.full(values.shape, np.nan)
-    if by >= 0:
-        expected[: len(expected) - by] = key.table[by:]
-    else:
-        expected[-by:] = key.table[:by]
+    expected = shifted(key.table, -by)
     there = np.isfinite(values) & np.isfinite(expected)
     alike = near(values, expected, _tolerance(key, cells))
     return np.asarray(np.all(alike | ~there, axis=1) & (there.sum(axis=1) > there.shape[1] / 2))

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
-from coursework.grading.marking.equations.equations import EquationMarks, difference
+from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import kinds, names_at
 from coursework.grading.marking.key import Key
@@ -59,7 +59,7 @@ def equation_claims(printed: TableUnderTest, marks: EquationMarks | None) -> Ite
         Line(str(mark.line.line), tree, tuple(edits(tree, alike)), mark.verdict == "wrong")
         for mark in marks.marks
         if mark.verdict != "unreadable"
-        for tree in [difference(mark.line)]
+        for tree in [mark.line.difference]
     ]
     yield from _claim(printed, OWN, _used(printed, own))
 

@@ -85,9 +85,6 @@ class DocumentBuilder:
         paragraph.length += len(text)
         if not text or paragraph.length > LINE_CHARACTERS:
             return
-        if not position and not paragraph.is_below:
-            paragraph.pieces.append((text, False))
-            return
         if position == "super" and _EXPONENT.fullmatch(text.strip()):
             text = f"^{text.strip()}"
         elif paragraph.is_below and position != "sub" and text[0].isalnum():
@@ -123,10 +120,7 @@ class DocumentBuilder:
             cell = table.rows[-1][at]
         if beside and not text and table.row:
             cell = table.row[-1]
-        if columns == 1 and at < self._most_columns:
-            table.row.append(cell)
-        else:
-            table.row += [cell] * min(columns, self._most_columns - at)
+        table.row += [cell] * min(columns, self._most_columns - at)
         table.cell = []
 
     def close_row(self, times: int = 1) -> None:

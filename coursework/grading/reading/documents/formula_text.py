@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from itertools import accumulate
 
 from coursework.grading.reading.documents.signs import plain_signs
 
@@ -107,11 +108,5 @@ def equations_in(text: str) -> list[str]:
 
 def _is_enclosed(text: str) -> bool:
     """Return whether a text is one pair of parentheses with something in it."""
-    if not (text.startswith("(") and text.endswith(")")):
-        return False
-    depth = 0
-    for place, sign in enumerate(text):
-        depth += {"(": 1, ")": -1}.get(sign, 0)
-        if not depth:
-            return place == len(text) - 1
-    return False
+    depths = [*accumulate({"(": 1, ")": -1}.get(sign, 0) for sign in text)]
+    return text.startswith("(") and 0 in depths and depths.index(0) == len(text) - 1

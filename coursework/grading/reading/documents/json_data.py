@@ -127,9 +127,8 @@ def _is_texts(value: Any) -> bool:
 
 
 def _flat(value: Any) -> bool:
-    return len(value if isinstance(value, list) else value.pairs) > 1 and not any(
-        isinstance(entry, (list, JsonObject)) for entry in _entries(value)
-    )
+    entries = _entries(value)
+    return len(entries) > 1 and not any(isinstance(entry, (list, JsonObject)) for entry in entries)
 
 
 def _entries(value: Any) -> list[Any]:

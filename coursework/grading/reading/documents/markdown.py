@@ -27,11 +27,7 @@ _MOST_COLUMNS = 1000
 def is_markdown(text: str) -> bool:
     """Return whether a text has a pipe table or a formula between dollar signs."""
     has_formula = "$" in text and bool(_DISPLAYED.search(text) or _INLINE.search(text))
-    return has_formula or ("|" in text and _has_table(text))
-
-
-def _has_table(text: str) -> bool:
-    return any("|" in line and _is_rule(line) for line in text.split("\n"))
+    return has_formula or ("|" in text and any("|" in line and _is_rule(line) for line in text.split("\n")))
 
 
 def _is_rule(line: str) -> bool:

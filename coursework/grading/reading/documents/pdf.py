@@ -22,9 +22,7 @@ from typing import Any
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.pdf_lines import MOST_BARS, Bar, Letter, lines_of, tables_in, with_fractions
 from coursework.grading.reading.files.cells import Cell
-from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, doubtful, unreadable
-from coursework.grading.reading.student_work import Trouble
-from coursework.words.sentences import say
+from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, doubtful, other_kind, unreadable
 
 EXTRA = "pdfplumber"
 PAGES, SECONDS, LETTERS = 30, 5.0, 150_000
@@ -55,7 +53,7 @@ def document_of_pdf(content: bytes, most_rows: int, most_columns: int) -> Docume
     except (Refused, MemoryError):
         raise
     except Exception as error:  # a library of others, on bytes that anybody may have written
-        raise unreadable("pdf_password") if "Password" in repr(error) else refused_as_pdf("pdf_damaged") from error
+        raise unreadable("pdf_password") if "Password" in repr(error) else other_kind("pdf_damaged") from error
 
 
 def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
@@ -79,7 +77,7 @@ def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
                 document.add_line(line.text, place_of("page_line", page=number, line=place))
             page.close()
     if letters < _FEWEST:
-        raise refused_as_pdf("pdf_scan")
+        raise other_kind("pdf_scan")
     return document
 
 
@@ -91,11 +89,6 @@ def _bars(page: Any) -> list[Bar]:
         for bar in drawn
         if abs(bar["y1"] - bar["y0"]) < _THIN and _THIN < bar["x1"] - bar["x0"] < _LONGEST
     ]
-
-
-def refused_as_pdf(key: str) -> Refused:
-    """Return the refusal of a PDF that is none that can be read."""
-    return Refused(Trouble("unreadable", "other_kind", say(f"reading.trouble.{key}")))
 
 
 def _letters(page: Any) -> Iterator[Letter]:
@@ -124,28 +117,24 @@ class _CountedZlib:
         self.left = INFLATED_BYTES
 
     def decompress(self, data: bytes) -> bytes:
-        inflater = zlib.decompressobj()
-        out = inflater.decompress(data, self.left + 1)
-        self._count(len(out))
-        if not inflater.eof:
+        inflater = self.decompressobj()
+        out = inflater.decompress(data)
+        if not inflater.inflater.eof:
             raise zlib.error("the stream goes on")
         return out
 
     def decompressobj(self) -> _CountedZlib._Inflater:
         return self._Inflater(self)
 
-    def _count(self, size: int) -> None:
-        self.left -= size
-        if self.left < 0:
-            raise _Stopped("too_large_open")
-
     class _Inflater:
         def __init__(self, counted: _CountedZlib) -> None:
-            self._counted, self._inflater = counted, zlib.decompressobj()
+            self.counted, self.inflater = counted, zlib.decompressobj()
 
         def decompress(self, data: bytes) -> bytes:
-            out = self._inflater.decompress(data, self._counted.left + 1)
-            self._counted._count(len(out))
+            out = self.inflater.decompress(data, self.counted.left + 1)
+            self.counted.left -= len(out)
+            if self.counted.left < 0:
+                raise _Stopped("too_large_open")
             return out
 
 

@@ -50,7 +50,6 @@ class PageLine:
     """One line: its words from left to right."""
 
     words: list[Word]
-    base: float
     size: float
 
     @property
@@ -80,9 +79,8 @@ def lines_of(letters: Iterable[Letter]) -> list[PageLine]:
             rows.append(_Row(letter.base, letter.size))
         rows[-1].letters.append(letter)
     for row in rows:
-        row.size = max(Counter(round(letter.size, 1) for letter in row.letters).items(), key=lambda entry: (entry[1], entry[0]))[
-            0
-        ]
+        sizes = Counter(round(letter.size, 1) for letter in row.letters)
+        row.size = max(sizes, key=lambda size: (sizes[size], size))
     return [_line(row) for row in _attached(rows) if any(letter.text.strip() for letter in row.letters)]
 
 
@@ -133,7 +131,7 @@ def _line(row: _Row) -> PageLine:
         before, was = letter, place
     for word in words:
         word.text = plain_signs(word.text)
-    return PageLine(words, row.base, row.size)
+    return PageLine(words, row.size)
 
 
 def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:

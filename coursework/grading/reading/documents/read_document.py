@@ -21,14 +21,14 @@ from coursework.grading.reading.documents.notebook import document_of_notebook, 
 from coursework.grading.reading.documents.odt import document_of_odt, is_odt
 from coursework.grading.reading.documents.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.documents.rtf import document_of_rtf, is_rtf
-from coursework.grading.reading.equations.equations import names_in, read_line, spellings_for
+from coursework.grading.reading.equations.equations import names_of, read_line, spellings_for
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
 from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded
-from coursework.grading.reading.limits import Refused, columns_read, rows_read
+from coursework.grading.reading.limits import Refused, bounds
 from coursework.grading.reading.numbers import looks_numeric, plain_text
 from coursework.grading.reading.student_work import EquationLine, EquationReading, Table
 from coursework.grading.reading.table.headers import read_head
@@ -45,15 +45,15 @@ _STEP = 0.3  # of a step that rounding may take
 def document_of_bytes(content: bytes, grid: Grid) -> Document | None:
     """Return the document of an RTF file or a PDF, None for any other file."""
     if is_rtf(content):
-        return document_of_rtf(content, rows_read(grid.rows), columns_read(grid.rows))
-    return document_of_pdf(content, rows_read(grid.rows), columns_read(grid.rows)) if is_pdf(content) else None
+        return document_of_rtf(content, *bounds(grid.rows))
+    return document_of_pdf(content, *bounds(grid.rows)) if is_pdf(content) else None
 
 
 def document_of_archive(archive: Archive, grid: Grid) -> Document | None:
     """Return the document of a Word file or an OpenDocument text, None for any other archive."""
     if part := main_part(archive):
-        return document_of_docx(archive, part, rows_read(grid.rows), columns_read(grid.rows))
-    return document_of_odt(archive, rows_read(grid.rows), columns_read(grid.rows)) if is_odt(archive) else None
+        return document_of_docx(archive, part, *bounds(grid.rows))
+    return document_of_odt(archive, *bounds(grid.rows)) if is_odt(archive) else None
 
 
 def is_document(archive: Archive) -> bool:
@@ -66,7 +66,7 @@ def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
     if is_notebook(decoded.text):
         return document_of_notebook(decoded.text, decoded.encoding)
     if is_json(decoded.text):
-        return document_of_json(decoded.text, decoded.encoding, rows_read(grid.rows), columns_read(grid.rows))
+        return document_of_json(decoded.text, decoded.encoding, *bounds(grid.rows))
     return document_of_markdown(decoded.text, decoded.encoding) if is_markdown(decoded.text) else None
 
 
@@ -86,10 +86,9 @@ def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[
 
     A document without tables of cells may have one as text, line by line.
     """
-    columns = tuple((column.name, column.unit) for column in grid.columns)
     found: list[Table] = []
     refused: list[tuple[int, Refused]] = []
-    for table in joined(document.tables, columns):
+    for table in joined(document.tables, grid.units):
         try:
             if read := read_sheets([Sheet(None, table.rows)], Origin(name, document.kind, "cells"), grid):
                 found.append(replace(read, place=table.place))
@@ -129,19 +128,18 @@ def _with_bullet(line: EquationLine, expected: Expected) -> EquationLine:
     if not line.text.startswith("- "):
         return line
     bare = read_line(line.text[2:], line.file, line.line, expected)
-    if bare.left is None or bare.right is None:
+    if bare.tree is None:
         return line
-    other = EquationReading(bare.left, bare.right, bare.repaired or bare.text)
-    return replace(line, others=(*line.others, other)) if line.left is not None else replace(bare, text=line.text)
+    other = EquationReading(bare.tree, bare.repaired or bare.text)
+    return replace(line, others=(*line.others, other)) if line.tree is not None else replace(bare, text=line.text)
 
 
 def _placed(line: EquationLine, at: DocumentLine, expected: Expected) -> EquationLine | None:
     """Return an equation with its place, None for a line that is none."""
-    sought = {*expected.variant.sought}
-    if line.left is None or line.right is None:
-        is_one = line.relates and (at.is_formula or bool(names_in(line.text, spellings_for(expected)) & sought))
+    names, sought = names_of(line, spellings_for(expected)) - {*BUILT_IN}, {*expected.variant.sought}
+    if line.tree is None:
+        is_one = line.relates and (at.is_formula or bool(names & sought))
         return replace(line, place=at.place) if is_one else None
-    names = {node.name for side in (line.left, line.right) for node in side.walk() if node.op == "name"} - {*BUILT_IN}
     return replace(line, place=at.place, may_be_datum=len(names) < 2) if names & sought else None
 
 

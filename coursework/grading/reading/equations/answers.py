@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import Literal
 
 from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.student_work import AnswerLine
 from coursework.grading.reading.table.headers import PRINTED, fold, unit_of
+from coursework.variant.formula.units import UnitFault, read_mass
 
 _LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*(?:=|:|≈)(?P<rest>.*)")
 _VALUE = re.compile(
@@ -21,10 +23,10 @@ _FACTORS = {unit: factor for units in PRINTED.values() for unit, factor in units
 _BLANK = {"", "-", "—", "–", "?", "…", "...", "_", "__", "___"}
 
 
-def read_answer(text: str, file: str, line: int, names: Sequence[str]) -> AnswerLine | None:
+def read_answer(text: str, names: Sequence[str]) -> AnswerLine | None:
     """Return the answer in a line.
 
-    >>> read_answer("wAB = 3/4 рад/с", "a.txt", 1, ["wAB"]).value
+    >>> read_answer("wAB = 3/4 рад/с", ["wAB"]).value
     0.75
     """
     match = _LINE.fullmatch(text.rstrip().rstrip(";"))
@@ -32,10 +34,9 @@ def read_answer(text: str, file: str, line: int, names: Sequence[str]) -> Answer
     if match is None or name is None:
         return None
     rest = match["rest"].strip().rstrip(".").strip()
-    if rest in _BLANK:
-        return AnswerLine(file, line, name, rest, None, "", "blank")
-    value, unit = _value(rest)
-    return AnswerLine(file, line, name, rest[:200], value, unit, "unreadable" if value is None else "read")
+    value = _value(rest)
+    state: Literal["read", "blank", "unreadable"] = "blank" if rest in _BLANK else "unreadable" if value is None else "read"
+    return AnswerLine(name, value, state)
 
 
 def _name(text: str, names: Sequence[str]) -> str | None:
@@ -49,28 +50,23 @@ def _form(text: str) -> str:
     return re.sub(r"[\s_{}]", "", fold(text))
 
 
-def _value(text: str) -> tuple[float | None, str]:
-    """Return a number in SI and its unit as SI writes it; a number without a unit is in SI already."""
+def _value(text: str) -> float | None:
+    """Return a number in SI; one without a unit is in SI already."""
     match = _VALUE.fullmatch(text)
     if not match:
-        return None, ""
+        return None
     number = printed(match["number"], "," if "," in match["number"] and "." not in match["number"] else ".")
     below = int(match["below"] or 1)
-    unit_text = (match["unit"] or "").strip()
-    unit = unit_of(unit_text) if unit_text else ""
-    if unit_text and not unit and not number.flag and below:
-        return _force(number.value / below, unit_text)
-    if number.flag or not below or (unit_text and not unit):
-        return None, ""
-    return number.value / below * _FACTORS.get(unit, 1.0), unit
+    return None if number.flag or not below else _in_si(number.value / below, (match["unit"] or "").strip())
 
 
-def _force(value: float, unit_text: str) -> tuple[float | None, str]:
-    """Return a value with a unit of force or moment in SI; nothing for a unit that is none."""
-    from coursework.variant.formula.units import UnitFault, read_mass
-
+def _in_si(value: float, unit: str) -> float | None:
+    """Return a value in SI, None where its unit is neither one of the table nor one of force or moment."""
+    if not unit:
+        return value
+    if known := unit_of(unit):
+        return value * _FACTORS.get(known, 1.0)
     try:
-        found = read_mass(f"1 {unit_text}")
+        return value * read_mass(f"1 {unit}").value
     except UnitFault:
-        return None, ""
-    return value * found.value, found.si
+        return None

@@ -19,9 +19,9 @@ from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.system.frozen import frozen
 from coursework.variant.formula import reader
-from coursework.variant.formula.tree import Formula, FormulaFault, mapped
+from coursework.variant.formula.tree import Formula, FormulaFault, with_names
 from coursework.variant.toml.source import Source
-from coursework.words.errors import Fault, InputError
+from coursework.words.errors import Fault
 from coursework.words.sentences import closest, say
 
 MORE_LINES = 20  # beyond twice the equations needed
@@ -42,7 +42,7 @@ def most_lines(expected: Expected) -> int:
 
 def spellings_for(expected: Expected) -> Spellings:
     """Return the spellings of the names that equations may have."""
-    return spellings_of(expected.variant, tuple((column.name, column.unit) for column in expected.grid.columns))
+    return spellings_of(expected.variant, expected.grid.units)
 
 
 def read_line(
@@ -61,7 +61,7 @@ def read_line(
     if firm:
         first = firm[0]
         others = tuple(reading for reading in found if reading is not first)
-        return EquationLine(file, line, text, first.left, first.right, first.text, others=others, guessed=first.guessed)
+        return EquationLine(file, line, text, first.tree, first.text, others=others, guessed=first.guessed)
     assert fault is not None  # what has no firm reading was refused by the strict reader
     others = tuple(found) or _of_any_velocity(without_labels(text), names)
     if others and not found:
@@ -70,7 +70,7 @@ def read_line(
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
     relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
-    return EquationLine(file, line, short, None, None, fault=told, others=others, relates=relates)
+    return EquationLine(file, line, short, fault=told, others=others, relates=relates)
 
 
 def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | None]:
@@ -83,7 +83,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
         if isinstance(strict, Fault):
             fault = replace(strict, column=strict.column + max(text.find(candidate), 0))
         else:
-            found.append(EquationReading(*strict, "" if candidate == text else candidate))
+            found.append(EquationReading(strict, "" if candidate == text else candidate))
     if len(text) > reader.MAX_CHARACTERS:
         return found, fault
     named: Fault | None = None
@@ -93,9 +93,9 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
             sides = sides_of(candidate, names.spellings, closely=closely)
             read = _of_sides(sides, names)
             if isinstance(read, Fault):
-                # Every sign was understood, a name was not: that is the fault to tell.
+                # Every sign was understood, a name was not: that is the fault to tell, where the name stands as it is.
                 if read.place and not named:
-                    fault = named = Fault(read.message, column=_column_of(read.place, text))
+                    fault = named = Fault(read.message, column=max(text.find(read.place), 0) + 1)
             else:
                 found += [
                     replace(one, guessed=one.guessed or closely)
@@ -120,7 +120,7 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
         read = _strict(" = ".join(texts), names)
         if isinstance(read, Fault):
             return read
-        return [EquationReading(*read, " = ".join(texts), guessed=not sides.is_whole)]
+        return [EquationReading(read, " = ".join(texts), guessed=not sides.is_whole)]
     kept = [text for text in texts if not isinstance(_strict(f"{text} = 0", names), Fault)]
     is_loose = any(text not in kept for text in texts if not OWN_NAME.fullmatch(text.strip()))
     while len(kept) > 2 and _NUMBER.fullmatch(kept[-1]) and float(kept[-1].replace(" ", "")):
@@ -133,7 +133,7 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     for text in dict.fromkeys(kept[:-1]):
         read = _strict(f"{text} = {kept[-1]}", names)
         if not isinstance(read, Fault):
-            found.append(EquationReading(*read, f"{text} = {kept[-1]}", is_loose=is_loose))
+            found.append(EquationReading(read, f"{text} = {kept[-1]}", is_loose=is_loose))
     return found
 
 
@@ -141,6 +141,11 @@ def names_in(text: str, spellings: Spellings) -> set[str]:
     """Return the declared names that stand in a text, in any spelling; t and pi are no names here."""
     words = [piece for word in WORD.findall(plain(text, spellings)) for piece in (word, *_PIECE.findall(word))]
     return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
+
+
+def names_of(line: EquationLine, spellings: Spellings) -> set[str]:
+    """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
+    return names_in(line.text, spellings) if line.tree is None else {*line.tree.names()}
 
 
 def read_as_one(text: str, names: Names) -> EquationReading | Fault:
@@ -174,23 +179,13 @@ def read_constraints(source: Source, file: str, expected: Expected) -> list[Equa
         line = source.positions.find(("constraint", place, key))[0]
         if not isinstance(text, str):
             continue
-        if key == "closure":
-            fault = Fault(say("fault.G062"), file, line)
-            lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], None, None, fault=fault))
-            continue
-        read = _strict(text, names)
+        read = Fault(say("fault.G062")) if key == "closure" else _strict(text, names)
         if isinstance(read, Fault):
             fault = Fault(read.message, file, line, read.column)
-            lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], None, None, fault=fault))
+            lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], fault=fault))
         else:
-            lines.append(EquationLine(file, line, text, *read))
+            lines.append(EquationLine(file, line, text, read))
     return lines
-
-
-def faults_as_lines(error: InputError, file: str) -> list[EquationLine]:
-    """Return what makes a variant file unreadable as one line that cannot be read."""
-    fault = error.faults[0]
-    return [EquationLine(file, fault.line, "", None, None, fault=fault)]
 
 
 @frozen
@@ -202,19 +197,23 @@ class Names:
     own: Meanings = field(default_factory=dict)
     listed: bool = False
 
+    def declared(self, name: Formula) -> Formula:
+        """Return a name as the variant declares it."""
+        return replace(name, name=self.spellings.canonical(name.name) or name.name)
+
     def is_name(self, word: str) -> bool:
         """Return whether a word means something here: a name, a function, several glued together, one of the student's own."""
         return is_name(word, self.spellings) or meaning_of(word, self.expected, self.own) is not None
 
 
-def _strict(text: str, names: Names) -> tuple[Formula, Formula] | Fault:
-    """Return both sides with declared names, or the fault; its `place` is the name nobody declared."""
+def _strict(text: str, names: Names) -> Formula | Fault:
+    """Return left - right with declared names, or the fault; its `place` is the name nobody declared."""
     try:
-        sides = reader.parse_equation(text)
+        tree = Formula("-", reader.parse_equation(text))
     except FormulaFault as fault:
         return Fault(fault.message, column=fault.column)
     meant: dict[str, Formula] = {}
-    for node in (*sides[0].walk(), *sides[1].walk()):
+    for node in tree.walk():
         if node.op != "name" or names.spellings.canonical(node.name) is not None:
             continue
         meaning = meaning_of(node.name, names.expected, names.own)
@@ -222,19 +221,5 @@ def _strict(text: str, names: Names) -> tuple[Formula, Formula] | Fault:
             advice = closest(node.name, sorted(names.spellings.known))
             return Fault(say("fault.G061", name=node.name[:40], hint=advice), column=node.column, place=node.name)
         meant[node.name] = meaning
-    whole = put_in(Formula("-", sides), meant) if meant else Formula("-", sides)
-    if whole is None:
-        return Fault(say("fault.G064"), column=1)
-    left, right = whole.args
-    return _renamed(left, names.spellings), _renamed(right, names.spellings)
-
-
-def _renamed(tree: Formula, spellings: Spellings) -> Formula:
-    if tree.op == "name":
-        return replace(tree, name=spellings.canonical(tree.name) or tree.name)
-    return mapped(tree, lambda arg: _renamed(arg, spellings))
-
-
-def _column_of(name: str, text: str) -> int:
-    """Return where a name stands in the line as handed in, 1 where its spelling was another."""
-    return max(text.find(name), 0) + 1
+    whole = put_in(tree, meant) if meant else tree
+    return Fault(say("fault.G064"), column=1) if whole is None else with_names(whole, names.declared)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from coursework.grading.reading.equations.signs import ARROW
+from coursework.grading.reading.equations.signs import ARROW, depths
 from coursework.grading.reading.table.headers import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
@@ -89,12 +89,10 @@ def _begun(text: str, is_name: Callable[[str], bool]) -> str:
         if sign in before and "lambda" not in before:
             text = text[before.rindex(sign) + 1 :]
             before = text.rpartition("=")[0]
-    depth = start = 0
-    for place, sign in enumerate(text.partition("=")[0]):
-        depth += (sign in "([{") - (sign in ")]}")
-        if depth < 0:
-            text = text[place + 1 :]
-            break
+    inside = depths(text.partition("=")[0])
+    if -1 in inside:
+        text = text[inside.index(-1) + 1 :]
+    start = 0
     for found in _CHINESE.finditer(text.partition("=")[0]):
         start = found.end()
     return without_words(text[start:], is_name)

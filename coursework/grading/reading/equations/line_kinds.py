@@ -45,7 +45,7 @@ def definition(text: str, expected: Expected, own: Meanings) -> tuple[str, Formu
     if not name or not formula.strip() or "=" in formula:
         return None
     read = read_as_one(f"0 = {formula}", names)
-    return None if isinstance(read, Fault) else (key(name), read.right)
+    return None if isinstance(read, Fault) else (key(name), read.tree.args[1])
 
 
 def own_name(text: str, spellings: Spellings) -> tuple[str, str]:

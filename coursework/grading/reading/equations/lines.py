@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import TURNED, most_lines, names_in, read_line, spellings_for
+from coursework.grading.reading.equations.equations import TURNED, most_lines, names_of, read_line, spellings_for
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
     are_listed,
@@ -24,7 +24,6 @@ from coursework.grading.reading.equations.line_kinds import (
     own_name,
 )
 from coursework.grading.reading.equations.meanings import key
-from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.parts import parts_of
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
@@ -39,7 +38,7 @@ _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
-_ALIGNED = re.compile(r"(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
+_ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
@@ -81,7 +80,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         tried, characters = tried + 1, characters + min(len(line), MAX_CHARACTERS)
         if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
             found.unread += "=" in line
-        elif answer := _answer(line, name, number, expected):
+        elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
         elif beside is None and (_defines(line, own, expected) or is_datum(line, expected)):
             continue
@@ -89,7 +88,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.equations.append(read_line(line, name, number, expected, own, listed=listed))
         elif beside is not None and relates(read := read_line(line, name, number, expected), expected):
             found.equations.append(read)
-    if beside is not None and all(line.left is None for line in found.equations):
+    if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     found.answers = [*answers.values()]
     return found
@@ -117,7 +116,7 @@ def _continued(lines: Iterable[tuple[int, str]], expected: Expected) -> Iterator
     for number, line in lines:
         if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, expected):
             begun = _GOES_ON_SIGN.sub("", kept).rstrip()
-            rest = _unaligned(line)
+            rest = _ALIGNED.sub("", line)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
             continue
         if kept:
@@ -136,18 +135,12 @@ def _goes_on(kept: str, line: str, expected: Expected) -> bool:
         return not (kept.rstrip().endswith("=") and "=" in line)
     if "=" in kept and not both and kept.count("(") > kept.count(")"):
         return True
-    rest = _unaligned(line)
+    rest = _ALIGNED.sub("", line)
     if both or not _BEGINS.match(rest):
         return False
     if "=" in line:
         return line[:1].isspace() or is_part_of_equation(kept, expected)
     return "=" in kept and not _VANISHED.search(kept) and is_equation_without_sign(rest, expected)
-
-
-def _unaligned(line: str) -> str:
-    """Return a line without what sets it in or aligns it."""
-    found = _ALIGNED.match(line)
-    return line[found.end() :] if found else line
 
 
 def _pieces(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
@@ -163,10 +156,6 @@ def _beside(text: str, expected: Expected, sign: str | None) -> Iterator[tuple[i
         bare = line.strip(_EDGES)
         if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
             yield number, bare
-
-
-def _answer(line: str, name: str, number: int, expected: Expected) -> AnswerLine | None:
-    return read_answer(line[:500], name, number, expected.answers) if expected.answers else None
 
 
 def _is_equation(line: str, expected: Expected) -> bool:
@@ -193,12 +182,5 @@ def _defines(line: str, own: Mapping[str, Formula], expected: Expected) -> bool:
 
 def relates(read: EquationLine, expected: Expected) -> bool:
     """Return whether a line names a sought velocity and something it depends on."""
-    named, sought = _names(read, spellings_for(expected)), {*expected.variant.sought}
+    named, sought = names_of(read, spellings_for(expected)), {*expected.variant.sought}
     return bool(named & sought and named - sought - {"t"})
-
-
-def _names(read: EquationLine, spellings: Spellings) -> set[str]:
-    """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
-    if read.left is not None and read.right is not None:
-        return {node.name for node in (*read.left.walk(), *read.right.walk()) if node.op == "name"}
-    return names_in(read.text, spellings)

@@ -15,7 +15,7 @@ from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.reader import MAX_NODES
-from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, terms
+from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, terms, with_names
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
@@ -49,20 +49,21 @@ def _of_index(name: str, variant: Variant) -> Formula | None:
     """Return cos φ₃ for c3 and sin φ₃ for s3, φ₃ for θ₃, r₃ for l₃, where one angle, one length alone has this index."""
     kind, index = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
     if index and (unit := _KINDS.get(kind)):
-        alike = [one for one in _of_kind(variant, unit) if re.sub(r"\D", "", one) == index]
+        alike = _with_index(variant, unit, index)
         return named(alike[0]) if len(alike) == 1 else None
     for short, function in sorted(_SHORT.items(), reverse=True):
         index = name.removeprefix(short)
         if index and index != name and index.isdigit():
-            angles = [one.name for one in variant.coordinates if one.unit == "rad" and re.sub(r"\D", "", one.name) == index]
+            angles = _with_index(variant, "rad", index)
             return Formula("call", (named(angles[0]),), name=function) if len(angles) == 1 else None
     return None
 
 
-def _of_kind(variant: Variant, unit: str) -> list[str]:
-    """Return the names of the angles, or of the data that are lengths."""
+def _with_index(variant: Variant, unit: str, index: str) -> list[str]:
+    """Return the names of the angles, or of the data that are lengths, with an index."""
     angles = [one.name for one in variant.coordinates if one.unit == unit]
-    return angles if unit == "rad" else [one.name for one in variant.given if one.si == unit]
+    names = angles if unit == "rad" else [one.name for one in variant.given if one.si == unit]
+    return [name for name in names if re.sub(r"\D", "", name) == index]
 
 
 @lru_cache(maxsize=16)
@@ -120,13 +121,11 @@ def _distances(
 def put_in(tree: Formula, meanings: Mapping[str, Formula]) -> Formula | None:
     """Return a tree with the meanings of names in their places, None where it grows beyond what may be typed."""
 
-    def changed(node: Formula) -> Formula:
-        if node.op == "name" and node.name in meanings:
-            return _at(meanings[node.name], node.column)
-        return mapped(node, changed)
+    def changed(name: Formula) -> Formula:
+        return _at(meanings[name.name], name.column) if name.name in meanings else name
 
     grown = sum(sum(1 for _ in meanings[node.name].walk()) for node in tree.walk() if node.op == "name" and node.name in meanings)
-    return changed(tree) if grown <= MAX_NODES else None
+    return with_names(tree, changed) if grown <= MAX_NODES else None
 
 
 def _at(tree: Formula, column: int) -> Formula:

@@ -9,11 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from coursework.grading.reading.equations.signs import ARROWS, relates_two_sides
+from coursework.grading.reading.equations.signs import ARROWS, depths, relates_two_sides
 from coursework.variant.formula.reader import MAX_CHARACTERS
 
 _BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s(?:and|und|et|y|и|та|і|且|和)\s")
-_OPENING, _CLOSING = "([{", ")]}"
 _MATRICES = re.compile(r"\s*\[([^\[\]]*)\]\s*[*·⋅×]?\s*\[([^\[\]]*)\]\s*=\s*\[([^\[\]]*)\]\s*[.,;]?\s*")
 _BRACKETS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]|(?<=\[)\s*\[|\](?=\s*\])")  # round a matrix that has its own
 _MOST_ROWS = 12
@@ -51,9 +50,7 @@ def parts_of(line: str) -> list[str]:
 def _cuts(line: str) -> list[tuple[int, int]]:
     """Return where a piece may end and the next begin."""
     found = [(found.start(), found.end()) for found in _BETWEEN.finditer(line)]
-    depth = 0
-    for place, sign in enumerate(line):
-        depth += (sign in _OPENING) - (sign in _CLOSING)
+    for place, (sign, depth) in enumerate(zip(line, depths(line), strict=True)):
         is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
         if sign in ",;，；" and depth <= 0 and not is_decimal:
             found.append((place, place + 1))
@@ -82,9 +79,8 @@ def _cells(row: str) -> list[str]:
 
 def _at_commas(row: str) -> Iterator[str]:
     """Give what stands between the commas of a row that are in no parentheses."""
-    depth, start = 0, 0
-    for place, sign in enumerate(row):
-        depth += (sign in _OPENING) - (sign in _CLOSING)
+    start = 0
+    for place, (sign, depth) in enumerate(zip(row, depths(row), strict=True)):
         if sign == "," and depth == 0:
             yield row[start:place]
             start = place + 1

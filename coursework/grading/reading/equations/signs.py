@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from itertools import accumulate
 
 ARROW = "⇒"  # between two equations of a line, or behind what a line says before its equation
 _MATHEMATICAL, _FULL_WIDTH = range(0x1D400, 0x1D800), range(0xFF01, 0xFF5F)
@@ -37,6 +38,11 @@ _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
 _OPERATOR = re.compile(r"[-+*/=^]")
 _AXIS = re.compile(r"(?<=\w)\^\s*(?:[{(]\s*\(?([xyz])\)?\s*[)}]|([xyz])(?!\w))((?:_\w+)?)")
 _LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # between two points
+
+
+def depths(text: str) -> list[int]:
+    """Return in how many brackets each sign of a text stands, one that closes outside of its own; -1 behind one nobody opened."""
+    return [*accumulate((sign in "([{") - (sign in ")]}") for sign in text)]
 
 
 def relates_two_sides(text: str) -> bool:

@@ -10,7 +10,7 @@ import re
 from functools import cache
 from typing import Any
 
-from coursework.grading.reading.equations.equations import faults_as_lines, read_constraints
+from coursework.grading.reading.equations.equations import read_constraints
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine
 from coursework.system.frozen import frozen
@@ -47,7 +47,8 @@ def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantF
     try:
         source = read_source(content, name, {})
     except InputError as error:
-        return VariantFile(tuple(faults_as_lines(error, name)))
+        fault = error.faults[0]
+        return VariantFile((EquationLine(name, fault.line, "", fault=fault),))
     known = Schema.keys().keys()
     unknown = tuple(str(key)[:40] for key in source.data if key not in known)
     differing = _differing(source.data, expected)

@@ -23,9 +23,9 @@ _PACKED = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 class Archive:
     """A zip whose inflated bytes are counted over everything that is read from it."""
 
-    def __init__(self, content: bytes, most_parts: int = PARTS, most_bytes: int = INFLATED_BYTES) -> None:
+    def __init__(self, content: bytes) -> None:
         """Open an archive.  Raises `Refused` where it is damaged or has too many parts."""
-        self.left = most_bytes
+        self.left = INFLATED_BYTES
         end = content.rfind(_END)
         if end < 0 or int.from_bytes(content[end + 12 : end + 16], "little") > _DIRECTORY_BYTES:
             raise unreadable("damaged" if end < 0 else "too_large_open")
@@ -36,7 +36,7 @@ class Archive:
         # A damaged directory may hold a part without a name, which the library does not expect.
         self.parts = {part.filename: part for part in self._zip.infolist() if part.filename and not part.is_dir()}
         # Each formula of a document is three parts; none is opened that is not read, and what is read is counted.
-        if len(self._zip.infolist()) > (DOCUMENT_PARTS if _DOCUMENTS & self.parts.keys() else most_parts):
+        if len(self._zip.infolist()) > (DOCUMENT_PARTS if _DOCUMENTS & self.parts.keys() else PARTS):
             raise unreadable("too_large_open")
 
     def chunks(self, name: str) -> Iterator[bytes]:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import html
 import re
 
-_SILENT = re.compile(r"<(script|style)\b[^<>]{0,500}>", re.IGNORECASE)
+# A script or a style up to its end, or that of the page; each letter is looked at once.
+_SILENT = re.compile(r"<(script|style)\b[^<>]{0,500}>[^<]*+(?:<(?!/\1)[^<]*+)*+", re.IGNORECASE)
 _CELL = re.compile(r"</t[dh]\s*>\s*", re.IGNORECASE)
 _LINE = re.compile(r"<(?:br|/p|/div|/li|/tr|/h[1-6]|/pre)\b[^<>]{0,500}>", re.IGNORECASE)
 _TAG = re.compile(r"<[/!?a-zA-Z][^<>]{0,2000}>")
@@ -21,25 +22,9 @@ def text_of(page: str) -> str:
     >>> text_of("<p>w1 = 2<br>w2 &lt; 3</p>")
     'w1 = 2\nw2 < 3'
     """
-    kept = _without_silent(page)
+    kept = _SILENT.sub("", page)
     lined = _LINE.sub("\n", _CELL.sub("\t", kept.replace("\n", " ").replace("\r", " ")))
     plain = html.unescape(_TAG.sub("", lined)).replace("\u00a0", " ")
     # The end of a paragraph inside a cell is not the end of a row.
     rows = "\t".join(cell.rstrip("\n ") for cell in plain.split("\t"))
     return "\n".join(line.strip(" ").rstrip("\t") for line in rows.split("\n"))
-
-
-def _without_silent(page: str) -> str:
-    """Return a page without what its scripts and styles contain; each letter is looked at once."""
-    lowered = page.lower()
-    if len(lowered) != len(page):  # a letter that changes its length; then what is silent counts as text
-        return page
-    kept = []
-    start = 0
-    while match := _SILENT.search(page, start):
-        kept.append(page[start : match.start()])
-        end = lowered.find(f"</{match[1].lower()}", match.end())
-        if end < 0:
-            return "".join(kept)
-        start = end
-    return "".join([*kept, page[start:]])

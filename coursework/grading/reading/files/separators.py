@@ -11,6 +11,7 @@ import itertools
 import re
 from collections import Counter
 from collections.abc import Iterator
+from io import StringIO
 from itertools import pairwise
 
 from coursework.grading.reading.files.cells import BlankRows
@@ -59,19 +60,17 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
 def _lines(text: str, most: int) -> Iterator[str]:
     """Give the lines that are read: up to the last row allowed, or to where only blank ones follow."""
     blank = BlankRows()
-    filled = start = 0
-    while start < len(text) and filled < most:
-        end = text.find("\n", start)
-        end = len(text) if end < 0 else end
-        if end - start > LINE_CHARACTERS:
+    filled = 0
+    for line in StringIO(text):
+        if filled >= most:
+            return
+        if len(line) > LINE_CHARACTERS + line.endswith("\n"):
             raise unreadable("long_line", limit=LINE_CHARACTERS)
-        line = text[start:end]
-        is_blank = not line.strip(' \t;,|"\u00a0')
+        is_blank = not line.strip(' \t;,|"\u00a0\n')
         if blank.too_many(is_blank):
             return
         filled += not is_blank
-        yield line
-        start = end + 1
+        yield line.removesuffix("\n")
 
 
 def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...]:

@@ -27,18 +27,13 @@ _KINDS: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "er
 def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> Iterator[Sheet]:
     """Give the sheets of a workbook, at most 10; cells beyond the bounds are left out."""
     targets = _targets(archive)
-    for name, key in _names(archive)[:SHEETS]:
-        part = targets.get(key, "")
+    for _, found in _attributes(archive, WORKBOOK, {"sheet"})[:SHEETS]:
+        part = targets.get(found.get("id", ""), "")
         if part not in archive.parts:
             continue
         reader = _SheetReader(most_rows, most_columns)
         stream(archive.chunks(part), reader)
-        yield Sheet(name, _resolved(archive, reader))
-
-
-def _names(archive: Archive) -> list[tuple[str, str]]:
-    """Return names and keys of the sheets."""
-    return [(found.get("name", ""), found.get("id", "")) for _, found in _attributes(archive, WORKBOOK, {"sheet"})]
+        yield Sheet(found.get("name", ""), _resolved(archive, reader))
 
 
 def _targets(archive: Archive) -> dict[str, str]:

@@ -60,6 +60,9 @@ _SYMBOLS = {
 }  # fmt: skip
 
 
+_STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega")
+
+
 @frozen
 class Head:
     """What a head may mean: a column, the time, a row number, several (lost Greek), or nothing known; its unit or ""."""
@@ -140,10 +143,8 @@ def _without_unit(text: str) -> tuple[str, str]:
 def _parts(name: str) -> tuple[str, str]:
     """Return the stem and the index of a column's name, folded: phi1 -> phi, 1; wpsi -> w, psi; uC -> u, c; psi -> psi, ""."""
     plain = fold(name)
-    for stem in ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega"):
-        if plain.startswith(stem):
-            return stem, plain[len(stem) :]
-    return plain[:1], plain[1:]
+    stem = next((stem for stem in _STEMS if plain.startswith(stem)), plain[:1])
+    return stem, plain[len(stem) :]
 
 
 @lru_cache(maxsize=64)

@@ -7,7 +7,7 @@ Used by `tables_of_file.py`.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -44,9 +44,8 @@ class Origin:
 
 def read_sheets(sheets: Sequence[Sheet], origin: Origin, grid: Grid) -> Table | None:
     """Return the table of the first sheet that holds one, None where none does.  Raises `Refused`."""
-    columns = tuple((column.name, column.unit) for column in grid.columns)
     for sheet in sheets:
-        layout = lay_out(sheet, origin.separator, columns)
+        layout = lay_out(sheet, origin.separator, grid.units)
         if layout and _is_table(layout):
             return _table(sheet, layout, origin, grid)
     return None
@@ -79,7 +78,7 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
         tuple(head.text for head in layout.heads) if layout.has_heads else (), units, len(layout.body), order,  # type: ignore[arg-type]
     )  # fmt: skip
     present = tuple(row is not None for row in rows.of_grid)
-    notes = origin.notes + tuple(_notes(layout, places, rows, read, grid))
+    notes = origin.notes + tuple(_notes(layout, places, rows, read))
     return Table(reading, tuple(read), present, notes, _own_times(grid, places, layout, rows, read) if rows.own else None)
 
 
@@ -156,37 +155,31 @@ def _is_steady(column: TableColumn) -> bool:
     return max(steps) - min(steps) <= 1e-9 * max(1.0, abs(known[0]), abs(known[-1]))
 
 
-def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> list[Note]:
-    """Return what a reader of the page should know about how the table was read."""
-    notes = []
+def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn]) -> Iterator[Note]:
+    """Give what a reader of the page should know about how the table was read."""
     for unit, code in (("deg", "degrees"), ("deg/s", "degrees"), ("rpm", "rpm")):
         if names := tuple(column.name for column in read if column.unit == unit):
-            notes.append(note(code, "deg_s" if unit == "deg/s" else "", columns=names))
+            yield note(code, "deg_s" if unit == "deg/s" else "", columns=names)
     if layout.transposed:
-        notes.append(note("transposed"))
+        yield note("transposed")
     if rows.is_sorted:
-        notes.append(note("rows_sorted"))
+        yield note("rows_sorted")
     if missing := [place + 1 for place, row in enumerate(rows.of_grid) if row is None]:
-        notes.append(note("rows_missing", number=len(missing), rows=ranges(missing)))
+        yield note("rows_missing", number=len(missing), rows=ranges(missing))
     if rows.extra:
-        notes.append(note("rows_extra", number=rows.extra))
+        yield note("rows_extra", number=rows.extra)
     by_position = tuple(column.name for column in read if column.by == "position")
     if by_position:
         lost = [layout.heads[column.at - 1].text for column in read if column.by == "position"]
         has_lost = any(text.startswith("?") for text in lost)
-        notes.append(note("greek_lost" if has_lost else "columns_by_position", columns=by_position))
+        yield note("greek_lost" if has_lost else "columns_by_position", columns=by_position)
     if any(name not in {TIME, INDEX} for name in places.repeated):
-        notes.append(note("duplicate_column", columns=places.repeated))
+        yield note("duplicate_column", columns=places.repeated)
     dates = sum(flag == "date" for column in read for flag in column.flags)
-    if dates or (rows.recovered and _has_dates(layout, places)):
-        notes.append(note("date_cell", "date_cell" if dates else "date_cell_time", number=dates or rows.recovered))
+    if dates or (rows.recovered and any(row[places.places[TIME].at].flag == "date" for row in layout.body)):
+        yield note("date_cell", "date_cell" if dates else "date_cell_time", number=dates or rows.recovered)
     if errors := sum(flag in {"error", "formula"} for column in read for flag in column.flags):
-        notes.append(note("error_cell", number=errors))
-    turned = [column for column in read if column.turns]
-    for column in turned:
-        notes.append(note("turns", column=column.name, number=column.turns))
-    return notes
-
-
-def _has_dates(layout: Layout, places: Places) -> bool:
-    return any(row[places.places[TIME].at].flag == "date" for row in layout.body)
+        yield note("error_cell", number=errors)
+    for column in read:
+        if column.turns:
+            yield note("turns", column=column.name, number=column.turns)

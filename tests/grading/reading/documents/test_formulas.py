@@ -138,7 +138,7 @@ def test_letters_set_lower_and_higher_and_the_symbol_font() -> None:
     )
     typed += third + run("cos") + run("2", "superscript") + run("φ") + third + run(" = w3·r3")
     work = word(typed)
-    assert work.equations is not None and work.equations[0].left is not None
+    assert work.equations is not None and work.equations[0].tree is not None
     assert work.equations[0].text == "r3 ω3 sin^2φ3 + r3 ω3 cos^2φ3 = w3*r3"
     omega = '<w:r><w:sym w:font="Symbol" w:char="F077"/></w:r>'
     phi = '<w:r><w:sym w:font="Symbol" w:char="F06A"/></w:r>'
@@ -197,7 +197,7 @@ def test_formulas_of_libreoffice() -> None:
     assert verdicts(writer(*(annotated("<math:mrow/>", text) for text in STARMATH[:4]))) == ["right"] * 4
     assert verdicts(writer(annotated("<math:mrow/>", STARMATH[4]))) == ["right"]
     work = writer(annotated("<math:mrow/>", STARMATH[5]))
-    assert work.equations is not None and all(line.left is not None for line in work.equations)
+    assert work.equations is not None and all(line.tree is not None for line in work.equations)
     deep = "%omega_3 = " + "{" * 5000 + "r_3 %omega_4" + "}" * 5000
     assert verdicts(writer(annotated("<math:mrow/>", deep))) in (["unreadable"], [])
 
