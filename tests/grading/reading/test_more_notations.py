@@ -2,6 +2,7 @@
 
 import pytest
 
+from coursework.grading.reading.equations.labels import without_words
 from tests.grading.reading.notations import NOTATIONS, PLAIN, slips
 from tests.grading.reading.test_notations import marked
 
@@ -80,3 +81,16 @@ def test_a_chain_with_a_side_nobody_can_read_is_a_question_and_not_wrong():
 def test_unread_lines_without_a_sign_of_equality_are_told():
     found = marked(f"{REST}\nr3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1)\nWe take link 1 - and then link 2")
     assert [mark.verdict for mark in found.marks] == ["right", "right", "unreadable"]
+
+
+@pytest.mark.parametrize(
+    ("text", "equation"),
+    [
+        ("am Punkt B gilt w3 = 0", "w3 = 0"), ("am Punkt B x w3 = 0", "B x w3 = 0"), ("B gilt w3 = 0", "B gilt w3 = 0"),
+        ("wegen ABCD gilt w3 = 0", "w3 = 0"), ("wegen ABC gilt w3 = 0", "ABC gilt w3 = 0"), ("for link 3: w3 = 0", "w3 = 0"),
+        ("weil (12) gilt w3 = 0", "w3 = 0"), ("w3 = 0", "w3 = 0"),
+    ],
+)  # fmt: skip
+def test_words_before_an_equation_are_no_factors_of_it(text, equation):
+    """B is a length and w3 a rate; a capital among words is a point, and up to three capitals are names."""
+    assert without_words(text, lambda word: word in {"B", "w3"}).strip() == equation
