@@ -86,11 +86,12 @@ def test_unread_lines_without_a_sign_of_equality_are_told():
 @pytest.mark.parametrize(
     ("text", "equation"),
     [
-        ("am Punkt B gilt w3 = 0", "w3 = 0"), ("am Punkt B x w3 = 0", "B x w3 = 0"), ("B gilt w3 = 0", "B gilt w3 = 0"),
+        ("am Punkt B gilt w3 = 0", "w3 = 0"), ("am Punkt B x w3 = 0", "B x w3 = 0"),
+        ("am Punkt B omega - 3 = 0", "B omega - 3 = 0"), ("B gilt w3 = 0", "B gilt w3 = 0"),
         ("wegen ABCD gilt w3 = 0", "w3 = 0"), ("wegen ABC gilt w3 = 0", "ABC gilt w3 = 0"), ("for link 3: w3 = 0", "w3 = 0"),
         ("weil (12) gilt w3 = 0", "w3 = 0"), ("w3 = 0", "w3 = 0"),
     ],
 )  # fmt: skip
 def test_words_before_an_equation_are_no_factors_of_it(text, equation):
     """B is a length and w3 a rate; a capital among words is a point, and up to three capitals are names."""
-    assert without_words(text, lambda word: word in {"B", "w3"}).strip() == equation
+    assert without_words(text, lambda word: word in {"B", "w3", "omega"}).strip() == equation
