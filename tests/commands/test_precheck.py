@@ -25,10 +25,17 @@ def precheck(folder: Path, table: bytes | None, equations: str = "\n".join(EQUAT
 def test_a_right_submission_is_understood(tmp_path: Path) -> None:
     found = precheck(tmp_path, csv(students.table()))
     assert found.exit_code == 0, found.output
-    assert "cells separated by “;”, decimal mark “,”" in found.output
+    assert "cells separated by “;”, decimal mark “,”.\n" in found.output
     assert re.search(r"w4 +column 8, told by its head", found.output)
     assert "Rows: 25 of 25. At least 3 decimals are asked for." in found.output
     assert "Equations: 4 lines, 0 that cannot be read." in found.output
+
+
+def test_a_table_that_lies_on_its_side_is_said_to_have_been_turned(tmp_path: Path) -> None:
+    cells = [line.split(";") for line in csv(students.table()).decode().splitlines()]
+    found = precheck(tmp_path, "\n".join(";".join(column) for column in zip(*cells, strict=True)).encode())
+    assert "cells separated by “;”, decimal mark “,”, turned.\n" in found.output
+    assert "Rows: 25 of 25." in found.output
 
 
 def test_the_first_contradiction_is_told_with_the_students_own_numbers_alone(tmp_path: Path) -> None:

@@ -42,6 +42,17 @@ def test_a_guide_of_some_length_bears_a_couple_at_its_two_ends():
     assert np.abs(force.real - wanted).max() < 1e-8 * couple.max()
 
 
+def test_a_block_on_a_lever_rubs_both_and_the_drive_gives_what_that_takes():
+    found = rubbing("whitworth-forces", 'B = { coefficient = "0.1", length = "1 mm" }')
+    across, couple = np.abs(found.column("N32")), 2 * np.abs(found.column("K32")) / 0.001
+    assert (couple > across).any() and (couple < across).any()
+    lost = 0.1 * np.maximum(across, couple) * np.abs(found.rows.motion.column("u2"))
+    assert found.energy.friction == pytest.approx(-lost, abs=1e-9)
+    assert found.energy.drive == pytest.approx(of("whitworth-forces").energy.drive + lost, abs=1e-9)
+    (block, force), (lever, back) = ((one.body, one.force) for one in found.reactions.friction)
+    assert (block, lever) == ("2", "3") and np.abs(force + back).max() == 0
+
+
 def test_rows_in_which_a_pair_stands_still_are_told():
     """The slider stands in both dead positions: rows 1, 19 and 37 of a turn in steps of ten degrees."""
     for entries, told in (('C = { coefficient = "0.1" }', True), ('A = { radius = "20 mm", coefficient = "0.1" }', False)):

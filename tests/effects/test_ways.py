@@ -183,6 +183,22 @@ def test_a_rod_whose_rate_has_no_name_turns_as_its_ends_do():
     assert {one.code: one.verdict for one in check_forces(found, None)}["VIRTUAL-POWER"] == "SKIP"
 
 
+def test_the_drive_of_a_forearm_stands_on_the_upper_arm():
+    """Rods of 3 and 2 kg, 0.5 and 0.4 m: Lagrange's equations of the angles, the second moment between the two links."""
+    motor = text_of("falling-arm").partition("[motor]")[2].partition("[ask]")[0]
+    driven = '[drive]\nw1 = "2 rad/s"\nw2 = "3*sin(5*t)"\n\n[time]'
+    text = text_of("falling-arm", (f"[motor]{motor}", ""), ("[time]", driven), ('"dynamics", ', ""), ('"2 s"', '"0.2 s"'))
+    found = of_text(text, scheme="rk4")
+    first, second, w1, w2 = (found.rows.motion.column(name) for name in ("phi1", "phi2", "w1", "w2"))
+    epsilon, apart, inertia, g = 15 * np.cos(5 * found.rows.motion.t), first - second, 2 * 0.5 * 0.4 / 2, 9.81
+    forearm = 2 * 0.4**2 / 3 * epsilon - inertia * w1**2 * np.sin(apart) + 2 * g * 0.2 * np.cos(second)
+    upper = inertia * (epsilon * np.cos(apart) + w2**2 * np.sin(apart)) + (3 / 2 + 2) * g * 0.5 * np.cos(first)
+    assert found.column("M2") == pytest.approx(forearm, abs=1e-12)
+    assert found.column("M1") == pytest.approx(upper + forearm, abs=1e-12)  # from the frame it turns both
+    assert found.by_power == pytest.approx(np.column_stack([upper + forearm, forearm]), abs=1e-12)
+    assert found.energy.drive == pytest.approx(found.column("M1") * w1 + found.column("M2") * (w2 - w1))
+
+
 def test_no_mass_and_no_load_is_statics_of_nothing():
     text = text_of("example-1-forces", ("F1 = {", "F9 = {"))
     still = text.replace('"4 kg"', '"0 kg"').replace('"10 kg"', '"0 kg"').replace('"7 kg"', '"0 kg"')

@@ -155,6 +155,8 @@ def _fault(path: KeyPath, entry: Entry, source: Source) -> Fault:
     if key == "[key]":
         name = str(path[-2]) if len(path) > 1 else ""
         return source.fault(path[:-2], say("fault.V014", name=name[:50]), at_key=True)
+    if path[0] == "motor" and len(path) == 2 and key not in {"rates", "start"}:
+        return source.fault(path, say("fault.V716") if key == "flywheel" else say("fault.V713", name=key))
     shown = _shown(entry.get("input"))
     return source.fault(path, say("fault.V015", what=_expected(path, entry), found=shown, hint=_closest(entry)))
 

@@ -94,3 +94,18 @@ def test_a_law_asked_beyond_its_table_names_the_line_of_its_own_file(tmp_path):
             _ = coursework.solve(tmp_path / name, quantities=["table"]).motion
         (fault,) = told.value.faults
         assert (fault.code, Path(fault.file).name, text.splitlines()[fault.line - 1].split()[0]) == ("V522", name, "r")
+
+
+@pytest.mark.parametrize("end", [0.4, 2.4])
+def test_a_table_reaches_a_millionth_of_a_step_beyond_its_ends(end):
+    _, law = law_of(np.sin, 21, "spline")
+    outward = 0.1 if end > 1 else -0.1
+    for beyond, is_inside in ((0.9e-6, True), (1.1e-6, False)):
+        place = end + beyond * outward
+        assert bool(law.covers(place)) == is_inside
+        for argument in (place, np.array([1.0, place])):
+            if is_inside:
+                assert np.max(np.abs(law.function(0)(argument) - np.sin(argument))) < 1e-5
+            else:
+                with pytest.raises(OutsideTable):
+                    law.function(0)(argument)

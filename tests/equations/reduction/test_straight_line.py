@@ -11,11 +11,12 @@ from hypothesis import strategies as st
 
 from coursework import InputError
 from coursework.equations.algebra.calculus import derivative, piecewise
-from coursework.equations.algebra.expression import PI, POLE, absolute, number, variable
+from coursework.equations.algebra.expression import PI, POLE, absolute, add, number, variable
 from coursework.equations.algebra.expression import value as value_of
 from coursework.equations.algebra.functions import call, cosine, sine
 from coursework.equations.algebra.symbolic_objects import symbolic
 from coursework.equations.codegen.programs import Assign, Solve, compile_function, program
+from coursework.equations.reduction.symbolic import expanded
 
 x, y, c = map(variable, ("x", "y", "c"))
 CONSTANTS = {"c": -0.75}
@@ -171,3 +172,21 @@ def test_large_blocks_are_solved_by_their_entries():
     meant = [*np.linalg.solve(matrix, [1, 2, 3]), np.linalg.det(matrix)]
     assert one(3.0, 4.0) == pytest.approx(meant, rel=1e-13)
     assert [column[0] for column in many(np.array([3.0]), np.array([4.0]))] == pytest.approx(meant, rel=1e-13)
+
+
+@pytest.mark.parametrize("power", [Fraction(16), Fraction(31, 2), Fraction(17), Fraction(33, 2), Fraction(-16), Fraction(-17)])
+def test_powers_up_to_sixteen_are_products_and_roots(power):
+    made = compiled((x + y) ** power)
+    assert ("pow(" in made.__doc__) == (abs(power) > 16)
+    assert made(0.7, 0.4)[0] == pytest.approx(1.1 ** float(power), rel=1e-14)
+
+
+def test_what_has_more_than_a_hundred_terms_is_not_multiplied_out():
+    """(a1 + … + a10)(b1 + … + b10) has them; a power of a sum has as many as ways to share it out."""
+    sums = [add(*[variable(f"{letter}{k}") for k in range(10)]) for letter in "ab"]
+    eleven = sums[1] + variable("b10")
+    assert len(expanded(sums[0] * sums[1]).terms) == 100
+    assert expanded(sums[0] * eleven) == sums[0] * eleven
+    assert len(expanded((x + y + c) ** 12).terms) == 14 * 13 // 2  # 91
+    assert expanded((x + y + c) ** 13) == (x + y + c) ** 13  # 105
+    assert len(expanded(sums[0] + 2 * eleven).terms) == 21

@@ -7,7 +7,7 @@ from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.encoding import decode
 from coursework.grading.reading.limits import Refused, unreadable
 from coursework.grading.reading.student_work import Table, Trouble
-from coursework.grading.reading.table.tables_of_file import table_of_archive, table_of_text
+from coursework.grading.reading.table.tables_of_file import read_spreadsheet, table_of_text
 from tests.grading.reading.dialects import written
 from tests.grading.scenes import expected, times
 
@@ -21,10 +21,10 @@ def read_table(content: bytes, name: str, grid: Grid) -> Table | Trouble:
     """Return the table of one file, or why there is none that can be marked."""
     try:
         is_archive = content.startswith(b"PK")
-        table = table_of_archive(Archive(content), name, grid) if is_archive else table_of_text(decode(content), name, grid)
+        table = read_spreadsheet(Archive(content), name, grid)[0] if is_archive else table_of_text(decode(content), name, grid)
     except Refused as refusal:
         return refusal.trouble
-    return table or unreadable("no_table", name=name).trouble
+    return table or unreadable("no_sheet_table" if is_archive else "no_table", name=name).trouble
 
 
 def csv(rows: list[list[str]], sign: str = ";") -> bytes:

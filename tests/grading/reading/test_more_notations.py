@@ -2,6 +2,7 @@
 
 import pytest
 
+from coursework.grading.reading.equations.labels import without_words
 from tests.grading.reading.notations import NOTATIONS, PLAIN, slips
 from tests.grading.reading.test_notations import marked
 
@@ -102,3 +103,17 @@ def test_a_velocity_that_vanishes_is_known_in_the_lines_behind_it():
 def test_the_speed_of_a_slider_may_be_called_by_its_point(name):
     assert marked(f"{name} = -a*w3*cos(phi3) + c*w3*sin(phi3)".replace("VMy = -", "VMy - "), "v102").independent == 1
     assert marked(f"{name} = a*w3*cos(phi3) + c*w3*sin(phi3)", "v102").independent == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "equation"),
+    [
+        ("am Punkt B gilt w3 = 0", "w3 = 0"), ("am Punkt B x w3 = 0", "B x w3 = 0"),
+        ("am Punkt B omega - 3 = 0", "B omega - 3 = 0"), ("B gilt w3 = 0", "B gilt w3 = 0"),
+        ("wegen ABCD gilt w3 = 0", "w3 = 0"), ("wegen ABC gilt w3 = 0", "ABC gilt w3 = 0"), ("for link 3: w3 = 0", "w3 = 0"),
+        ("weil (12) gilt w3 = 0", "w3 = 0"), ("w3 = 0", "w3 = 0"),
+    ],
+)  # fmt: skip
+def test_words_before_an_equation_are_no_factors_of_it(text, equation):
+    """B is a length and w3 a rate; a capital among words is a point, and up to three capitals are names."""
+    assert without_words(text, lambda word: word in {"B", "w3", "omega"}).strip() == equation

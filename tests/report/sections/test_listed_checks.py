@@ -8,7 +8,10 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.report.sections.checks import counted
+from coursework.report.sections.checks import amount, bound, counted
+from coursework.report.text.numbers import TIGHT
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
 from coursework.results.checks.result import Finding
 from coursework.words.sentences import say
 
@@ -56,3 +59,18 @@ def test_digits_that_are_left_are_never_told_as_more(real: ModuleType) -> None:
     assert real.text_of([listed(real, real.full())["CONDITION"]["value"]]) == "15.2\xa0digits"
     assert counted(5.99, say("unit.digits", number=5.99)) == 5.9
     assert counted(6.04, say("unit.digits", number=6.04)) == 6.0
+
+
+def test_an_amount_is_told_in_per_cent_or_as_a_power_and_with_a_unit_that_is_short(real: ModuleType) -> None:
+    context, share = PageContext(real.full(), load_words("en")), say("unit.of_the_scale")
+    assert [amount(context, value, share) for value in (0.0, 6e-4, 0.25)] == ["0\xa0%", "0.1\xa0%", "25.0\xa0%"]
+    assert "%" not in amount(context, 4e-4, share)
+    assert [amount(context, 2.0, "u" * letters).endswith("u") for letters in (12, 13)] == [True, False]
+    assert amount(context, None, "m") == "–"
+    limits = [bound(context, Finding("PASS", "Told.", 0.0, value, share)) for value in (0.05, 6e-4, 4e-4)]
+    assert limits[:2] == [f"≤{TIGHT}5\xa0%", f"≤{TIGHT}0.06\xa0%"] and "%" not in limits[2]
+
+
+def test_an_amount_that_is_whole_but_for_the_last_digit_shown_is_whole() -> None:
+    rows = say("unit.rows", number=1000)
+    assert [counted(value, rows) for value in (1000.04, 999.96, 1000.06)] == [1000.0, 1000.0, 1000.06]

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import pytest
 
+from coursework.report.sections.remarks import _plausibility
 from coursework.report.text.numbers import Numbers, unit_text, with_unit
+from coursework.report.text.words import load_words
 
 N = Numbers()
 
@@ -97,3 +100,25 @@ def test_numbers_that_differ_by_round_off_are_written_alike():
     assert (f"{1.1187499999999998:.4f}", f"{1.1187500000000004:.4f}") == ("1.1187", "1.1188")
     assert below == above == "1.1187"
     assert other == "1.1188"
+
+
+def test_where_powers_groups_and_round_off_begin() -> None:
+    assert [N.plain(value) for value in (1e-3, 999999.0, 1e6)] == ["0.001", "999999", "1.00·10⁶"]
+    assert [N.whole(value) for value in (9999, 10000)] == ["9999", "10\u202f000"]
+    assert [N.without_noise(value, size) == 0 for value, size in ((0.9e-9, 0.5), (1.1e-9, 0.5), (1.9e-9, 2), (2.1e-9, 2))] == [
+        True, False, True, False,
+    ]  # fmt: skip
+    assert N.column([1.0, 0.9e-12])[1] == "0.0000" and N.column([1.0, 1.1e-12])[1] == "1.10·10⁻¹²"
+    assert N.column([1.0, 9e-12], size=10.0)[1] == "0.0000"
+    assert [N.duration(value)[-2:] for value in (1.0, 0.999, 0.999e-3)] == ["\xa0s", "ms", "µs"]
+
+
+@pytest.mark.parametrize("count", [12, 13])
+def test_a_dozen_remarks_are_told_and_the_number_of_the_others(count: int) -> None:
+    told = [SimpleNamespace(line=line, sentence=f"Remark {line}.") for line in range(1, count + 1)]
+    run = SimpleNamespace(variant=SimpleNamespace(plausibility=told))
+    notes = _plausibility(SimpleNamespace(words=load_words("en"), run=run, told=str))
+    assert len(notes) == (12 if count == 12 else 13)
+    shown = ["".join(piece.get("t", "") for piece in note.text) for note in notes]
+    assert "Remark 12." in shown[11]
+    assert count == 12 or shown[12] == "Further remarks in run.json: 1."

@@ -11,6 +11,7 @@ from coursework.motion.integration.finer import finer
 from coursework.results.checks import advice
 from coursework.results.checks.advice import with_advice
 from coursework.results.checks.check import motion_findings
+from coursework.results.checks.result import Finding
 from tests.hard.scenes import scene
 from tests.results.checks.scenes import V31, found, solve, verdicts
 
@@ -135,3 +136,26 @@ def test_a_half_and_a_third_of_an_advised_step_have_to_do_as_well(shares, looked
     monkeypatch.setattr(advice, "_glanced", lambda evidence, motion, parts: shares[parts])
     judged = SimpleNamespace(rerun=lambda own, parts: tried.append(parts) or "rows")
     assert (advice._worse(judged, "euler", 5, 1), tried) == (told, looked_at)
+
+
+@pytest.mark.parametrize(
+    ("code", "value", "limit", "order", "times"),
+    [
+        ("ACCURACY", 0.4, 0.05, 1, 10.0), ("ACCURACY", 0.16, 0.05, 2, 2.0), ("ACCURACY", 50.0, 0.05, 1, 250.0),
+        ("ACCURACY", 9.0, 0.05, 1, 225.0), ("DRIFT", 0.4, 0.01, 1, 2.0), ("ACCURACY", None, 0.05, 1, 2.0),
+        ("STEP", 4.0, 12.0, 1, 3.0), ("PEAK", 0.3, 0.1, 4, 3.0), ("PEAK", 0.3, None, 4, 2.0),
+    ],
+)  # fmt: skip
+def test_how_many_times_finer_a_step_is_asked_for(code, value, limit, order, times):
+    """Four fifths of the 5 % are aimed at; of an error beyond ten times the scale no more is believed."""
+    assert advice._growth(Finding("COARSE", "Told.", value, limit, code=code), order) == pytest.approx(times)
+
+
+@pytest.mark.parametrize(("weight", "rows", "is_had"), [(1.0, 1e6, False), (300.0, 1e4, True), (301.0, 1e4, False)])
+def test_a_step_is_tried_that_costs_no_more_than_three_million_slopes(weight, rows, is_had, monkeypatch):
+    monkeypatch.setattr(advice, "MAX_ROWS", 20_000)
+    evidence = SimpleNamespace(
+        variant=SimpleNamespace(time=SimpleNamespace(end=rows / 2 * 0.1)), motion=SimpleNamespace(step=0.1),
+        rates=SimpleNamespace(weight=weight),
+    )  # fmt: skip
+    assert advice._affordable(evidence, 2, 1) == is_had

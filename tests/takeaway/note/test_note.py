@@ -15,7 +15,7 @@ import pytest
 from coursework.report.output.formats import formats_for
 from coursework.report.text.parts import Checks, Claims, Equations, Figure, Panels, Table
 from coursework.takeaway.figures.drawings import Picture
-from coursework.takeaway.note.formulas import WIDE, latex_of, letters_wide
+from coursework.takeaway.note.formulas import WIDE, _places, latex_of, letters_wide
 from coursework.takeaway.note.open_document import MANIFEST, _with_drawings
 from coursework.takeaway.note.writer import LANGUAGES
 from coursework.variant.catalogue import names
@@ -260,6 +260,20 @@ def test_a_worked_formula_that_is_too_long_is_broken_before_a_sign_and_has_its_r
     first, second = held.removeprefix("\\begin{array}{l}").split("\\\\")
     for line, sides in ((first, 2), (second, 1)):  # LibreOffice shows "¿" for a bracket without its other one
         assert line.count("\\left") == line.count("\\right") == sides and line.count("\\left.") + line.count("\\right.") == 1
+
+
+@pytest.mark.parametrize(
+    ("line", "before"),
+    [
+        ("x = \\frac{a + b}{c + 1} + d - e", ["+ d", "- e"]), ("x = \\left(a + b\\right) + c", ["+ c"]),
+        ("x = (a + b) - c", ["+ b", "- c"]), ("x = - a + b", ["+ b"]), ("& \\quad + a - b", ["- b"]),
+        ("x = a + " + "b" * WIDE + " - c", ["+ b"]), ("x = a + " + "b" * (WIDE - 4) + " - c", ["+ b", "- c"]),
+    ],
+)  # fmt: skip
+def test_a_formula_may_go_on_below_before_a_sign_between_two_terms_that_no_brace_holds(line, before):
+    found = _places(line)
+    assert [line[place + 1 : place + 4] for _, place in found] == before
+    assert all(depth == line[:place].count("(") - line[:place].count(")") for depth, place in found)
 
 
 def test_the_two_tables_of_checks_have_a_title_that_keeps_to_them():

@@ -21,7 +21,7 @@ from coursework.system.frozen import frozen
 
 NAMES = {"\t": "tab", " ": "blanks"}
 _SAMPLE = 80  # rows on which the separator is chosen
-_HINT = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
+_HINT = re.compile(r'\s*"?sep=(.)"?[;,\t]*\s*', re.IGNORECASE)
 _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _LISTS = "[](){},;|"  # what programs put around and behind the numbers of a list
 
@@ -42,8 +42,8 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     ';'
     """
     lines = list(_lines(text, most_rows))
-    if lines and (hint := _HINT.fullmatch(lines[0].strip().rstrip(";,\t"))):
-        return Split(NAMES.get(hint[1], hint[1]), _cells(lines[1:], hint[1], most_columns))
+    if lines and (hint := _HINT.fullmatch(lines[0])):
+        return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], most_columns))
     best: tuple[tuple[float, ...], str, bool] | None = None
     for place, sign in enumerate((";", "\t", ",", " ")):
         if sign != " " and not any(sign in line for line in lines[:_SAMPLE]):

@@ -1,0 +1,28 @@
+"""Which factor of a determinant vanishes: beside the largest, and by the data alone."""
+
+import math
+from types import SimpleNamespace
+
+import pytest
+
+from coursework.equations.reduction.meaning import _vanishing
+from coursework.variant.formula.reader import parse
+
+BOTH = [parse("sin(x)"), parse("cos(y)")]
+
+
+def variant(**given):
+    return SimpleNamespace(given=[SimpleNamespace(name=name) for name in given], values=given)
+
+
+@pytest.mark.parametrize(("x", "found"), [(0.9e-3, BOTH[:1]), (1.1e-3, BOTH)])
+def test_a_factor_vanishes_that_is_a_thousandth_of_the_largest(x, found):
+    assert _vanishing(parse("r*sin(x)*cos(y)"), variant(r=0.3), {"x": x, "y": 0.0}) == found
+    assert _vanishing(parse("r*sin(x)*cos(y)"), variant(r=0.3), None) == BOTH
+    assert _vanishing(parse("sin(x)*cos(V)"), variant(), {"x": x}) == [parse("sin(x)"), parse("cos(V)")]  # V is a drive
+
+
+@pytest.mark.parametrize(("beside", "is_nothing"), [(0.0, True), (0.9e-12, True), (1.2e-12, False)])
+def test_a_factor_of_data_alone_vanishes_up_to_the_round_off_of_an_angle(beside, is_nothing):
+    found = _vanishing(parse("sin(g)*cos(y)/r"), variant(g=math.pi + beside, r=0.3), None)
+    assert found == ([parse("sin(g)")] if is_nothing else []) + [parse("cos(y)")]

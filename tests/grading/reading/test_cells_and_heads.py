@@ -1,0 +1,68 @@
+"""Cells and heads as people write them: powers of ten, units behind a comma, the line that names the separator."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from coursework.grading.reading.files.kinds import real_kind
+from coursework.grading.reading.files.separators import split
+from coursework.grading.reading.numbers import plain_text
+from coursework.grading.reading.table.headers import _without_unit
+from coursework.grading.reading.table.layout import _joined
+from coursework.grading.reading.table.units import unit_of_column
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("1.5·10⁻³", "1.5e-3"), ("1,5×10-3", "1,5e-3"), ("2*10^-4", "2e-4"), ("2·10^(-4)", "2e-4"), ("110", "110"),
+        ("12 rad", "12"), ('="1.5"', "1.5"), ("'3", "3"), ("−3,5", "-3,5"),
+    ],
+)  # fmt: skip
+def test_a_number_without_what_is_around_it(text: str, plain: str) -> None:
+    assert plain_text(text) == plain
+
+
+@pytest.mark.parametrize("sign", [";", ",", "\t", "|"])
+@pytest.mark.parametrize("more", ["", ";;", " "])
+def test_the_separator_that_a_file_names_is_taken(sign: str, more: str) -> None:
+    """A line of numbers with commas may be read in two ways, were it not said; the line itself stays one, and empty."""
+    found = split(f"sep={sign}{more}\nt{sign}w1\n0{sign}1.5\n", 600, 40)
+    assert found is not None and found.separator == {"\t": "tab"}.get(sign, sign)
+    assert found.rows == ((), ("t", "w1"), ("0", "1.5"))
+
+
+@pytest.mark.parametrize(
+    ("heads", "width", "joined"),
+    [
+        (["t", "s", "phi1", "rad"], 2, ["t, s", "phi1, rad"]), (["t", "s", "phi1", "rad", ""], 2, ["t, s", "phi1, rad"]),
+        (["a", "b", ""], 2, ["a", "b"]), (["s", "t", "w1"], 2, ["s", "t", "w1"]),
+    ],
+)  # fmt: skip
+def test_a_unit_that_a_comma_cut_off_goes_back_to_its_head(heads: list[str], width: int, joined: list[str]) -> None:
+    assert _joined(heads, width) == joined
+
+
+@pytest.mark.parametrize(
+    ("head", "parts"),
+    [
+        ("w1(tk)", ("w1", "")), ("w1[t]", ("w1", "")), ("w1(rad/s)", ("w1", "1/s")), ("phi1,rad", ("phi1", "rad")),
+        ("phi1 in deg", ("phi1", "deg")), ("x/mm", ("x", "mm")), ("phi1°", ("phi1", "deg")), ("v(q)", ("v(q)", "")),
+    ],
+)  # fmt: skip
+def test_a_head_and_its_unit(head: str, parts: tuple[str, str]) -> None:
+    assert _without_unit(head) == parts
+
+
+@pytest.mark.parametrize(
+    ("unit", "head", "meant"), [("1/s", "deg", "deg/s"), ("1/s", "rad", "1/s"), ("rad", "deg", "deg"), ("m", "mm", "mm")]
+)
+def test_the_unit_that_a_head_says_counts(unit: str, head: str, meant: str) -> None:
+    assert unit_of_column(SimpleNamespace(unit=unit, values=[1.0, 2.0]), head, [1.0, 2.0]) == meant
+
+
+def test_pictures_are_known_by_their_first_bytes() -> None:
+    assert real_kind(b"\0\0\0\x18ftypheic") == real_kind(b"\0\0\0\x18ftypmif1") == "HEIC"
+    assert (real_kind(b"RIFF\0\0\0\0WEBP"), real_kind(b"RIFF\0\0\0\0WAVE")) == ("WebP", "")
