@@ -133,7 +133,7 @@ def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | No
         return 0.0, None
     middle = max(float(np.median(whole)), usual) if len(whole) else usual
     coarse = _COARSE * usual * _RUNG ** math.ceil(math.log(middle / usual, _RUNG) - _ROUND_OFF)
-    if middle > most or np.mean(off <= coarse) < _COARSE_ROWS:
+    if middle > most or np.count_nonzero(off <= coarse) < _COARSE_ROWS * len(off):
         return _COARSE * usual, None
     return coarse, math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
 
