@@ -57,12 +57,20 @@ def faulty(desk):
     yield "half the step", machine.table(step=h / 2, rows=2 * machine.rows - 1)[::2]
     yield "twice the step", machine.table(lambda t, q: 2 * h * at(t, q))
     yield "sign of the drive", Machine(desk.variant, drive_sign=-1.0).table()
+    for given in desk.variant.given:
+        yield f"{given.name} twice", Machine(desk.variant, data={given.name: 2 * given.value}).table()
     for row in (3, machine.rows // 2, machine.rows - 4):
         for place in range(len(desk.key.names)):
             yield f"slip {place}", machine.table(slip=(row, place, 0.15))
     for constraint in desk.variant.constraints:
         for number, text in enumerate(sign_faults(constraint)):
             yield f"sign {number} of {constraint.name}", Machine(desk.variant, lines={constraint.name: text}).table()
+
+
+def test_a_column_that_is_wrong_throughout_costs_the_same_however_near_the_others_stay():
+    """A bar twice as long halves its own rate; the others stay the task's to the last digit in a few rows, or in nearly all."""
+    tables = [(desk, Machine(desk.variant, data={"r2": 2 * desk.variant.values["r2"]}).table()) for desk in desks("31", 2)]
+    close([desk.marked(table)[0] for desk, table in tables])
 
 
 @pytest.mark.long

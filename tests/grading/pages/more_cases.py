@@ -143,9 +143,9 @@ def mixed_units() -> bytes:
 
 
 def slips_in_most_rows() -> np.ndarray:
-    """A slip that the angles carry on, and w4 mistyped in more than two rows of five."""
+    """A slip that the angles carry on, and w3 and w4 mistyped in more than two rows of five."""
     table = students.slip(2, 0, 1.5)
-    table[8:22, 6] += 0.3
+    table[8:22, 5:] += 0.3
     return table
 
 

@@ -17,9 +17,9 @@ from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# Rows whose velocities are all shown and right, below which steps made with them prove nothing; right cells below each other,
-# fewer of which are chance.
-ENOUGH_ROWS, RUN = 0.6, 5
+# Rows whose velocities are all shown and right, below which steps made with them prove nothing, if not so many of the columns
+# are the task's in as many rows: one wrong throughout is one fault.  Right cells below each other, fewer of which are chance.
+ENOUGH_ROWS, _COLUMNS, RUN = 0.6, 0.5, 5
 _CONSTANT = 1e-9
 # Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow.
 _SPARE, _MOST, FOLLOWING = 0.25, 0.66, 0.75
@@ -35,8 +35,9 @@ class TablePoints:
     """`share` of the table earned by its cells; how many cells count.
 
     `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
-    with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right ("rows"), the row
-    belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted` (n, m + r) is where they stand.
+    with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right, and too few columns
+    ("rows"), the row belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted` (n, m + r) is where
+    they stand.
     """
 
     share: float
@@ -69,7 +70,10 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     marks, counted = cells.marks, cells.counted
     right = ~cells.wrong & ~cells.missing & counted
     sound = right | cells.fitted  # as they were before others were put right
-    rows_enough = bool(np.mean(np.all(sound[:, m:], axis=1)) >= ENOUGH_ROWS) if len(marks) else False
+    rows_enough = bool(len(marks)) and (
+        np.mean(np.all(sound[:, m:], axis=1)) >= ENOUGH_ROWS
+        or np.mean(np.mean(marks[:, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
+    )
     follows = rows_that_follow(key, cells)
     works = rows_enough and bool(follows[1:].any())
     steps = np.zeros_like(right)
