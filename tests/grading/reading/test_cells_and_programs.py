@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.grading.reading.dialects import DIALECTS, workbook, written
+from tests.grading.reading.dialects import DIALECTS, archive, workbook, written
 from tests.grading.reading.test_more_notations import MATRICES
 from tests.grading.reading.test_read_submission import COLUMNS, EQUATIONS, GRID, read, table
 from tests.grading.scenes import times
@@ -14,6 +14,7 @@ def test_equations_typed_into_the_cells_of_a_workbook_are_read() -> None:
     lines = EQUATIONS.split("\n")[1:3]
     work = read(("w.xlsx", workbook({"Table": sheet, "Уравнения": [[f"t:{line}"] for line in lines]})))
     assert work.table is not None and work.files[0].kinds == ("table", "equations")
+    assert work.table.reading.separated == "a table of cells"
     assert work.equations is not None and [line.text for line in work.equations] == [lines[0]]  # the other has no "="
     assert work.equations[0].where == "sheet “Уравнения”, row 1"
     alone = read(("w.xlsx", workbook({"Уравнения": [[f"t:{line}"] for line in lines]})), ("t.csv", table()))
@@ -39,3 +40,8 @@ def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_alone() -> None:
 def test_a_matrix_between_dollars_is_read_row_by_row() -> None:
     work = read(("t.csv", table()), ("e.md", MATRICES["latex"].replace("\\[", "$$", 1).replace("\\]", "$$").encode()))
     assert work.equations is not None and len(work.equations) == 2 and all(line.left for line in work.equations)
+
+
+def test_a_zip_that_names_files_above_itself_is_read_and_nothing_is_written() -> None:
+    work = read(("all.zip", archive({"../../evil.csv": table(), "/e.txt": EQUATIONS})))
+    assert work.table is not None and work.equations is not None
