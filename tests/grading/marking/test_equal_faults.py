@@ -141,6 +141,13 @@ def test_exchanged_columns_are_named_both():
                     assert table.misconception.names == (names[first], names[second])
 
 
+def test_a_start_value_is_told_as_the_task_has_it_whatever_turns_were_taken_off():
+    variant = coursework.load("v102").with_data(start={"phi2": 3.32, "phi3": 0.08})
+    desk = Desk(variant)
+    _, table = desk.marked(desk.machine.table()[:, [0, 2, 1, 3, 4, 5, 6]])
+    assert "phi2 should begin with the start value 3.32 rad of the task; 0.08 rad stands there" in table.first.sentence
+
+
 def test_a_row_too_many_or_too_few_costs_a_row():
     points = []
     for desk in variants():
