@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
+from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
@@ -139,6 +140,16 @@ def test_exchanged_columns_are_named_both():
                     _, table = desk.marked(desk.machine.table()[:, order])
                     assert table.misconception.code == "swapped_columns"
                     assert table.misconception.names == (names[first], names[second])
+
+
+def test_what_explains_as_much_is_told_in_sentences_of_its_own():
+    desk = variants()[0]
+    _, table = desk.marked(Machine(desk.variant, data={"V1": -desk.variant.values["V1"]}).table())
+    told = [reason.text for reason in table_reasons(desk.key, table, 1.0, 30.0, 60.0) if "as well be" in reason.text]
+    assert told == [
+        "It could as well be: the datum V1 has another value than the task's.",
+        "It could as well be: one slip in the equation 11.",
+    ]
 
 
 def test_a_start_value_is_told_as_the_task_has_it_whatever_turns_were_taken_off():

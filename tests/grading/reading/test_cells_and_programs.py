@@ -45,3 +45,15 @@ def test_a_matrix_between_dollars_is_read_row_by_row() -> None:
 def test_a_zip_that_names_files_above_itself_is_read_and_nothing_is_written() -> None:
     work = read(("all.zip", archive({"../../evil.csv": table(), "/e.txt": EQUATIONS})))
     assert work.table is not None and work.equations is not None
+
+
+def test_what_sets_the_source_of_a_page_in_is_no_cell() -> None:
+    cells = [["t", *GRID.names], *written(times(GRID), COLUMNS, "fixed", 4, "rad")]
+    rows = "".join(
+        "\t<tr>\n" + "".join(f"\t\t<td width=58><p>\n\t\t\t{text}</p>\n\t\t</td>\n" for text in row) + "\t</tr>\n"
+        for row in cells
+    )
+    lines = "".join(f"<p>{line.replace('sin', chr(10) + 'sin')}</p>\n" for line in EQUATIONS.split("\n")[1:2])
+    work = read(("saved.html", f"<html>\n<body>\n<h1>\nWork</h1>{lines}<table>\n{rows}</table></body></html>".encode()))
+    assert work.table is not None and work.table.cells == 7 * 25
+    assert work.equations is not None and work.equations[0].left is not None

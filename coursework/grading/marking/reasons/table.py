@@ -76,9 +76,8 @@ def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
         share = str(int(100 * named.share + 1e-9))  # 100 only where it is all of the table
         told = say("feedback.misconception.share", share=share)
         yield Reason("table", "cause", joined([told, _told(named.code, named.names)]))
-        if named.ties:
-            ties = [_told(code) for code in named.ties]
-            yield Reason("table", "finding", joined([say("feedback.misconception.ties"), *ties]))
+        for code in named.ties:
+            yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and _many(key, marked):
