@@ -64,7 +64,7 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
     found = counts(key, marked)
     less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
-    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" else ""
+    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" and "start" not in shut(marked) else ""
     total = _sum(marked, found.cells, points, most)
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 

@@ -24,7 +24,7 @@ from coursework.grading.reading.table.digits import last_places
 from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout, lay_out
 from coursework.grading.reading.table.rows import Rows, place_rows
-from coursework.grading.reading.table.units import factor_of, unit_of_column, whole_turns
+from coursework.grading.reading.table.units import factor_of, stands_beside, unit_of_column, whole_turns
 from coursework.system.frozen import frozen
 from coursework.words.sentences import ranges
 
@@ -182,8 +182,8 @@ def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], 
         notes.append(note("date_cell", "date_cell" if dates else "date_cell_time", number=dates or rows.recovered))
     if errors := sum(flag in {"error", "formula"} for column in read for flag in column.flags):
         notes.append(note("error_cell", number=errors))
-    turned = [column for column in read if column.turns]
-    for column in turned:
+    keys = {column.name: column for column in grid.columns}
+    for column in (one for one in read if one.turns and stands_beside(keys[one.name], one.values)):
         notes.append(note("turns", column=column.name, number=column.turns))
     return notes
 
