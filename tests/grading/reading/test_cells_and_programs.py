@@ -35,6 +35,7 @@ def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_alone() -> None:
     for content, turned in ((degrees, True), (table(), False)):
         work = read(("t.csv", content), ("e.txt", line))
         assert work.equations is not None and any(other.in_degrees for other in work.equations[0].others) is turned
+        assert (work.equations[0].left is not None) is turned  # and so `precheck` tells it
 
 
 def test_a_matrix_between_dollars_is_read_row_by_row() -> None:
