@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from coursework.grading.reading.equations.names_in_text import spellings_of
+from coursework.variant.formula.tree import named
 from tests.grading.reading.dialects import DIALECTS, archive, workbook, written
 from tests.grading.reading.test_more_notations import MATRICES
 from tests.grading.reading.test_read_submission import COLUMNS, EQUATIONS, GRID, read, table
-from tests.grading.scenes import times
+from tests.grading.scenes import expected, times
 
 
 def test_equations_typed_into_the_cells_of_a_workbook_are_read() -> None:
@@ -58,3 +62,11 @@ def test_what_sets_the_source_of_a_page_in_is_no_cell() -> None:
     work = read(("saved.html", f"<html>\n<body>\n<h1>\nWork</h1>{lines}<table>\n{rows}</table></body></html>".encode()))
     assert work.table is not None and work.table.cells == 7 * 25
     assert work.equations is not None and work.equations[0].left is not None
+
+
+def test_the_pin_on_a_guide_of_the_frame_gives_its_speed_a_name_and_one_on_a_moving_guide_does_not() -> None:
+    guided = expected("example-2").variant
+    assert spellings_of(guided, ()).canonical("V_C") == "u3"
+    (crank, slider) = guided.groups
+    swinging = replace(slider, guides=(replace(slider.guides[0], angle=named("theta1")),))
+    assert spellings_of(replace(guided, groups=(crank, swinging)), ()).canonical("V_C") is None
