@@ -66,7 +66,7 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
         return False
     table = work.table
     reading = table.reading
-    known = {"file": reading.file, "encoding": reading.encoding, "separator": reading.separator, "decimal": reading.decimal}
+    known = {"file": reading.file, "encoding": reading.encoding, "separated": reading.separated, "decimal": reading.decimal}
     told(say("screen.turned" if reading.transposed else "screen.not_turned", **known))
     for column in table.columns:
         heading = "screen.column_by_head" if column.by == "header" else "screen.column_by_place"

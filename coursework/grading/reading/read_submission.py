@@ -99,8 +99,10 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
 
 def _in_unit_of(table: Table | None, line: EquationLine) -> EquationLine:
     """Return a line without the readings that hold where angles are in degrees, unless those of the table are."""
-    is_turned = table is not None and any(column.unit == "deg" for column in table.columns)
-    return line if is_turned else replace(line, others=tuple(other for other in line.others if not other.in_degrees))
+    turned = [other for other in line.others if other.in_degrees]
+    if not turned or table is None or all(column.unit != "deg" for column in table.columns):
+        return replace(line, others=tuple(other for other in line.others if not other.in_degrees))
+    return line if line.tree is not None else replace(line, tree=turned[0].tree, repaired=turned[0].text, fault=None)
 
 
 def _opened(file: SubmittedFile, found: _Found) -> list[SubmittedFile]:

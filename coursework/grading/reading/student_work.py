@@ -58,6 +58,12 @@ class Reading:
     rows: int
     order: Literal["given", "sorted"]
 
+    @property
+    def separated(self) -> Sentence:
+        """Return what parts the cells, for a person."""
+        known = self.separator if self.separator in {"cells", "tab", "blanks"} else "sign"
+        return say(f"reading.separated.{known}", sign=self.separator)
+
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
         return asdict(self) | {"header": list(self.header)}

@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
+from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
@@ -139,6 +140,33 @@ def test_exchanged_columns_are_named_both():
                     _, table = desk.marked(desk.machine.table()[:, order])
                     assert table.misconception.code == "swapped_columns"
                     assert table.misconception.names == (names[first], names[second])
+
+
+def test_what_explains_as_much_is_told_in_sentences_of_its_own():
+    desk = variants()[0]
+    _, table = desk.marked(Machine(desk.variant, data={"V1": -desk.variant.values["V1"]}).table())
+    told = [reason.text for reason in table_reasons(desk.key, table, 1.0, 30.0, 60.0) if "as well be" in reason.text]
+    assert told == [
+        "It could as well be: the datum V1 has another value than the task's.",
+        "It could as well be: one slip in the equation 11.",
+    ]
+
+
+def test_a_start_that_shuts_the_whole_table_is_not_said_to_cost_a_cell():
+    desk = variants()[0]
+    held = desk.machine.table()
+    held[:, 0] = 1.0  # a coordinate that stands still from a wrong start on
+    for table, costs in ((np.zeros((25, 7)), False), (held, True)):
+        _, marked = desk.marked(table)
+        told = " ".join(reason.text for reason in table_reasons(desk.key, marked, 1.0, 0.0, 60.0))
+        assert ("Each of them costs one cell." in told) is costs
+
+
+def test_a_start_value_is_told_as_the_task_has_it_whatever_turns_were_taken_off():
+    variant = coursework.load("v102").with_data(start={"phi2": 3.32, "phi3": 0.08})
+    desk = Desk(variant)
+    _, table = desk.marked(desk.machine.table()[:, [0, 2, 1, 3, 4, 5, 6]])
+    assert "phi2 should begin with the start value 3.32 rad of the task; 0.08 rad stands there" in table.first.sentence
 
 
 def test_a_row_too_many_or_too_few_costs_a_row():

@@ -8,7 +8,7 @@ from coursework.grading.marking.equations.equations import ROUNDED, Judge
 from coursework.grading.marking.key import key_of
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.catalogue import names
-from coursework.variant.formula.reader import parse
+from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import Formula, spelled
 
 RIGHT = [
@@ -110,6 +110,19 @@ def test_slips_are_named_where_they_stand(judge, kind, text):
     assert mark.hint is not None
     assert mark.hint.kind == kind
     assert judge.mark([line(mark.hint.text)]).marks[0].verdict == "right"
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "mended"),
+    [
+        ("r3*w3*sin(phi3) = -r2*w2*cos(phi2) + r1*w1*cos(phi1)", 19, "r3*w3*sin(phi3) = r2*w2*cos(phi2) + r1*w1*cos(phi1)"),
+        ("w4 = -2*w3*(cos(phi3) - 2*sin(phi3))", 6, "w4 = 2*w3*(cos(phi3) - 2*sin(phi3))"),
+    ],
+)
+def test_a_minus_that_stands_there_is_taken_away_and_none_is_added(judge, text, column, mended):
+    hint = judge.mark([EquationLine("equations.txt", 1, text, *parse_equation(text))]).marks[0].hint
+    assert hint is not None
+    assert (hint.column, hint.text) == (column, mended)
 
 
 WRITTEN = [name for name in names() if any(not c.is_closure for c in coursework.load(name).constraints)]

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from tests.grading.reading.dialects import DIALECTS, workbook, written
+from dataclasses import replace
+
+from coursework.grading.reading.equations.names_in_text import spellings_of
+from coursework.variant.formula.tree import named
+from tests.grading.reading.dialects import DIALECTS, archive, workbook, written
 from tests.grading.reading.test_more_notations import MATRICES
 from tests.grading.reading.test_read_submission import COLUMNS, EQUATIONS, GRID, read, table
-from tests.grading.scenes import times
+from tests.grading.scenes import expected, times
 
 
 def test_equations_typed_into_the_cells_of_a_workbook_are_read() -> None:
@@ -14,6 +18,7 @@ def test_equations_typed_into_the_cells_of_a_workbook_are_read() -> None:
     lines = EQUATIONS.split("\n")[1:3]
     work = read(("w.xlsx", workbook({"Table": sheet, "Уравнения": [[f"t:{line}"] for line in lines]})))
     assert work.table is not None and work.files[0].kinds == ("table", "equations")
+    assert work.table.reading.separated == "a table of cells"
     assert work.equations is not None and [line.text for line in work.equations] == [lines[0]]  # the other has no "="
     assert work.equations[0].where == "sheet “Уравнения”, row 1"
     alone = read(("w.xlsx", workbook({"Уравнения": [[f"t:{line}"] for line in lines]})), ("t.csv", table()))
@@ -34,8 +39,34 @@ def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_alone() -> None:
     for content, turned in ((degrees, True), (table(), False)):
         work = read(("t.csv", content), ("e.txt", line))
         assert work.equations is not None and any(other.in_degrees for other in work.equations[0].others) is turned
+        assert (work.equations[0].left is not None) is turned  # and so `precheck` tells it
 
 
 def test_a_matrix_between_dollars_is_read_row_by_row() -> None:
     work = read(("t.csv", table()), ("e.md", MATRICES["latex"].replace("\\[", "$$", 1).replace("\\]", "$$").encode()))
     assert work.equations is not None and len(work.equations) == 2 and all(line.left for line in work.equations)
+
+
+def test_a_zip_that_names_files_above_itself_is_read_and_nothing_is_written() -> None:
+    work = read(("all.zip", archive({"../../evil.csv": table(), "/e.txt": EQUATIONS})))
+    assert work.table is not None and work.equations is not None
+
+
+def test_what_sets_the_source_of_a_page_in_is_no_cell() -> None:
+    cells = [["t", *GRID.names], *written(times(GRID), COLUMNS, "fixed", 4, "rad")]
+    rows = "".join(
+        "\t<tr>\n" + "".join(f"\t\t<td width=58><p>\n\t\t\t{text}</p>\n\t\t</td>\n" for text in row) + "\t</tr>\n"
+        for row in cells
+    )
+    lines = "".join(f"<p>{line.replace('sin', chr(10) + 'sin')}</p>\n" for line in EQUATIONS.split("\n")[1:2])
+    work = read(("saved.html", f"<html>\n<body>\n<h1>\nWork</h1>{lines}<table>\n{rows}</table></body></html>".encode()))
+    assert work.table is not None and work.table.cells == 7 * 25
+    assert work.equations is not None and work.equations[0].left is not None
+
+
+def test_the_pin_on_a_guide_of_the_frame_gives_its_speed_a_name_and_one_on_a_moving_guide_does_not() -> None:
+    guided = expected("example-2").variant
+    assert spellings_of(guided, ()).canonical("V_C") == "u3"
+    (crank, slider) = guided.groups
+    swinging = replace(slider, guides=(replace(slider.guides[0], angle=named("theta1")),))
+    assert spellings_of(replace(guided, groups=(crank, swinging)), ()).canonical("V_C") is None

@@ -33,6 +33,9 @@ TEXTS = {
     "returned": "def w3(t, phi3):\n    return V1*math.sin(p*t + alpha)/(r3*(2*math.cos(phi3) + math.sin(phi3)))",
     "between points": "BM*ω3*sinφ3 − BC*ω3*cosφ3 + CP*ω4 = 0",
     "said": "R = r3/2 - radius of the wheel\n2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + R*w4 = 0",
+    "V_M": "v_{M} − 2·r₃·ω₃·cos φ₃ − r₃·ω₃·sin φ₃ = 0",
+    "V_M and the axis": "V_M·cos 90° + 2r₃ω₃sin φ₃ − r₃ω₃cos φ₃ + 0,5r₃ω₄ = V_M·cos 90°",
+    "Euler": "phi3[i+1] = phi3[i] + h*w3[i]\nphi3 += h*w3\nVM - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
     "l3": "VMy - 2*l3*w3*cos(theta3) - l3*w3*sin(theta3) = 0",
 }
 
@@ -89,6 +92,16 @@ def test_a_chain_with_a_side_nobody_can_read_is_a_question_and_not_wrong():
 def test_unread_lines_without_a_sign_of_equality_are_told():
     found = marked(f"{REST}\nr3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1)\nWe take link 1 - and then link 2")
     assert [mark.verdict for mark in found.marks] == ["right", "right", "unreadable"]
+
+
+def test_equations_one_behind_the_other_are_all_read():
+    for between in (" ", "  ", " \\tag{11} ", " (11) "):
+        assert marked(between.join(PLAIN["31"].split("\n"))).independent == 4
+
+
+def test_a_drive_of_the_other_sign_called_by_its_arrow_is_a_question():
+    found = marked("V_M + 2*r3*w3*cos(phi3) + r3*w3*sin(phi3) = 0")
+    assert found.unread is not None and not found.wrong
 
 
 def test_a_velocity_that_vanishes_is_known_in_the_lines_behind_it():

@@ -46,14 +46,16 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
 
 
 def has_sign(text: str, column: int) -> bool:
-    """Return whether a plus or minus stands before the term at a column.
+    """Return whether a plus or minus stands before the term at a column, or there.
 
+    >>> has_sign("w = -2*r", 5)
+    True
     >>> [has_sign(text, text.index("w") + 1) for text in ("r - w", "r - ( w)", "+w", "w - r", "(w)", "r*w")]
     [True, True, True, False, False, False]
     >>> has_sign("r -", 9), has_sign("r", 9)  # what stands behind the end of the text
     (True, False)
     """
-    return _sign_before(text, column) != column
+    return _SIGNS.match(text, column - 1) is not None or _sign_before(text, column) != column
 
 
 def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) -> int:

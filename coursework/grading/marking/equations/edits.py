@@ -45,7 +45,7 @@ def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
             yield Edit("sign", path, Formula(_OPPOSITE[node.op], node.args, column=node.column), _column(node.args[1]))
         if node.op == "neg":
             yield Edit("sign", path, node.args[0], column)
-        if is_term and leads:
+        if is_term and leads and not _is_signed(node):
             yield Edit("sign", path, Formula("neg", (node,)), column)
         if is_term:
             for factor in (number(2), *factors):
@@ -61,6 +61,13 @@ def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
             yield from (Edit("factor", path, arg, column) for arg in node.args)
         if node.op == "/":
             yield Edit("factor", path, node.args[0], column)
+
+
+def _is_signed(node: Formula) -> bool:
+    """Return whether a term begins with a minus, which is turned where it stands: -r2*w2 is no -(-r2)*w2."""
+    while node.op in {"*", "/"}:
+        node = node.args[0]
+    return node.op == "neg"
 
 
 def _places(

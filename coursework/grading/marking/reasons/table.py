@@ -64,7 +64,7 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
     found = counts(key, marked)
     less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
-    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" else ""
+    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" and "start" not in shut(marked) else ""
     total = _sum(marked, found.cells, points, most)
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
@@ -76,9 +76,8 @@ def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
         share = str(int(100 * named.share + 1e-9))  # 100 only where it is all of the table
         told = say("feedback.misconception.share", share=share)
         yield Reason("table", "cause", joined([told, _told(named.code, named.names)]))
-        if named.ties:
-            ties = [_told(code) for code in named.ties]
-            yield Reason("table", "finding", joined([say("feedback.misconception.ties"), *ties]))
+        for code in named.ties:
+            yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and _many(key, marked):

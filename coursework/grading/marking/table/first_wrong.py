@@ -6,7 +6,7 @@ Enters: `Cells`, the table as it was read.  Leaves: `FirstWrong` or None.  Used 
 from __future__ import annotations
 
 import math
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -90,9 +90,10 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
     def number(value: float, as_shown: _Shown = shown) -> float:
         return float(f"{round(as_shown.number(value), places):.{_MOST_DIGITS}g}")
 
+    stated = replace(shown, turns=0) if way == START else shown  # a start value is told as the task has it
     values: dict[str, object] = {
-        "row": row + 1, "name": name, "found": number(found), "expected": number(expected), "tolerance": float(f"{off:.2g}"),
-        "unit": shown.unit, "before": row,
+        "row": row + 1, "name": name, "found": number(found), "expected": number(expected, stated), "before": row,
+        "tolerance": float(f"{off:.2g}"), "unit": shown.unit,
     }  # fmt: skip
     said = _SAID[way].replace(" ", "_")
     if way in {STEP, STEP_TRUE}:

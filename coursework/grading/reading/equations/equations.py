@@ -12,7 +12,7 @@ from dataclasses import field, replace
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
-from coursework.grading.reading.equations.plain_text import of_radians, plain
+from coursework.grading.reading.equations.plain_text import of_one_component, of_radians, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
 from coursework.grading.reading.equations.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected
@@ -55,8 +55,9 @@ def read_line(
     """
     names = Names(spellings_for(expected), expected, own or {}, listed)
     found, fault = _readings(text, names)
-    if (turned := of_radians(text)) != text:
-        found += [replace(one, text=one.text or turned, is_loose=True, in_degrees=True) for one in _readings(turned, names)[0]]
+    for meant, in_degrees in ((of_radians(text), True), (of_one_component(text, expected.variant), False)):
+        read = _readings(meant, names)[0] if meant != text else []
+        found += [replace(one, text=one.text or meant, is_loose=True, in_degrees=in_degrees) for one in read]
     firm = [reading for reading in found if not reading.is_loose]
     if firm:
         first = firm[0]

@@ -94,6 +94,17 @@ def are_listed(lines: Sequence[str]) -> bool:
     return len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines)
 
 
+def is_step(text: str, expected: Expected) -> bool:
+    """Return whether a line is the rule of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", which is no equation of velocities."""
+    left, _, right = text[: reader.MAX_CHARACTERS].partition("=")
+    spellings = spellings_for(expected)
+    moved = names_in(left, spellings)
+    begun = moved if left.rstrip().endswith("+") else set[str]()  # phi3 += h*w3
+    return any(
+        moved == {one.name} and names_in(right, spellings) | begun == {one.name, one.rate} for one in expected.variant.coordinates
+    )
+
+
 def is_datum(text: str, expected: Expected) -> bool:
     """Return whether a line says a number only, of a datum or of the start: "r1 = 0.953 m", "w1(0) = 2"."""
     if len(text) > _SHORT:

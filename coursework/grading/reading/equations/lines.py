@@ -21,6 +21,7 @@ from coursework.grading.reading.equations.line_kinds import (
     is_datum,
     is_equation_without_sign,
     is_part_of_equation,
+    is_step,
     own_name,
 )
 from coursework.grading.reading.equations.meanings import key
@@ -82,7 +83,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
-        elif beside is None and (_defines(line, own, expected) or is_datum(line, expected)):
+        elif beside is None and (_defines(line, own, expected) or is_datum(line, expected) or is_step(line, expected)):
             continue
         elif beside is None and _is_equation(line, expected):
             found.equations.append(read_line(line, name, number, expected, own, listed=listed))

@@ -6,13 +6,13 @@ Enters: a `Variant`.  Leaves: `Spellings`.  Used by the readers of equations.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import lru_cache
 
 from coursework.grading.reading.table.headers import aliases, fold
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.tree import spelled
-from coursework.variant.record.entries import Binding
+from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.variant import Variant
 
 BUILT_IN = ("t", "pi")
@@ -70,19 +70,31 @@ def _spellings(
     )  # fmt: skip
 
 
-def _speed(binding: Binding) -> list[str]:
-    """Return how the speed of a point may be called: V_C, and V_Cy where it runs along the axis y."""
-    along = spelled(binding.along) if binding.along else ""
-    return [_key(f"v{binding.point}{axis}") for axis in ("", _AXES.get(along, ""))]
+def _speeds(variant: Variant) -> Iterator[tuple[str, str]]:
+    """Give how speeds of points may be called: V_C, V_Cy where it is that along y; V_F of a pin on a guide of the frame."""
+    for one in (binding for binding in variant.bindings if binding.point and not binding.relative):
+        along = spelled(one.along) if one.along else ""
+        yield from ((_key(f"v{one.point}{axis}"), one.name) for axis in ("", _AXES.get(along, "")))
+    rates = {entry.name: entry.rate for entry in variant.coordinates}
+    fixed = {*BUILT_IN, *(entry.name for entry in variant.given)}
+    for name, place in variant.points:
+        fixed |= {name} if _named(place) <= fixed else set()
+    for group in variant.groups:
+        guided = [formula for guide in group.guides for formula in (guide.through, guide.angle, guide.offset)]
+        if group.kind == "RRP" and group.meets and all(_named(formula) <= fixed for formula in guided):
+            yield _key(f"v{group.meets}"), rates[group.coordinates[-1]]
+
+
+def _named(formula: Formula) -> set[str]:
+    return {node.name for node in formula.walk() if node.op == "name"}
 
 
 def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
     """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
     rates = {entry.name: entry.rate for entry in variant.coordinates}
-    speeds = [(spelling, one.name) for one in variant.bindings if one.point and not one.relative for spelling in _speed(one)]
     for name, unit in columns:
         angle = f"phi{name.removeprefix('w')}"
         if unit == "1/s" and name.startswith("w") and name not in rates.values() and angle not in variant.names:
             rates[angle] = name
     given = tuple(entry.name for entry in variant.given)
-    return _spellings(tuple(variant.names), columns, tuple(rates.items()), given, tuple(speeds))
+    return _spellings(tuple(variant.names), columns, tuple(rates.items()), given, tuple(_speeds(variant)))

@@ -13,6 +13,10 @@ from coursework.grading.reading.equations.signs import ARROWS, depths, relates_t
 from coursework.variant.formula.reader import MAX_CHARACTERS
 
 _BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s(?:and|und|et|y|и|та|і|且|和)\s")
+# Behind "= 0" another equation begins: nothing is multiplied by nought, or added to it.
+_VANISHED = re.compile(
+    r"=\s*0(?:[.,]0+)?((?:\\(?:(?:tag|label)\*?\s*\{[^{}]*\}|nonumber|notag)|\s)+)(?=[^\s=*/^\\]|\\(?!tag|label|no))"
+)
 _MATRICES = re.compile(r"\s*\[([^\[\]]*)\]\s*[*·⋅×]?\s*\[([^\[\]]*)\]\s*=\s*\[([^\[\]]*)\]\s*[.,;]?\s*")
 _BRACKETS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]|(?<=\[)\s*\[|\](?=\s*\])")  # round a matrix that has its own
 _MOST_ROWS = 12
@@ -50,6 +54,7 @@ def parts_of(line: str) -> list[str]:
 def _cuts(line: str) -> list[tuple[int, int]]:
     """Return where a piece may end and the next begin."""
     found = [(found.start(), found.end()) for found in _BETWEEN.finditer(line)]
+    found += [(found.start(1), found.end()) for found in _VANISHED.finditer(line)]
     for place, (sign, depth) in enumerate(zip(line, depths(line), strict=True)):
         is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
         if sign in ",;，；" and depth <= 0 and not is_decimal:

@@ -11,6 +11,8 @@ import re
 from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings
 from coursework.grading.reading.equations.signs import plain_signs
+from coursework.variant.formula.tree import constant
+from coursework.variant.record.variant import Variant
 
 _PREFIX = re.compile(r"\b(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])")
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
@@ -44,7 +46,7 @@ _IN_DEGREES = re.compile(
     rf"|\s*[*·⋅]\s*{_PI}\s*/\s*180\b|\s*/\s*180\s*[*·⋅]\s*{_PI}(?!\w)|(?<![\w.]){_PI}\s*/\s*180\s*[*·⋅]\s*",
     re.IGNORECASE,
 )
-_DEGREES = re.compile(r"([-+*/(]\s*)(\d{1,3})\s*(?:°|º|\^\s*\{?\\circ\}?)")
+_DEGREES = re.compile(r"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{1,3})\s*(?:°|º|\^\s*\{?\\circ\}?)")
 _ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
 _OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # of StarMath; that of TeX divides a whole group
 _EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # of SymPy
@@ -77,6 +79,15 @@ def plain(text: str, spellings: Spellings) -> str:
 def of_radians(text: str) -> str:
     """Return a line whose angles are in degrees with the names of the angles alone: sin(phi3) for SIN(phi3*PI()/180)."""
     return _IN_DEGREES.sub("", text)
+
+
+def of_one_component(text: str, variant: Variant) -> str:
+    """Return a line with V_My for the V_M of the drawing, where nothing drives M along the other axis."""
+    moving = [law.name for law in variant.drive if law.formula is None or constant(law.formula) != 0]
+    stems = [name[:-1] for name in moving if name[-1:] in {"x", "y"} and name.startswith("V")]
+    for stem, name in zip(stems, moving, strict=True) if len(stems) == len(moving) and len({*stems}) == len(stems) else ():
+        text = re.sub(rf"(?<!\w)[Vv]_?\{{?{re.escape(stem[1:])}\}}?(?![\w^{{]|_\w)", name, text)
+    return text
 
 
 def _indexed(found: re.Match[str], spellings: Spellings) -> str:

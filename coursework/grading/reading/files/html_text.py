@@ -22,8 +22,8 @@ def text_of(page: str) -> str:
     >>> text_of("<p>w1 = 2<br>w2 &lt; 3</p>")
     'w1 = 2\nw2 < 3'
     """
-    kept = _SILENT.sub("", page)
-    lined = _LINE.sub("\n", _CELL.sub("\t", kept.replace("\n", " ").replace("\r", " ")))
+    kept = " ".join(_SILENT.sub("", page).split())  # a tab that sets a line in is no new cell
+    lined = _LINE.sub("\n", _CELL.sub("\t", kept))
     plain = html.unescape(_TAG.sub("", lined)).replace("\u00a0", " ")
     # The end of a paragraph inside a cell is not the end of a row.
     rows = "\t".join(cell.rstrip("\n ") for cell in plain.split("\t"))

@@ -51,7 +51,8 @@ def kind_of_parts(names: list[str]) -> str:
 
 def is_ignored(path: str) -> bool:
     """Return whether some part of a path is a name that systems and editors leave behind."""
-    return any(part.startswith((".", "~")) or part.casefold() in _IGNORED for part in PurePosixPath(path).parts)
+    parts = (part for part in PurePosixPath(path).parts if part != "..")  # nothing is ever written where a zip says
+    return any(part.startswith((".", "~")) or part.casefold() in _IGNORED for part in parts)
 
 
 def is_named_as_table(name: str) -> bool:

@@ -24,7 +24,7 @@ from coursework.grading.reading.table.digits import last_places
 from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout, lay_out
 from coursework.grading.reading.table.rows import Rows, place_rows
-from coursework.grading.reading.table.units import factor_of, unit_of_column, whole_turns
+from coursework.grading.reading.table.units import factor_of, stands_beside, unit_of_column, whole_turns
 from coursework.system.frozen import frozen
 from coursework.words.sentences import ranges
 
@@ -78,7 +78,7 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
         tuple(head.text for head in layout.heads) if layout.has_heads else (), units, len(layout.body), order,  # type: ignore[arg-type]
     )  # fmt: skip
     present = tuple(row is not None for row in rows.of_grid)
-    notes = origin.notes + tuple(_notes(layout, places, rows, read))
+    notes = origin.notes + tuple(_notes(layout, places, rows, read, grid))
     return Table(reading, tuple(read), present, notes, _own_times(grid, places, layout, rows, read) if rows.own else None)
 
 
@@ -155,7 +155,7 @@ def _is_steady(column: TableColumn) -> bool:
     return max(steps) - min(steps) <= 1e-9 * max(1.0, abs(known[0]), abs(known[-1]))
 
 
-def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn]) -> Iterator[Note]:
+def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> Iterator[Note]:
     """Give what a reader of the page should know about how the table was read."""
     for unit, code in (("deg", "degrees"), ("deg/s", "degrees"), ("rpm", "rpm")):
         if names := tuple(column.name for column in read if column.unit == unit):
@@ -180,6 +180,7 @@ def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn]) 
         yield note("date_cell", "date_cell" if dates else "date_cell_time", number=dates or rows.recovered)
     if errors := sum(flag in {"error", "formula"} for column in read for flag in column.flags):
         yield note("error_cell", number=errors)
+    keys = {column.name: column for column in grid.columns}
     for column in read:
-        if column.turns:
+        if column.turns and stands_beside(keys[column.name], column.values):
             yield note("turns", column=column.name, number=column.turns)

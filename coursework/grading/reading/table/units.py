@@ -55,11 +55,21 @@ def whole_turns(column: GridColumn, values: Sequence[float]) -> int:
 
     Where it begins as the task begins, the beginning tells; a wrong table may be turns away later.
     """
-    apart = [own - key for own, key in zip(values, column.values, strict=True) if math.isfinite(own) and math.isfinite(key)]
+    apart = _apart(column, values)
     if column.unit != "rad" or not apart:
         return 0
     at_first = round(apart[0] / _TURN)
     return at_first if abs(apart[0] - at_first * _TURN) < _BEGINS else round(median(apart) / _TURN)
+
+
+def stands_beside(column: GridColumn, values: Sequence[float]) -> bool:
+    """Return whether an angle without its whole turns is the key's, about: other numbers stand no whole turns away from it."""
+    apart = _apart(column, values)
+    return min(abs(apart[0]), abs(median(apart))) < _TURN / 8
+
+
+def _apart(column: GridColumn, values: Sequence[float]) -> list[float]:
+    return [own - key for own, key in zip(values, column.values, strict=True) if math.isfinite(own) and math.isfinite(key)]
 
 
 def _increments(values: Sequence[float]) -> list[float]:
