@@ -55,5 +55,6 @@ def test_every_key_of_the_schema_has_its_line(client, language):
     assert {"from", "guides", "through"} <= {key["name"] for key in sections["group"]["keys"]}
     assert (sections["group"]["many"], sections["given"]["many"]) == (True, False)
     assert (sections["given"]["named"], sections["time"]["named"]) == (True, False)
+    assert (sections["coordinates"]["lines"][0].split()[0], sections["time"]["lines"]) == ("phi1", [])
     assert "deg" in found["units"]
     assert {"name": "rk4"}.items() <= found["schemes"][-2].items()

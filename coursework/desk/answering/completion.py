@@ -26,6 +26,14 @@ from coursework.words.data_folders import folder
 from coursework.words.sentences import say
 
 _LISTED = "$defs"
+_LINES = {  # of sections whose names the author chooses: how a line of it is written
+    "given": ['r1 = "0.5 m"'],
+    "drive": ['VMx = "0"', 'w1 = "n1"'],
+    "coordinates": ['phi1 = { start = "0 rad", rate = "w1" }', 'x1 = { start = "0 m", rate = "u1", unit = "m" }'],
+    "unknowns": ['w4 = "1/s"', 'u = { unit = "m/s", of = "B", along = "0 deg" }'],
+    "points": ['A = "(0, 0)"', 'B = "A + r1 @ phi1"'],
+    "links": ['1 = { points = ["A", "B"], rate = "w1" }', '4 = { wheel = "C", contact = "P", rate = "w4" }'],
+}
 
 
 def keys(desk: Desk) -> dict[str, Any]:
@@ -49,7 +57,7 @@ def _section(name: str, entry: dict[str, Any], models: dict[str, Any], desk: Des
     inner |= {key: desk.words.template(f"desk.key.{key}") for key in found if key not in inner}
     return {
         "name": name, "means": desk.words.template(f"desk.key.{name}"), "many": entry.get("type") == "array" and bool(found),
-        "named": "additionalProperties" in entry, "keys": _pairs(inner),
+        "named": "additionalProperties" in entry, "keys": _pairs(inner), "lines": _LINES.get(name, []),
     }  # fmt: skip
 
 

@@ -1,22 +1,27 @@
-"""A fault that says "Did you mean …?", or which section is missing -> the change of the text that does it.
+"""A fault that says "Did you mean …?", which section is missing, or how a line has to be written -> the change that does it.
 
 Enters: a fault and the lines of the text.  Leaves: where to put what, or None.  Used by `typed.py`.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from difflib import SequenceMatcher
 from typing import Any
 
+from coursework.variant.toml.source import QUOTES
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 
-_ADVICE, _MISSING = "hint.closest", "V012"
+_ADVICE, _MISSING, _NOTHING_WRITTEN, _COMMA = "hint.closest", "V012", "V072", "V106"
 _BEGUN = {  # how a section begins that no file can do without
     "coordinates": '[coordinates]\nphi1 = { start = "0 rad", rate = "w1" }',
     "time": '[time]\nstep = "0.02 s"\nend  = "0.48 s"',
+    "constraint": '[[constraint]]\nbecause  = ""\nequation = ""',
 }
+_UNQUOTED = re.compile(r"""^(\s*(?:[\w-]+|"[^"]*")\s*=\s*)([^\s"'\[{#](?:[^"'\[\]{}#]*[^\s"'\[\]{}#])?)""")
+_NUMBER = re.compile(r"[-+]?[\d.]+")
 
 
 Mend = dict[str, Any]
@@ -29,7 +34,9 @@ def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]
     """
     meant = [_meant(fault) for fault in faults]
     return [
-        _beginning(fault, lines, meant) if fault.code == _MISSING else _respelled(fault, name, lines)
+        _beginning(fault, lines, meant)
+        if fault.code in (_MISSING, _NOTHING_WRITTEN)
+        else _rewritten(fault, lines) or _respelled(fault, name, lines)
         for fault, name in zip(faults, meant, strict=True)
     ]
 
@@ -39,12 +46,44 @@ def _meant(fault: Fault) -> str | None:
 
 
 def _beginning(fault: Fault, lines: Sequence[str], meant: Sequence[str | None]) -> Mend | None:
-    name = str(fault.message.values["name"])
+    name = str(fault.message.values.get("name", "constraint"))
     if name in meant or name not in _BEGUN:
         return None
     gap = "" if not any(lines) else "\n" if not lines[-1] else "\n\n"
     line, column = len(lines), len(lines[-1]) + 1
     return {"line": line, "column": column, "end_line": line, "end_column": column, "text": f"{gap}{_BEGUN[name]}\n"}
+
+
+def _rewritten(fault: Fault, lines: Sequence[str]) -> Mend | None:
+    """Return the mend of a line whose fault says how it has to be written: what stands there in another spelling."""
+    if not 1 <= fault.line <= len(lines):
+        return None
+    line = lines[fault.line - 1]
+    found = _spelling(fault, line)
+    if found is None or found[0] not in line:
+        return None
+    begin = line.index(found[0])
+    return {
+        "line": fault.line, "column": begin + 1, "end_line": fault.line, "end_column": begin + len(found[0]) + 1,
+        "text": found[1],
+    }  # fmt: skip
+
+
+def _spelling(fault: Fault, line: str) -> tuple[str, str] | None:
+    """Return what of a line has to be written otherwise, and how."""
+    advice = {one.key.removeprefix("fault.toml."): one.values for one in _sentences(fault.message)}
+    if fault.code == _COMMA:
+        return str(fault.message.values["found"]), str(fault.message.values["advised"])
+    if "straight" in advice:
+        return line, QUOTES.sub('"', line)
+    if "greek" in advice:
+        key = str(advice["greek"]["key"])
+        return key, f'"{key}"'
+    bare = _UNQUOTED.match(line)
+    if bare is None or not {"unit", "point", "after", "value"} & set(advice):
+        return None
+    value = bare[2].replace(",", ".", 1) if "point" in advice else bare[2]
+    return bare[2], value if _NUMBER.fullmatch(value) else f'"{value}"'
 
 
 def _respelled(fault: Fault, meant: str | None, lines: Sequence[str]) -> Mend | None:

@@ -33,7 +33,7 @@ _NOT_STRUCTURE = re.compile(
 )
 _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
-_QUOTES = re.compile("[“”„«»‘’]")
+QUOTES = re.compile("[“”„«»‘’]")
 # What the reader's message begins with -> the last part of the key of the advice.
 _ADVICE = (
     ("Cannot overwrite", "key_twice"),
@@ -207,7 +207,7 @@ def explained(message: str, text: str, file: str) -> Fault:
 def _advice(reason: str, found: str) -> str:
     if twice := re.match(r"Cannot declare \((.*?),?\) twice", reason):
         return say("fault.toml.section_twice", name=twice[1].replace("'", "").replace(", ", "."))
-    if _QUOTES.search(found) and not reason.startswith("Cannot"):
+    if QUOTES.search(found) and not reason.startswith("Cannot"):
         return say("fault.toml.straight")
     if reason.startswith("Expected newline"):
         return _after_a_value(found)

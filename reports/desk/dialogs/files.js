@@ -41,6 +41,11 @@ export async function openFiles({ works, saving, view }) {
     const other = await askLine({ title: `${verb}: ${name}`, label: say("name"), value: name, verb, refuses: refusedName });
     if (other && other !== name) await done(() => act(other));
   }
+  /** What is open is copied as it stands there, saved or not. @param {string} other */
+  async function copy(other) {
+    if ("theirs" in (await works.write(other, view.state.doc.toString(), null)))
+      throw new Error(say("name_taken", { name: other }));
+  }
   async function fill() {
     const entries = await works.list(),
       known = new Set(entries.map((one) => one.name));
@@ -96,7 +101,9 @@ export async function openFiles({ works, saving, view }) {
           if (mine) await open(other);
         }),
       ),
-      button("duplicate", () => otherName(name, say("duplicate"), (other) => works.duplicate(name, other))),
+      button("duplicate", () =>
+        otherName(name, say("duplicate"), (other) => (mine ? copy(other) : works.duplicate(name, other))),
+      ),
       button("remove", () =>
         done(async () => {
           await works.remove(name, etag);

@@ -40,7 +40,7 @@ export function completing(path) {
     if (!inside) {
       if (!/^\s*[\w]*$/.test(before) && !/[{,]\s*\w*$/.test(before)) return null;
       if (!word && !context.explicit) return null;
-      return keysOf(known, section, from);
+      return keysOf(known, section, from, before.includes("{"));
     }
     if (PROSE.has(key)) return null;
     const unit = /(?:^|[^\p{L}\p{N}_])\d[\d.]*\s*([\p{L}/^\d]*)$/u.exec(before.slice(before.lastIndexOf('"') + 1));
@@ -83,12 +83,13 @@ function sections(known, context, open, typed) {
  * @param {Keys} known
  * @param {string} section
  * @param {number} from
+ * @param {boolean} within Whether between braces: where the author chooses the names, a whole line is shown outside of them.
  * @returns {CompletionResult}
  */
-function keysOf(known, section, from) {
-  const keys = section
-    ? known.sections.find((one) => one.name === section)?.keys
-    : known.sections.filter((one) => !isTable(one));
+function keysOf(known, section, from, within) {
+  const own = known.sections.find((one) => one.name === section);
+  if (own?.lines.length && !within) return { from, options: own.lines.map((label) => ({ label })) };
+  const keys = section ? own?.keys : known.sections.filter((one) => !isTable(one));
   return { from, options: (keys ?? []).map((key) => ({ ...told(key), apply: `${key.name} = ` })), validFor: /^\w*$/ };
 }
 
@@ -99,7 +100,8 @@ function keysOf(known, section, from) {
  */
 const units = (known, from) => ({
   from,
-  options: known.units.map((label) => ({ label, type: "unit" })),
+  // The plain ones first.
+  options: known.units.map((label) => ({ label, type: "unit", boost: -label.length })),
   validFor: /^[\p{L}/^\d]*$/u,
 });
 

@@ -8,10 +8,11 @@ import { extent, offset } from "./places.js";
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
 /** @import { Answer, Edit, Fault, PlacedFault as Told, Remark } from "../types" */
 
-/** A section that the text has not yet is what is still to be typed, no slip: it stands nowhere.
+const MISSING = ["V012", "V072"]; // a section, the equations
+/** What the text has not yet is what is still to be typed, no slip: it stands nowhere.
  * @param {Fault | Remark} fault
  */
-export const isMissing = (fault) => "code" in fault && fault.code === "V012";
+export const isMissing = (fault) => "code" in fault && MISSING.includes(fault.code);
 
 /** What is told of a fault where its place is not beside it.
  * @param {Fault} fault

@@ -1,11 +1,28 @@
 // Texts in the folder in which `coursework edit` was started; the server reads and writes them.
 
-import { Refused, get, post, request, rooted } from "../requests.js";
+import { Refused, get, request, rooted } from "../requests.js";
+import { say } from "../words.js";
 
 /** @import { Works } from "../types" */
 
 /** @param {string} name */
 const path = (name) => `/api/file/${encodeURIComponent(name)}`;
+/**
+ * Done without a word, or refused for what stands there.
+ * @param {string} method
+ * @param {string} name
+ * @param {string} sentence
+ * @param {Parameters<typeof request>[2]} given
+ */
+async function done(method, name, sentence, given) {
+  try {
+    await request(method, path(name), given);
+  } catch (error) {
+    throw error instanceof Refused && error.status === 409 ? new Error(sentence) : error;
+  }
+}
+/** @param {string} name */
+const taken = (name) => say("name_taken", { name });
 
 /** @returns {Works} */
 export const folderWorks = () => ({
@@ -34,10 +51,10 @@ export const folderWorks = () => ({
       throw error;
     }
   },
-  rename: (name, other) => post(path(name), { rename: other }),
-  duplicate: (name, other) => post(path(name), { duplicate: other }),
-  restore: (name) => post(path(name), { restore: true }),
-  remove: async (name, etag) => void (await request("DELETE", path(name), { headers: { "If-Match": etag } })),
+  rename: (name, other) => done("POST", name, taken(other), { json: { rename: other } }),
+  duplicate: (name, other) => done("POST", name, taken(other), { json: { duplicate: other } }),
+  restore: (name) => done("POST", name, taken(name), { json: { restore: true } }),
+  remove: (name, etag) => done("DELETE", name, say("conflict", { name }), { headers: { "If-Match": etag } }),
   zip: async () => (await request("GET", "/api/zip")).blob(),
   unzip: async (file) =>
     (await request("POST", "/api/zip", { body: file, headers: { "Content-Type": "application/zip" } })).json(),

@@ -60,4 +60,16 @@ def test_a_variant_is_typed_from_nothing_saved_and_moved(desk: Callable[..., Any
     page.keyboard.press("Enter")
     one.rest("changed")
     assert line.replace(value, "0.61", 1) in one.text
+    # Copied as it stands, and renamed: the desk goes on with the new name.
+    for act, other in (("duplicate", "copy"), ("rename", "other")):
+        page.click("#desk-files")
+        page.click(f"li[data-name=fresh] [data-act={act}]")
+        page.fill("#desk-line", other)
+        page.keyboard.press("Enter")
+        one.until((folder / f"{other}.toml").exists)
+        page.wait_for_selector("dialog:has(#desk-line)", state="detached")
+        assert page.locator("dialog .told").all_inner_texts() in ([], [""])
+        page.keyboard.press("Escape")
+    one.until(lambda: page.inner_text("#desk-name") == "other")
+    assert (folder / "copy.toml").read_text(encoding="utf-8") == one.text
     assert one.said == []
