@@ -120,7 +120,7 @@ def test_slips_are_named_where_they_stand(judge, kind, text):
     ],
 )
 def test_a_minus_that_stands_there_is_taken_away_and_none_is_added(judge, text, column, mended):
-    hint = judge.mark([EquationLine("equations.txt", 1, text, *parse_equation(text))]).marks[0].hint
+    hint = judge.mark([EquationLine("equations.txt", 1, text, Formula("-", parse_equation(text)))]).marks[0].hint
     assert hint is not None
     assert (hint.column, hint.text) == (column, mended)
 

@@ -30,7 +30,7 @@ def test_matrices_that_nobody_can_read_are_lines_and_not_a_bad_table() -> None:
         "A = np.array([[r1*np.sin(phi1), r2*np.sin(phi2)],\n [r1*np.cos(phi1), r2*np.cos(phi2)]])\nw = np.linalg.solve(A, b)"
     )
     work = read(("t.csv", table()), ("e.txt", program.encode()))
-    assert work.equations is not None and all(line.left is None for line in work.equations)
+    assert work.equations is not None and all(line.tree is None for line in work.equations)
 
 
 def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_alone() -> None:
@@ -39,12 +39,12 @@ def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_alone() -> None:
     for content, turned in ((degrees, True), (table(), False)):
         work = read(("t.csv", content), ("e.txt", line))
         assert work.equations is not None and any(other.in_degrees for other in work.equations[0].others) is turned
-        assert (work.equations[0].left is not None) is turned  # and so `precheck` tells it
+        assert (work.equations[0].tree is not None) is turned  # and so `precheck` tells it
 
 
 def test_a_matrix_between_dollars_is_read_row_by_row() -> None:
     work = read(("t.csv", table()), ("e.md", MATRICES["latex"].replace("\\[", "$$", 1).replace("\\]", "$$").encode()))
-    assert work.equations is not None and len(work.equations) == 2 and all(line.left for line in work.equations)
+    assert work.equations is not None and len(work.equations) == 2 and all(line.tree for line in work.equations)
 
 
 def test_a_zip_that_names_files_above_itself_is_read_and_nothing_is_written() -> None:
@@ -61,7 +61,7 @@ def test_what_sets_the_source_of_a_page_in_is_no_cell() -> None:
     lines = "".join(f"<p>{line.replace('sin', chr(10) + 'sin')}</p>\n" for line in EQUATIONS.split("\n")[1:2])
     work = read(("saved.html", f"<html>\n<body>\n<h1>\nWork</h1>{lines}<table>\n{rows}</table></body></html>".encode()))
     assert work.table is not None and work.table.cells == 7 * 25
-    assert work.equations is not None and work.equations[0].left is not None
+    assert work.equations is not None and work.equations[0].tree is not None
 
 
 def test_the_pin_on_a_guide_of_the_frame_gives_its_speed_a_name_and_one_on_a_moving_guide_does_not() -> None:
