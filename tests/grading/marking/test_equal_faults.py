@@ -154,9 +154,9 @@ def test_what_explains_as_much_is_told_in_sentences_of_its_own():
 
 def test_a_start_that_shuts_the_whole_table_is_not_said_to_cost_a_cell():
     desk = variants()[0]
-    held = desk.machine.table()
-    held[:, 0] = 1.0  # a coordinate that stands still from a wrong start on
-    for table, costs in ((np.zeros((25, 7)), False), (held, True)):
+    mistyped = desk.machine.table()
+    mistyped[0, 0] = 1.0
+    for table, costs in ((np.zeros((25, 7)), False), (mistyped, True)):
         _, marked = desk.marked(table)
         told = " ".join(reason.text for reason in table_reasons(desk.key, marked, 1.0, 0.0, 60.0))
         assert ("Each of them costs one cell." in told) is costs
