@@ -123,9 +123,10 @@ def _reason(run: SceneRun, point: str) -> Reason | None:
 
 def _because(variant: Variant, what: str, reason: Reason, rows: str) -> Fault:
     names = ", ".join(reason.names)
-    code, of_slope = ("V605", "slope.") if reason.of_slope else ("V604", "")
-    advice = say(f"gate.advice.{of_slope}{reason.kind}", names=names)
-    text = say(f"fault.{code}", rows=rows, node=reason.node, advice=advice)
+    if reason.of_slope:
+        text = say("fault.V605", rows=rows, node=reason.node, advice=say(f"gate.advice.slope.{reason.kind}", names=names))
+    else:
+        text = say("fault.V604", rows=rows, node=reason.node, advice=say(f"gate.advice.{reason.kind}", names=names))
     label = reason.label if reason.label == f"points.{what}" else f"{reason.label}, {what}"
     return _fault(variant, label, variant.nearest_line(*reason.path), text)
 
