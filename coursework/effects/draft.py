@@ -9,8 +9,9 @@ import re
 from collections.abc import Callable, Iterator
 
 from coursework.effects.force_scheme import ForceScheme
-from coursework.effects.scheme import scheme_without_masses
+from coursework.effects.scheme import read_scheme
 from coursework.mechanism.mechanism import build
+from coursework.variant.record.forces import Forces
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
@@ -22,7 +23,7 @@ def with_forces(variant: Variant, text: str, said: Callable[[str], str]) -> str:
 
     Raises `InputError` where the file does not show its links and joints.
     """
-    scheme = scheme_without_masses(build(variant))
+    scheme = read_scheme(build(variant), Forces())
     own = "\n".join(_sections(scheme, said))
     at = text.find("[ask]")
     text = f"{text.rstrip()}\n\n{own}\n" if at < 0 else f"{text[:at]}{own}\n\n{text[at:]}"

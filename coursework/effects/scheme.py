@@ -23,21 +23,15 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
 
-def read_scheme(mechanism: Mechanism) -> ForceScheme:
-    """Return bodies and unknown forces.  Raises `InputError` with every fault of the masses."""
-    variant, forces = mechanism.variant, mechanism.variant.forces
+def read_scheme(mechanism: Mechanism, instead: Forces | None = None) -> ForceScheme:
+    """Return bodies and unknown forces, with the file's own masses or others `instead`.
+
+    Raises `InputError` with every fault of the masses.
+    """
+    variant, forces = mechanism.variant, instead or mechanism.variant.forces
     if forces is None:
         raise InputError([Fault(say("fault.V721"), variant.file, 1)])
-    return _scheme(mechanism, forces)
-
-
-def scheme_without_masses(mechanism: Mechanism) -> ForceScheme:
-    """Return bodies and unknown forces of a mechanism whose file names no masses yet."""
-    return _scheme(mechanism, Forces())
-
-
-def _scheme(mechanism: Mechanism, forces: Forces) -> ForceScheme:
-    variant, found = mechanism.variant, fitting_linkage(mechanism)
+    found = fitting_linkage(mechanism)
     if found is None:
         raise InputError([Fault(say("fault.V722"), variant.file, 1)])
     weighed = {one.body for one in forces.masses} | {load.on for load in forces.loads}

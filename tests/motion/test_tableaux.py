@@ -46,10 +46,10 @@ def moments(nodes, weights, count):
 
 
 def test_the_pairs_with_a_step_of_their_own_keep_the_conditions_of_their_orders():
-    rows, numbered = adaptive._ROWS, lambda row: dict(enumerate(row))
-    assert [sum(row) for row in rows] == pytest.approx(adaptive._NODES, abs=1e-14)
-    assert moments(adaptive._NODES, numbered(rows[-1]), 5) == pytest.approx([1 / k for k in range(1, 6)], abs=1e-14)
-    assert moments(adaptive._NODES, numbered(adaptive._ERROR), 4) == pytest.approx([0.0] * 4, abs=1e-14)
+    rows = adaptive._ROWS
+    assert [sum(row.values()) for row in rows] == pytest.approx(adaptive._NODES, abs=1e-14)
+    assert moments(adaptive._NODES, rows[-1], 5) == pytest.approx([1 / k for k in range(1, 6)], abs=1e-14)
+    assert moments(adaptive._NODES, adaptive._ERROR, 4) == pytest.approx([0.0] * 4, abs=1e-14)
     nodes = [0.0, *(sum(row.values()) for row in order_eight._ROWS)]
     squares = [moments(nodes, row, 2)[1] for row in order_eight._ROWS[1:]]
     assert squares == pytest.approx([node**2 / 2 for node in nodes[2:]], abs=1e-13)

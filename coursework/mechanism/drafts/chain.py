@@ -20,20 +20,12 @@ from coursework.mechanism.groups import GroupKind, GroupMotion, group_kind
 from coursework.mechanism.groups.plane import Vectors, vectors
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+from coursework.variant.record.entries import Coordinate
 from coursework.variant.record.vocabulary import GROUP_KINDS
 
 CRANK, TURNED = 0.1, (30, 120, 75, 165)  # m; where cranks stand at the start, degrees
 SWING = 0.6  # rad: how far a crank that carries a guide swings to each side
 _APART = 4 * CRANK  # between the pivot of a further crank and the point before it
-
-
-@frozen
-class Coordinate:
-    """A coordinate and its rate; `unit` rad or m."""
-
-    name: str
-    rate: str
-    unit: str
 
 
 @frozen
@@ -170,7 +162,7 @@ class _Drafting:
 
     def _coordinate(self, kind: GroupKind, index: int, body: int) -> Coordinate:
         angle = index < GROUP_KINDS[kind.name]
-        return Coordinate(f"phi{body}", f"w{body}", "rad") if angle else Coordinate(f"s{body}", f"u{body}", "m")
+        return Coordinate(f"phi{body}", f"w{body}", None, "rad") if angle else Coordinate(f"s{body}", f"u{body}", None, "m")
 
     def _add_crank(self, kind: GroupKind, body: int, coordinates: tuple[Coordinate, ...]) -> None:
         number = len(self.draft.cranks) + self._first_crank

@@ -30,12 +30,11 @@ _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
 
 def nearest_change_point(
-    flow: Flow, t: float, q: Array, block: int, rates: Array, within: float, miss: float
-) -> tuple[float, Array] | None:
-    """Return time (s) and position of the change point of `block` at most `within` (rad or m) from (t, q), None without one.
+    flow: Flow, t: float, q: Array, block: int, rates: Array, within: float
+) -> tuple[float, Array, float] | None:
+    """Return the change point of `block` at most `within` (rad or m) from (t, q), None where Newton finds none.
 
-    `miss`: by how much of its size the motion may miss it.
-
+    It is told by its time (s), its position, and by how much of its size the motion misses it.
     `rates` (m,) of the motion at (t, q).  Unknowns are the time and the displacement of the block's own unknowns; they make
     the determinant and the demand of the drive zero and keep every equation of the block but the one that is lost.
     """
@@ -90,7 +89,7 @@ def nearest_change_point(
     if np.max(np.abs(x)) > within:
         return None
     time, position = moved(1.0, x, base)
-    return (float(time), np.array(position)) if abs(gap) / scale <= miss else None
+    return float(time), np.array(position), abs(gap) / scale
 
 
 def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...] | None:

@@ -266,9 +266,10 @@ class Walk:
         block = next(k for k, size in enumerate(sizes) if size <= 10 * sizes[block])
         slope = np.array(self.flow.slopes(t, q, block))
         rates = slope[:-1] / slope[-1] if abs(slope[-1]) > 1e-9 else self.flow.part(t, q, block)[2]
-        miss = max(MISSED, 1e3 * self.tolerance)
-        found = nearest_change_point(self.flow, t, state[:-1], block, rates, max(FAR, self.near), miss)
-        return None if found is None else self._named("change point", *found, block)
+        found = nearest_change_point(self.flow, t, state[:-1], block, rates, max(FAR, self.near))
+        if found is None or found[2] > max(MISSED, 1e3 * self.tolerance):
+            return None
+        return self._named("change point", found[0], found[1], block)
 
     def _event(self, state: Array, block: int) -> Event:
         """Return the event at a state with a determinant of zero: a change point where one is there, else a dead point."""

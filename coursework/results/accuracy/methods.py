@@ -62,12 +62,12 @@ def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
         loop = generate_loop(scheme, problem.rates)
         for substeps in FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS:
             count, cost = rows * substeps, scheme.slopes * problem.operations
-            if substeps == 1 or (substeps <= bounds.substeps and problem.is_affordable(count, cost, bounds)):
+            if substeps == 1 or (substeps <= bounds.substeps and count * cost <= bounds.work):
                 yield Trial(title_of(scheme), f"{count}", 0, partial(_by_loop, problem, loop, substeps, count * scheme.slopes))
     is_closed = problem.closure is not None and problem.closure.complete
     for newton in NEWTONS if is_closed else ():
         for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= bounds.substeps):
-            if problem.is_affordable(rows * substeps, newton * _CORRECTION, bounds):
+            if rows * substeps * newton * _CORRECTION <= bounds.work:
                 setting = f"{rows * substeps}"
                 yield Trial(projected_title(newton), setting, substeps, partial(_projected, problem, newton, substeps))
     field, start = problem.rates.evaluate, np.array(problem.start, dtype=float)
@@ -91,7 +91,7 @@ def left_out(problem: Problem, bounds: Bounds) -> list[str]:
     if max(counts) <= problem.rows:
         told.append(say("study.no_finer", steps=problem.rows))
     is_closed = problem.closure is not None and problem.closure.complete
-    if is_closed and not problem.is_affordable(problem.rows, max(NEWTONS) * _CORRECTION, bounds):
+    if is_closed and problem.rows * max(NEWTONS) * _CORRECTION > bounds.work:
         told.append(say("study.no_projection", steps=problem.rows))
     return told
 

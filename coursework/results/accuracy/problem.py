@@ -82,7 +82,3 @@ class Problem:
     def times(self) -> Array:
         """Return the times of the rows looked at (s)."""
         return np.array(self.marks).astype(np.float64) * self.step
-
-    def is_affordable(self, steps: int, cost: float, bounds: Bounds) -> bool:
-        """Return whether a run of so many steps, each of `cost` operations, stays inside the bounds."""
-        return steps * cost <= bounds.work

@@ -164,7 +164,7 @@ def test_a_start_that_is_singular_is_so_at_once(time, told):
 ])  # fmt: skip
 def test_a_change_point_may_be_missed_by_so_much(miss, tolerance, found, monkeypatch):
     looked = []
-    crossing = SimpleNamespace(miss=miss, time=0.5, position=np.zeros(1))
+    crossing = 0.5, np.zeros(1), miss
     monkeypatch.setattr(walk, "nearest_change_point", lambda *values: looked.append(values[-1]) or crossing)
     flow = SimpleNamespace(slopes=lambda t, q, block: [1.0, 1.0])
     stand = SimpleNamespace(
@@ -187,9 +187,9 @@ def on_the_way(**more):
     steps = iter([(more.pop("after"), 0.1, 0.2), None])
     found = more.pop("event", None)
     stand = SimpleNamespace(
-        scaled=[1.0], length=0.1, taken=0, end=1.0, way=[np.zeros(2)], near=0.0, slope=np.ones(2), _clock=lambda block: None,
-        _step=lambda clock: next(steps), _determinants=lambda state: [1.0], _inside=lambda *_: (found, 0.0),
-        _pass=lambda *_: False,
+        scaled=[1.0], length=0.1, taken=0, end=1.0, way=[np.zeros(2)], near=0.0, slope=np.ones(2),
+        flow=SimpleNamespace(clock=lambda block, side: None), _step=lambda clock: next(steps),
+        _determinants=lambda state: [1.0], _inside=lambda *_: (found, 0.0), _pass=lambda *_: False,
         _arrive=lambda *_: stand.__dict__.update(arrived=True), _boundless=lambda state: ENDED, arrived=False,
     )  # fmt: skip
     stand.__dict__.update(more)
