@@ -43,28 +43,20 @@ def _key(name: str) -> str:
     return re.sub("[_']", "", fold(name))
 
 
-@lru_cache(maxsize=64)
-def _spellings(
-    names: tuple[str, ...], columns: tuple[tuple[str, str], ...], rates: tuple[tuple[str, str], ...], data: tuple[str, ...]
-) -> Spellings:
+@lru_cache(maxsize=16)
+def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
+    """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
+    names = variant.names
+    rates = {entry.name: entry.rate for entry in variant.coordinates}
+    for name, unit in columns:
+        angle = f"phi{name.removeprefix('w')}"
+        if unit == "1/s" and name.startswith("w") and name not in rates.values() and angle not in names:
+            rates[angle] = name
     others = {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
     folded: dict[str, list[str]] = {}
     for name in names:
         folded.setdefault(_key(name), []).append(name)
     # A spelling that could mean two declared names means neither.
     others |= {key: found[0] for key, found in folded.items() if len(found) == 1}
-    ambiguous = [key for key, found in folded.items() if len(found) > 1]
-    return Spellings(
-        frozenset((*names, *BUILT_IN)), {key: name for key, name in others.items() if key not in ambiguous}, dict(rates),
-        frozenset(data),
-    )  # fmt: skip
-
-
-def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
-    """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
-    rates = {entry.name: entry.rate for entry in variant.coordinates}
-    for name, unit in columns:
-        angle = f"phi{name.removeprefix('w')}"
-        if unit == "1/s" and name.startswith("w") and name not in rates.values() and angle not in variant.names:
-            rates[angle] = name
-    return _spellings(tuple(variant.names), columns, tuple(rates.items()), tuple(entry.name for entry in variant.given))
+    known = {key: name for key, name in others.items() if len(folded.get(key, ())) < 2}
+    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(entry.name for entry in variant.given))
