@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import field, replace
 
 import numpy as np
@@ -123,10 +124,8 @@ def _movable(model: Model, data: Data, sure: Flags, horizons: Array) -> Flags:
     for place in places.tolist():
         if clear[place] and _stops(model, data, place, start.closed[:, place].tolist(), float(horizons[place])):
             continue
-        try:
+        with suppress(CourseworkError):
             movable[place] = feasible(model.variant.with_data(*data.of(place, model.variant)))[0]
-        except CourseworkError:
-            movable[place] = False
     return movable
 
 

@@ -26,8 +26,6 @@ from coursework.variant.record.variant import Variant
 
 def force_names(variant: Variant) -> tuple[str, ...]:
     """Return the forces that can be asked for: components, couples, and sizes by the name without x and y."""
-    if variant.forces is None:
-        return ()
     names = names_of(read_scheme(build(variant)).unknowns)
     sizes = dict.fromkeys(name[:-1] for name in names if name[-1] in "xy" and name[0] in "RF")
     return (*names, *sizes)

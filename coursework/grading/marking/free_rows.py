@@ -6,6 +6,7 @@ Used by `key.py`.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -65,10 +66,8 @@ class FreeRows:
             if not np.isfinite(free).all():
                 continue
             dynamics.q = self.table[row % len(grid), :m].tolist()
-            try:
+            with suppress(Open, ZeroDivisionError, OverflowError):
                 q[row] = dynamics.closed(t, free)
-            except (Open, ZeroDivisionError, OverflowError):
-                continue
         found = scene.free_equations.table(times, *q.T, *state[:, count:].T)
         values = np.array([np.broadcast_to(value, times.shape) for value in found], dtype=float).T
         size = self.table.shape[1] - m

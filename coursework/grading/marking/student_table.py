@@ -5,30 +5,32 @@ Enters: a `Key`, a `Table`.  Leaves: `StudentTable`.  Used by `grade.py` and `pr
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.ways import OwnRows, StudentTable
 from coursework.grading.reading.student_work import Table
+from coursework.system.arrays import Array
 
 
 def student_of(key: Key, table: Table) -> StudentTable:
     """Return a table as it was read, with a column of its own for everything the key has."""
-    values, units, turns = np.full(key.table.shape, np.nan), np.full(key.table.shape, np.nan), np.zeros(len(key.names))
-    for place, name in enumerate(key.names):
-        if column := table.column(name):
-            values[:, place], units[:, place] = column.values[: len(values)], column.last_place[: len(values)]
-            turns[place] = column.turns
-    return StudentTable(values, units, turns, _own_rows(key, table))
+    count = len(key.table)
+    columns = {column.name: (column.values[:count], column.last_place[:count]) for column in table.columns}
+    turns = [column.turns if (column := table.column(name)) else 0 for name in key.names]
+    own = None
+    if table.own is not None:
+        rows = len(next(iter(table.own.columns.values()))[0])
+        own = OwnRows(table.own.step, *_filled(key, table.own.columns, rows))
+    return StudentTable(*_filled(key, columns, count), np.array(turns, dtype=float), own)
 
 
-def _own_rows(key: Key, table: Table) -> OwnRows | None:
-    """Return all rows of a table whose own times are those of another step."""
-    if table.own is None:
-        return None
-    rows = len(next(iter(table.own.columns.values()))[0])
+def _filled(key: Key, columns: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]], rows: int) -> tuple[Array, Array]:
+    """Return values and units of the last place (rows, m + r), NaN in columns that are not there."""
     values, units = np.full((rows, len(key.names)), np.nan), np.full((rows, len(key.names)), np.nan)
     for place, name in enumerate(key.names):
-        if name in table.own.columns:
-            values[:, place], units[:, place] = table.own.columns[name]
-    return OwnRows(table.own.step, values, units)
+        if name in columns:
+            values[:, place], units[:, place] = columns[name]
+    return values, units

@@ -144,9 +144,7 @@ def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -
 
 def _tenths(facts: ClassFacts, words: Phrases) -> list[tuple[str, int]]:
     """Return how many scores lie in each tenth of the points; full points belong to the last."""
-    counts = [0] * TENTHS
-    for score in facts.scores:
-        counts[min(int(TENTHS * score / (facts.most or 1.0)), TENTHS - 1)] += 1
+    counts = Counter(min(int(TENTHS * score / (facts.most or 1.0)), TENTHS - 1) for score in facts.scores)
     edges = [shown_points(facts.most * part / TENTHS, words) for part in range(TENTHS + 1)]
     return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(TENTHS)]
 

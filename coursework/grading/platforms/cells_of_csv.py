@@ -9,13 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from coursework.grading.reading.files.encoding import decode
+from coursework.grading.reading.files.encoding import MARKS, decode
 from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 _SEPARATORS = (",", ";", "\t", ":")
-_MARKS = {"utf-8-sig": b"\xef\xbb\xbf", "utf-16-le": b"\xff\xfe", "utf-16-be": b"\xfe\xff"}
 MOST_BYTES = 64 * 1024 * 1024
 
 
@@ -87,9 +86,8 @@ def read_cells(content: bytes, file: str) -> CellText:
     """Return the cells of a CSV file.  Raises `InputError` where its letters cannot be read back the same, or it is too large."""
     if len(content) > MOST_BYTES:
         raise InputError([Fault(say("fault.G014", count=len(content), most_bytes=MOST_BYTES), file)])
-    encoding = decode(content).encoding
-    mark = _MARKS.get(encoding, b"") if content.startswith(_MARKS.get(encoding, b"-")) else b""
-    name = encoding.removesuffix("-sig")
+    name = decode(content).encoding.removesuffix("-sig")
+    mark = next((mark for mark, _ in MARKS if content.startswith(mark)), b"")
     try:
         text = content[len(mark) :].decode(name)
     except UnicodeDecodeError as error:

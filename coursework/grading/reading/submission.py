@@ -13,8 +13,6 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-KINDS = ("table", "equations", "answers", "variant", "attachment", "ignored")
-
 
 @frozen
 class Note:

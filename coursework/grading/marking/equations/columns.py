@@ -70,5 +70,6 @@ def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) ->
 
 def _sign_before(text: str, column: int) -> int:
     """Return the column of the sign before a term, of the term itself where none stands there."""
-    found = _SIGN_BEFORE.search(text, 0, max(column - 1, 0))  # a line is read as text that may be shorter than what was typed
+    # A line is read as text that may be shorter than what was typed.
+    found = _SIGN_BEFORE.search(text, 0, max(column - 1, 0))
     return found.start() + 1 if found else column

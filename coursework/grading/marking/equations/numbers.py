@@ -21,6 +21,11 @@ _CALLS: dict[str, Any] = {
 
 
 _ARITHMETIC: dict[str, Any] = {"+": np.add, "-": np.subtract, "*": np.multiply, "/": np.divide}
+_OF_NUMBERS: dict[str, Any] = {
+    "pair": lambda x, y: x + 1j * np.asarray(y),
+    "@": lambda length, angle: length * np.exp(1j * np.asarray(angle)),
+    "^": lambda base, power: np.power(np.asarray(base, dtype=float), power),
+}
 
 
 class NoValue(ValueError):
@@ -63,16 +68,11 @@ def combined(tree: Formula, args: list[Any], names: Mapping[str, Any]) -> Any:
         return np.real(args[0]) if tree.name == "x" else np.imag(args[0])
     if op == "neg":
         return -args[0]
-    first, second = args
-    if op in {"pair", "@", "^"} and any(np.iscomplexobj(arg) for arg in args):
+    if op in _ARITHMETIC:
+        return _ARITHMETIC[op](*args)
+    if any(np.iscomplexobj(arg) for arg in args):
         raise NoValue(f'"{op}" with a vector')
-    if op == "pair":
-        return first + 1j * np.asarray(second)
-    if op == "@":
-        return first * np.exp(1j * np.asarray(second))
-    if op == "^":
-        return np.power(np.asarray(first, dtype=float), second)
-    return _ARITHMETIC[op](first, second)
+    return _OF_NUMBERS[op](*args)
 
 
 def _size(tree: Formula, names: Mapping[str, Any]) -> Any:

@@ -55,21 +55,21 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
     """Give why a table has fewer points than there are; `carried` is the worth of a cell right from the student's own only."""
     if marked.first:
         yield Reason("table", "first", marked.first.sentence)
-    yield from _causes(key, marked)
+    found = counts(key, marked)
+    yield from _causes(found, marked)
     yield from _odd_rows(key, marked)
     if absent := tuple(name for name in key.names if marked.table.column(name) is None):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
     for gate, number in shut(marked).items():
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
-    found = counts(key, marked)
     less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
     costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" and "start" not in shut(marked) else ""
     total = _sum(marked, found.cells, points, most)
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
 
-def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
+def _causes(found: Counts, marked: TableMarks) -> Iterator[Reason]:
     """Give what seems to have happened, and what explains as much; that nothing usual does, where many cells are wrong."""
     named, earned = marked.misconception, marked.earned
     if named:
@@ -80,18 +80,13 @@ def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
-    elif earned.rule == "cells" and named is None and marked.hidden is not None and _many(key, marked):
+    elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
         yield Reason("table", "finding", say("feedback.misconception.none"))
 
 
 def _is_told(cause: str, named: Misconception) -> bool:
     """Return whether a cause is named; what begins elsewhere since it is counted from another axis was made from nowhere else."""
     return cause in (named.code, *named.ties) or named.code == cause.replace("start_", "origin_", 1)
-
-
-def _many(key: Key, marked: TableMarks) -> bool:
-    found = counts(key, marked)
-    return found.wrong > _MANY * found.cells
 
 
 def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:

@@ -21,7 +21,7 @@ from coursework.grading.reading.documents.notebook import document_of_notebook, 
 from coursework.grading.reading.documents.odt import document_of_odt, is_odt
 from coursework.grading.reading.documents.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.documents.rtf import document_of_rtf, is_rtf
-from coursework.grading.reading.equations.equations import names_of, read_line, spellings_for
+from coursework.grading.reading.equations.equations import Names, names_for, names_of, read_line
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
 from coursework.grading.reading.expected import Expected, Grid
@@ -117,30 +117,31 @@ def lines_of_document(document: Document, name: str, expected: Expected) -> Line
     has_blocks = any("\\begin" in line.text for line in document.lines)
     tried = (line.text if has_blocks or line.is_formula or _TRIED.search(line.text) else "" for line in document.lines)
     lines = read_lines("\n".join(tried), name, expected)
-    found = ((_with_bullet(line, expected), document.lines[line.line - 1]) for line in lines.equations)
-    placed = [one for line, at in found if (one := _placed(line, at, expected))]
+    names = names_for(expected)
+    found = ((_with_bullet(line, names), document.lines[line.line - 1]) for line in lines.equations)
+    placed = [one for line, at in found if (one := _placed(line, at, names))]
     lines.equations = [] if all(line.may_be_datum for line in placed) else placed  # data alone, as of a program, are no work
     return lines
 
 
-def _with_bullet(line: EquationLine, expected: Expected) -> EquationLine:
+def _with_bullet(line: EquationLine, names: Names) -> EquationLine:
     """Return a line that begins with a minus and a blank: that may be the sign of a list."""
     if not line.text.startswith("- "):
         return line
-    bare = read_line(line.text[2:], line.file, line.line, expected)
+    bare = read_line(line.text[2:], line.file, line.line, names)
     if bare.tree is None:
         return line
     other = EquationReading(bare.tree, bare.repaired or bare.text)
     return replace(line, others=(*line.others, other)) if line.tree is not None else replace(bare, text=line.text)
 
 
-def _placed(line: EquationLine, at: DocumentLine, expected: Expected) -> EquationLine | None:
+def _placed(line: EquationLine, at: DocumentLine, names: Names) -> EquationLine | None:
     """Return an equation with its place, None for a line that is none."""
-    names, sought = names_of(line, spellings_for(expected)) - {*BUILT_IN}, {*expected.variant.sought}
+    named, sought = names_of(line, names) - {*BUILT_IN}, {*names.expected.variant.sought}
     if line.tree is None:
-        is_one = line.relates and (at.is_formula or bool(names & sought))
+        is_one = line.relates and (at.is_formula or bool(named & sought))
         return replace(line, place=at.place) if is_one else None
-    return replace(line, place=at.place, may_be_datum=len(names) < 2) if names & sought else None
+    return replace(line, place=at.place, may_be_datum=len(named) < 2) if named & sought else None
 
 
 def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) -> list[DocumentTable]:

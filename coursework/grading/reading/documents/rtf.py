@@ -130,10 +130,8 @@ class _Reader:
             self.is_starred = True
         elif sign in "\\{}":
             self._text(sign)
-        elif sign == "~":
-            self._put(" ")
-        elif sign == "_":
-            self._put("-")
+        elif sign in "~_":
+            self._put(" " if sign == "~" else "-")
         elif sign in "\r\n":
             self._word("par", None)
 

@@ -40,22 +40,19 @@ def most_lines(expected: Expected) -> int:
     return 2 * len(expected.variant.sought) + MORE_LINES
 
 
-def spellings_for(expected: Expected) -> Spellings:
-    """Return the spellings of the names that equations may have."""
-    return spellings_of(expected.variant, expected.grid.units)
+def names_for(expected: Expected) -> Names:
+    """Return the names that equations may have."""
+    return Names(spellings_of(expected.variant, expected.grid.units), expected)
 
 
-def read_line(
-    text: str, file: str, line: int, expected: Expected, own: Meanings | None = None, *, listed: bool = False
-) -> EquationLine:
+def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     """Return one line as an equation: as it stands where the strict reader takes it, else in plain text, else with its fault.
 
     A line that can be meant in several ways has the others too: a label may be a number, a formula without a name the value of
-    any velocity.  `own` are the definitions of the same text; `listed`: every line of it begins with a dash, perhaps no minus.
+    any velocity.
     """
-    names = Names(spellings_for(expected), expected, own or {}, listed)
     found, fault = _readings(text, names)
-    for meant, in_degrees in ((of_radians(text), True), (of_one_component(text, expected.variant), False)):
+    for meant, in_degrees in ((of_radians(text), True), (of_one_component(text, names.expected.variant), False)):
         read = _readings(meant, names)[0] if meant != text else []
         found += [replace(one, text=one.text or meant, is_loose=True, in_degrees=in_degrees) for one in read]
     firm = [reading for reading in found if not reading.is_loose]
@@ -66,7 +63,7 @@ def read_line(
     assert fault is not None  # what has no firm reading was refused by the strict reader
     others = tuple(found) or _of_any_velocity(without_labels(text), names)
     if others and not found:
-        example = f"{expected.variant.sought[0]} {without_labels(text).strip()}"[:80]
+        example = f"{names.expected.variant.sought[0]} {without_labels(text).strip()}"[:80]
         fault = Fault(say("fault.G063", example=example), column=1)
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
@@ -144,9 +141,9 @@ def names_in(text: str, spellings: Spellings) -> set[str]:
     return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
 
 
-def names_of(line: EquationLine, spellings: Spellings) -> set[str]:
+def names_of(line: EquationLine, names: Names) -> set[str]:
     """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
-    return names_in(line.text, spellings) if line.tree is None else {*line.tree.names()}
+    return names_in(line.text, names.spellings) if line.tree is None else {*line.tree.names()}
 
 
 def read_as_one(text: str, names: Names) -> EquationReading | Fault:
@@ -170,7 +167,7 @@ def _of_any_velocity(text: str, names: Names) -> tuple[EquationReading, ...]:
 def read_constraints(source: Source, file: str, expected: Expected) -> list[EquationLine]:
     """Return the equations of a variant file; files are strict, nothing in them is repaired."""
     entries = source.data.get("constraint")
-    names = Names(spellings_for(expected), expected)
+    names = names_for(expected)
     lines: list[EquationLine] = []
     for place, entry in enumerate(entries if isinstance(entries, list) else []):
         if not isinstance(entry, dict):
@@ -191,7 +188,10 @@ def read_constraints(source: Source, file: str, expected: Expected) -> list[Equa
 
 @frozen
 class Names:
-    """What names in a line may be: those of the variant in any spelling, and what others mean."""
+    """What names in a line may be: those of the variant in any spelling, and what others mean.
+
+    `own` are the definitions of the same text; `listed`: every line of it begins with a dash, perhaps no minus.
+    """
 
     spellings: Spellings
     expected: Expected

@@ -1,6 +1,6 @@
 """What a line of text is: a definition of the student's own, a datum, an equation without its sign, a part of one.
 
-Enters: lines, `Expected`.  Leaves: answers to those questions; nothing is marked here.  Used by `lines.py`.
+Enters: lines, `Names`.  Leaves: answers to those questions; nothing is marked here.  Used by `lines.py`.
 """
 
 from __future__ import annotations
@@ -15,15 +15,13 @@ from coursework.grading.reading.equations.equations import (
     Names,
     names_in,
     read_as_one,
-    spellings_for,
 )
 from coursework.grading.reading.equations.labels import without_labels, without_words
-from coursework.grading.reading.equations.meanings import Meanings, key
+from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
-from coursework.grading.reading.expected import Expected
 from coursework.variant.formula import reader
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula
@@ -37,9 +35,8 @@ _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _FEWEST = 4  # words of an expression that is no prose
 
 
-def definition(text: str, expected: Expected, own: Meanings) -> tuple[str, Formula] | None:
+def definition(text: str, names: Names) -> tuple[str, Formula] | None:
     """Return the name and the formula of a line that defines a name of the student's own, None for any other line."""
-    names = Names(spellings_for(expected), expected, own)
     name, formula = own_name(text, names.spellings)
     formula = _IS_ZERO.sub("", formula)
     if not name or not formula.strip() or "=" in formula:
@@ -62,23 +59,21 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
 
 
-def is_equation_without_sign(text: str, expected: Expected) -> bool:
+def is_equation_without_sign(text: str, names: Names) -> bool:
     """Return whether a line without a sign of equality is the left side of an equation, read or not, and not a line of prose."""
     if len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
         return False
-    names = Names(spellings_for(expected), expected)
     if not names_in(text, names.spellings):
         return False
     return not isinstance(read_as_one(text, names), Fault) or _is_mostly_names(text, names)
 
 
-def is_part_of_equation(text: str, expected: Expected) -> bool:
+def is_part_of_equation(text: str, names: Names) -> bool:
     """Return whether a line without a sign of equality is a sum or a term that the next line may go on with."""
-    if is_equation_without_sign(text, expected):
+    if is_equation_without_sign(text, names):
         return True
     if len(text) > _SHORT or relates_two_sides(text) or _POINT.fullmatch(text):
         return False
-    names = Names(spellings_for(expected), expected)
     return bool(names_in(text, names.spellings)) and not isinstance(read_as_one(text, names), Fault)
 
 
@@ -94,25 +89,22 @@ def are_listed(lines: Sequence[str]) -> bool:
     return len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines)
 
 
-def is_step(text: str, expected: Expected) -> bool:
+def is_step(text: str, names: Names) -> bool:
     """Return whether a line is the rule of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", which is no equation of velocities."""
     left, _, right = text[: reader.MAX_CHARACTERS].partition("=")
-    spellings = spellings_for(expected)
-    moved = names_in(left, spellings)
+    moved = names_in(left, names.spellings)
     begun = moved if left.rstrip().endswith("+") else set[str]()  # phi3 += h*w3
-    return any(
-        moved == {one.name} and names_in(right, spellings) | begun == {one.name, one.rate} for one in expected.variant.coordinates
-    )
+    used = names_in(right, names.spellings) | begun
+    return any(moved == {one.name} and used == {one.name, one.rate} for one in names.expected.variant.coordinates)
 
 
-def is_datum(text: str, expected: Expected) -> bool:
+def is_datum(text: str, names: Names) -> bool:
     """Return whether a line says a number only, of a datum or of the start: "r1 = 0.953 m", "w1(0) = 2"."""
     if len(text) > _SHORT:
         return False
-    spellings = spellings_for(expected)
-    bare = without_words(without_labels(_AT_START.sub("@", plain_signs(text))), lambda word: is_name(word, spellings))
+    bare = without_words(without_labels(_AT_START.sub("@", plain_signs(text))), lambda word: is_name(word, names.spellings))
     name, sign, value = bare.partition("=")
     name, begins, _ = re.sub(r"[{}\\$\s]", "", name).partition("@")
-    meant = spellings.canonical(name) if OWN_NAME.fullmatch(name) else None
-    is_given = meant is not None and (bool(begins) or meant not in expected.variant.sought)
+    meant = names.spellings.canonical(name) if OWN_NAME.fullmatch(name) else None
+    is_given = meant is not None and (bool(begins) or meant not in names.expected.variant.sought)
     return bool(sign) and is_given and _QUANTITY.fullmatch(value) is not None

@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import TURNED, most_lines, names_of, read_line, spellings_for
+from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
     are_listed,
@@ -71,10 +71,11 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     and lines that cannot be read are told only where others can.
     """
     most = most_lines(expected)
-    pieces = _pieces(text, expected) if beside is None else _beside(text, expected, _SIGNS.get(beside.separator))
+    names = names_for(expected)
+    pieces = _pieces(text, names) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     lines = list(islice(pieces, _MOST_LINES))
-    own = _definitions(lines, expected) if beside is None else {}
-    listed = are_listed([line for _, line in lines if "=" in line])
+    own = _definitions(lines, names) if beside is None else {}
+    with_own = replace(names, own=own, listed=are_listed([line for _, line in lines if "=" in line]))
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
     for number, line in lines:
@@ -83,11 +84,11 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
-        elif beside is None and (_defines(line, own, expected) or is_datum(line, expected) or is_step(line, expected)):
+        elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names)):
             continue
-        elif beside is None and _is_equation(line, expected):
-            found.equations.append(read_line(line, name, number, expected, own, listed=listed))
-        elif beside is not None and relates(read := read_line(line, name, number, expected), expected):
+        elif beside is None and _is_equation(line, names):
+            found.equations.append(read_line(line, name, number, with_own))
+        elif beside is not None and relates(read := read_line(line, name, number, names), names):
             found.equations.append(read)
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
@@ -95,10 +96,10 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     return found
 
 
-def _written(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
+def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
     function = ""
-    for number, line in _continued(logical_lines(text), expected):
+    for number, line in _continued(logical_lines(text), names):
         if defined := _DEFINED.fullmatch(line):
             function = f"{defined[1]} = "
             continue
@@ -111,11 +112,11 @@ def _written(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
             yield number, bare
 
 
-def _continued(lines: Iterable[tuple[int, str]], expected: Expected) -> Iterator[tuple[int, str]]:
+def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[int, str]]:
     """Give the lines, one that goes on in the next together with it; a sign that ends one and begins the other stands once."""
     first, kept = 0, ""
     for number, line in lines:
-        if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, expected):
+        if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, names):
             begun = _GOES_ON_SIGN.sub("", kept).rstrip()
             rest = _ALIGNED.sub("", line)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
@@ -127,7 +128,7 @@ def _continued(lines: Iterable[tuple[int, str]], expected: Expected) -> Iterator
         yield first, kept
 
 
-def _goes_on(kept: str, line: str, expected: Expected) -> bool:
+def _goes_on(kept: str, line: str, names: Names) -> bool:
     """Return whether an equation goes on in the next line: it ends with a sign or in a parenthesis, or that begins with one."""
     if not _IS_FORMULA.search(kept):
         return False
@@ -140,48 +141,49 @@ def _goes_on(kept: str, line: str, expected: Expected) -> bool:
     if both or not _BEGINS.match(rest):
         return False
     if "=" in line:
-        return line[:1].isspace() or is_part_of_equation(kept, expected)
-    return "=" in kept and not _VANISHED.search(kept) and is_equation_without_sign(rest, expected)
+        return line[:1].isspace() or is_part_of_equation(kept, names)
+    return "=" in kept and not _VANISHED.search(kept) and is_equation_without_sign(rest, names)
 
 
-def _pieces(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
+def _pieces(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the equations and answers, several of which may stand in one line."""
-    for number, line in _written(text, expected):
+    for number, line in _written(text, names):
         for part in parts_of(line):
             yield number, part
 
 
-def _beside(text: str, expected: Expected, sign: str | None) -> Iterator[tuple[int, str]]:
+def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, str]]:
     """Give the lines that may be an equation or an answer, with a name and "=", and no rows of a table separated by `sign`."""
-    for number, line in _written(text, expected):
+    for number, line in _written(text, names):
         bare = line.strip(_EDGES)
         if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
             yield number, bare
 
 
-def _is_equation(line: str, expected: Expected) -> bool:
-    return "=" in line or relates_two_sides(line[:MAX_CHARACTERS]) or is_equation_without_sign(line, expected)
+def _is_equation(line: str, names: Names) -> bool:
+    return "=" in line or relates_two_sides(line[:MAX_CHARACTERS]) or is_equation_without_sign(line, names)
 
 
-def _definitions(lines: Sequence[tuple[int, str]], expected: Expected) -> dict[str, Formula]:
+def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Formula]:
     """Return the student's own names that other lines use, with their formulas; a later one may use those before it."""
     own: dict[str, Formula] = {}
+    with_own = replace(names, own=own)
     spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
     labels: set[str] = set()  # before more than one line: V_D = … = 0 along x, and again along y
     for _, line in lines[:_MOST_DEFINITIONS]:
-        if (found := definition(line, expected, own)) and words[found[0]] > 1:
+        if (found := definition(line, with_own)) and words[found[0]] > 1:
             labels |= {found[0]} if found[0] in own and _VANISHED.search(line) else set()
             own.setdefault(*found)
     return {name: formula for name, formula in own.items() if name not in labels}
 
 
-def _defines(line: str, own: Mapping[str, Formula], expected: Expected) -> bool:
-    name, formula = own_name(line, spellings_for(expected)) if own else ("", "")
+def _defines(line: str, own: Mapping[str, Formula], names: Names) -> bool:
+    name, formula = own_name(line, names.spellings) if own else ("", "")
     return key(name) in own and "=" not in formula  # V_Cy = … = 0 is an equation, too
 
 
-def relates(read: EquationLine, expected: Expected) -> bool:
+def relates(read: EquationLine, names: Names) -> bool:
     """Return whether a line names a sought velocity and something it depends on."""
-    named, sought = names_of(read, spellings_for(expected)), {*expected.variant.sought}
+    named, sought = names_of(read, names), {*names.expected.variant.sought}
     return bool(named & sought and named - sought - {"t"})

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
 
@@ -107,10 +108,8 @@ def _distances(
     values: dict[str, complex] = {"t": 0.0, **variant.values, **dict(starts)}
     placed: dict[str, complex] = {}
     for name, formula in points.items():
-        try:
+        with suppress(ArithmeticError, ValueError, KeyError):
             placed[name] = values[name] = evaluate_any(formula, values)
-        except (ArithmeticError, ValueError, KeyError):
-            continue
     names = list(placed)
     for place, first in enumerate(names):
         for second in names[place + 1 :]:

@@ -12,7 +12,7 @@ from functools import lru_cache
 from coursework.grading.reading.table.headers import aliases, fold
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.formula.tree import spelled
 from coursework.variant.record.variant import Variant
 
 BUILT_IN = ("t", "pi")
@@ -48,28 +48,6 @@ def _key(name: str) -> str:
     return re.sub("[_']", "", fold(name))
 
 
-@lru_cache(maxsize=64)
-def _spellings(
-    names: tuple[str, ...],
-    columns: tuple[tuple[str, str], ...],
-    rates: tuple[tuple[str, str], ...],
-    data: tuple[str, ...],
-    speeds: tuple[tuple[str, str], ...],
-) -> Spellings:
-    others = {key: name for key, name in speeds if len({one for same, one in speeds if same == key}) == 1}
-    others |= {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
-    folded: dict[str, list[str]] = {}
-    for name in names:
-        folded.setdefault(_key(name), []).append(name)
-    # A spelling that could mean two declared names means neither.
-    others |= {key: found[0] for key, found in folded.items() if len(found) == 1}
-    ambiguous = [key for key, found in folded.items() if len(found) > 1]
-    return Spellings(
-        frozenset((*names, *BUILT_IN)), {key: name for key, name in others.items() if key not in ambiguous}, dict(rates),
-        frozenset(data),
-    )  # fmt: skip
-
-
 def _speeds(variant: Variant) -> Iterator[tuple[str, str]]:
     """Give how speeds of points may be called: V_C, V_Cy where it is that along y; V_F of a pin on a guide of the frame."""
     for one in (binding for binding in variant.bindings if binding.point and not binding.relative):
@@ -78,23 +56,29 @@ def _speeds(variant: Variant) -> Iterator[tuple[str, str]]:
     rates = {entry.name: entry.rate for entry in variant.coordinates}
     fixed = {*BUILT_IN, *(entry.name for entry in variant.given)}
     for name, place in variant.points:
-        fixed |= {name} if _named(place) <= fixed else set()
+        fixed |= {name} if fixed.issuperset(place.names()) else set()
     for group in variant.groups:
         guided = [formula for guide in group.guides for formula in (guide.through, guide.angle, guide.offset)]
-        if group.kind == "RRP" and group.meets and all(_named(formula) <= fixed for formula in guided):
+        if group.kind == "RRP" and group.meets and all(fixed.issuperset(formula.names()) for formula in guided):
             yield _key(f"v{group.meets}"), rates[group.coordinates[-1]]
 
 
-def _named(formula: Formula) -> set[str]:
-    return {node.name for node in formula.walk() if node.op == "name"}
-
-
+@lru_cache(maxsize=16)
 def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
     """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
+    names = variant.names
     rates = {entry.name: entry.rate for entry in variant.coordinates}
     for name, unit in columns:
         angle = f"phi{name.removeprefix('w')}"
-        if unit == "1/s" and name.startswith("w") and name not in rates.values() and angle not in variant.names:
+        if unit == "1/s" and name.startswith("w") and name not in rates.values() and angle not in names:
             rates[angle] = name
-    given = tuple(entry.name for entry in variant.given)
-    return _spellings(tuple(variant.names), columns, tuple(rates.items()), given, tuple(_speeds(variant)))
+    speeds = [*_speeds(variant)]
+    others = {key: name for key, name in speeds if len({one for same, one in speeds if same == key}) == 1}
+    others |= {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
+    folded: dict[str, list[str]] = {}
+    for name in names:
+        folded.setdefault(_key(name), []).append(name)
+    # A spelling that could mean two declared names means neither.
+    others |= {key: found[0] for key, found in folded.items() if len(found) == 1}
+    known = {key: name for key, name in others.items() if len(folded.get(key, ())) < 2}
+    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(entry.name for entry in variant.given))

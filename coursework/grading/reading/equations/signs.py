@@ -41,7 +41,7 @@ _LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # between two points
 
 
 def depths(text: str) -> list[int]:
-    """Return in how many brackets each sign of a text stands, one that closes outside of its own; -1 behind one nobody opened."""
+    """Return in how many brackets each sign of a text stands, -1 at one that closes what nobody opened."""
     return [*accumulate((sign in "([{") - (sign in ")]}") for sign in text)]
 
 

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 from coursework.system.frozen import frozen
 
-_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
+MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
 # Words that head such tables; one of them in a decoding is worth more than any count of letters.
 _DOMAIN = re.compile(
     "рад|град|кут|угол|угл|время|час|швидк|скорость|вариант|варіант|таблиц|об/мин|об/хв|1/с|группа|група|студент|сек|вал|крив|"
@@ -39,7 +39,7 @@ def decode(content: bytes) -> Decoded:
     >>> decode("кут, рад;1,5".encode("cp1251")).encoding
     'cp1251'
     """
-    for mark, encoding in _MARKS:
+    for mark, encoding in MARKS:
         if content.startswith(mark):
             return _clean(content[len(mark) :].decode(encoding.removesuffix("-sig"), errors="replace"), encoding)
     if wide := _utf16_without_mark(content):

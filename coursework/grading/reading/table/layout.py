@@ -7,6 +7,7 @@ Used by `table.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.separators import is_progression
@@ -117,11 +118,9 @@ def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transpose
     texts = _joined(texts, width)
     heads = [read_head(text, columns) for text in texts[:width]]
     heads += [Head("", (), "")] * (width - len(heads))
-    merged = [
-        Head(read.text, read.candidates, read.unit or (units[place] if place < len(units) else ""))
-        for place, read in enumerate(heads)
-    ]
-    return Layout(tuple(merged), head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark)
+    units += [""] * (width - len(units))
+    merged = tuple(replace(read, unit=read.unit or below) for read, below in zip(heads, units, strict=False))
+    return Layout(merged, head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark)
 
 
 def _is_body(row: list[PrintedNumber]) -> bool:
