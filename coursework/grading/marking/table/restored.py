@@ -64,9 +64,12 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
         was = last = as_it_was(key, was, right & ~np.asarray(told.any(axis=1))[:, None], own) or was
         own, speaking, untold = own_ways(key, last, own.coarse), wrong | told, other & ~told
         best = least = np.maximum(worth(last, own), 0)
-        for base in (last,) if last is printed else (last, printed):
+        for base in (last, printed) if _touched(_made_from(speaking, m), printed, last) else (last,):
             ways = own if base is last else own_ways(key, base, own.coarse)
-            for guess in _guesses(key, base, ways, speaking & ~ways.holds(printed.values), other, untold):
+            left = speaking & ~ways.holds(printed.values)
+            for guess in _guesses(key, base, ways, left, other, untold):
+                if not _touched(_made_from(left, m), guess, base):
+                    continue
                 found = worth(guess, own_ways(key, guess, own.coarse))
                 rows, best = np.asarray(found > best)[:, None], np.maximum(best, found)
                 told = told | (rows & _other(guess, base))
@@ -92,6 +95,11 @@ def _slips(table: StudentTable, printed: StudentTable, ways: OwnWays) -> Counts:
 
 def _other(table: StudentTable, than: StudentTable) -> Flags:
     return np.asarray((table.values != than.values) & np.isfinite(table.values))
+
+
+def _touched(made: Flags, table: StudentTable, than: StudentTable) -> bool:
+    """Return whether any cell `made` from a row (n, r + m) is made from one in which two tables differ."""
+    return bool((made.any(axis=1) & _other(table, than).any(axis=1)).any())
 
 
 def _made_from(cells: NDArray[Any], m: int) -> NDArray[Any]:
