@@ -129,12 +129,12 @@ def _guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Fla
     places = np.array([*dict.fromkeys([*range(2 * m), *later])])
     found, agree = _agreed(key, was, own, wrong, rows, places)
     agree = np.where(other[np.ix_(rows, places)].T, agree, 0)
-    every = np.arange(len(rows))
     for place in np.argsort(-agree, axis=0, kind="stable"):  # in each row the cell first of which most speaks
-        if not (agree[place, every] >= _AGREE).any():
+        told = agree[place, np.arange(len(rows))] >= _AGREE
+        if not told.any():
             return
         guess = replace(was, values=was.values.copy())
-        guess.values[rows, places[place]] = found[place, every]
+        guess.values[rows[told], places[place[told]]] = found[place[told], np.flatnonzero(told)]
         yield guess
 
 
