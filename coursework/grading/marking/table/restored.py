@@ -53,6 +53,7 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     other, sure, wrong = wrong | put, ~wrong & ~put, wrong & ~put
     was = printed = student
     told: Flags = np.zeros_like(wrong)
+    coarse = own.coarse
 
     def worth(table: StudentTable, ways: OwnWays) -> Counts:
         """Return how many cells made from each row (n,) are right if a table stood there, without those that it costs."""
@@ -60,24 +61,33 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
         found = _made_from((speaking & held) * 1 - (sure & ~held), m).sum(axis=1)
         return np.asarray(found - _slips(table, student, ways))
 
+    def made_by(table: StudentTable) -> OwnWays:
+        """Return what a table makes; nothing is made with a velocity that is wrong, and was no other."""
+        made = own_ways(key, table, coarse)
+        idle = np.zeros_like(wrong)
+        idle[1:, :m] = (wrong & ~_other(table, student))[:-1, m : 2 * m]
+        step = made.step
+        tolerance, expected = (np.where(idle, np.nan, values) for values in (step.tolerance, step.expected))
+        return replace(made, step=replace(step, tolerance=tolerance, expected=expected))
+
     for _ in range(_PASSES):
         was = last = as_it_was(key, was, right & ~np.asarray(told.any(axis=1))[:, None], own) or was
-        own, speaking, untold = own_ways(key, last, own.coarse), wrong | told, other & ~told
+        own, speaking, untold = made_by(last), wrong | told, other & ~told
         best = least = np.maximum(worth(last, own), 0)
         for base in (last, printed) if _touched(_made_from(speaking, m), printed, last) else (last,):
-            ways = own if base is last else own_ways(key, base, own.coarse)
+            ways = own if base is last else made_by(base)
             left = speaking & ~ways.holds(printed.values)
             for guess in _guesses(key, base, ways, left, other, untold):
                 if not _touched(_made_from(left, m), guess, base):
                     continue
-                found = worth(guess, own_ways(key, guess, own.coarse))
+                found = worth(guess, made_by(guess))
                 rows, best = np.asarray(found > best)[:, None], np.maximum(best, found)
                 told = told | (rows & _other(guess, base))
                 values, units = (np.where(rows, *both) for both in ((guess.values, was.values), (guess.units, was.units)))
                 was = replace(was, values=values, units=units)
         if not (best > least).any():
             break
-        own = own_ways(key, was, own.coarse)
+        own = made_by(was)
         printed = replace(student, values=np.where(told, was.values, student.values))
     made: Flags = _made_from(wrong & own.holds(student.values), m)
     fitted = made & (np.cumsum(made, axis=1) <= _slips(was, student, own)[:, None])
