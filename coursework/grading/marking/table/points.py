@@ -151,7 +151,7 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.usual_ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
-    steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~cells.wrong[:-1, m : 2 * m]
+    steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[:-1, m : 2 * m]
     steps |= cells.marks[1:, :m] == KEY
     excused = ~(near | steps) & (cells.marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
     steps |= excused & (excused.mean(axis=0) <= _EXCUSED)

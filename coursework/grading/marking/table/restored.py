@@ -53,6 +53,7 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     other, sure, wrong = wrong | put, ~wrong & ~put, wrong & ~put
     was = printed = student
     told: Flags = np.zeros_like(wrong)
+    coarse = own.coarse
 
     def worth(table: StudentTable, ways: OwnWays) -> Counts:
         """Return how many cells made from each row (n,) are right if a table stood there, without those that it costs."""
@@ -60,21 +61,33 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
         found = _made_from((speaking & held) * 1 - (sure & ~held), m).sum(axis=1)
         return np.asarray(found - _slips(table, student, ways))
 
+    def made_by(table: StudentTable) -> OwnWays:
+        """Return what a table makes; nothing is made with a velocity that is wrong, and was no other."""
+        made = own_ways(key, table, coarse)
+        idle = np.zeros_like(wrong)
+        idle[1:, :m] = (wrong & ~_other(table, student))[:-1, m : 2 * m]
+        step = made.step
+        tolerance, expected = (np.where(idle, np.nan, values) for values in (step.tolerance, step.expected))
+        return replace(made, step=replace(step, tolerance=tolerance, expected=expected))
+
     for _ in range(_PASSES):
         was = last = as_it_was(key, was, right & ~np.asarray(told.any(axis=1))[:, None], own) or was
-        own, speaking, untold = own_ways(key, last, own.coarse), wrong | told, other & ~told
+        own, speaking, untold = made_by(last), wrong | told, other & ~told
         best = least = np.maximum(worth(last, own), 0)
-        for base in (last,) if last is printed else (last, printed):
-            ways = own if base is last else own_ways(key, base, own.coarse)
-            for guess in _guesses(key, base, ways, speaking & ~ways.holds(printed.values), other, untold):
-                found = worth(guess, own_ways(key, guess, own.coarse))
+        for base in (last, printed) if _touched(_made_from(speaking, m), printed, last) else (last,):
+            ways = own if base is last else made_by(base)
+            left = speaking & ~ways.holds(printed.values)
+            for guess in _guesses(key, base, ways, left, other, untold):
+                if not _touched(_made_from(left, m), guess, base):
+                    continue
+                found = worth(guess, made_by(guess))
                 rows, best = np.asarray(found > best)[:, None], np.maximum(best, found)
                 told = told | (rows & _other(guess, base))
                 values, units = (np.where(rows, *both) for both in ((guess.values, was.values), (guess.units, was.units)))
                 was = replace(was, values=values, units=units)
         if not (best > least).any():
             break
-        own = own_ways(key, was, own.coarse)
+        own = made_by(was)
         printed = replace(student, values=np.where(told, was.values, student.values))
     made: Flags = _made_from(wrong & own.holds(student.values), m)
     fitted = made & (np.cumsum(made, axis=1) <= _slips(was, student, own)[:, None])
@@ -92,6 +105,11 @@ def _slips(table: StudentTable, printed: StudentTable, ways: OwnWays) -> Counts:
 
 def _other(table: StudentTable, than: StudentTable) -> Flags:
     return np.asarray((table.values != than.values) & np.isfinite(table.values))
+
+
+def _touched(made: Flags, table: StudentTable, than: StudentTable) -> bool:
+    """Return whether any cell `made` from a row (n, r + m) is made from one in which two tables differ."""
+    return bool((made.any(axis=1) & _other(table, than).any(axis=1)).any())
 
 
 def _made_from(cells: NDArray[Any], m: int) -> NDArray[Any]:
@@ -121,12 +139,12 @@ def _guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Fla
     places = np.array([*dict.fromkeys([*range(2 * m), *later])])
     found, agree = _agreed(key, was, own, wrong, rows, places)
     agree = np.where(other[np.ix_(rows, places)].T, agree, 0)
-    every = np.arange(len(rows))
     for place in np.argsort(-agree, axis=0, kind="stable"):  # in each row the cell first of which most speaks
-        if not (agree[place, every] >= _AGREE).any():
+        told = agree[place, np.arange(len(rows))] >= _AGREE
+        if not told.any():
             return
         guess = replace(was, values=was.values.copy())
-        guess.values[rows, places[place]] = found[place, every]
+        guess.values[rows[told], places[place[told]]] = found[place[told], np.flatnonzero(told)]
         yield guess
 
 
