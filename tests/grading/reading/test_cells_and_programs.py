@@ -21,7 +21,7 @@ def test_equations_typed_into_the_cells_of_a_workbook_are_read() -> None:
     assert work.table.reading.separated == "a table of cells"
     assert work.equations is not None and [line.text for line in work.equations] == [lines[0]]  # the other has no "="
     assert work.equations[0].where == "sheet “Уравнения”, row 1"
-    alone = read(("w.xlsx", workbook({"Уравнения": [[f"t:{line}"] for line in lines]})), ("t.csv", table()))
+    alone = read(("w.xlsx", workbook({"Уравнения": [["t:" + "\n".join(["By hand:", *lines])]]})), ("t.csv", table()))
     assert alone.table is not None and alone.equations is not None
 
 

@@ -76,8 +76,9 @@ def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
     for sheet in sheets:
         for number, row in enumerate(sheet.rows, start=1):
             for cell in row:
-                if cell.kind == "text" and _TRIED.search(cell.text):
-                    document.add_line(cell.text, place_of("sheet", sheet=sheet.name or "", row=number))
+                for line in cell.text.split("\n") if cell.kind == "text" else ():
+                    if _TRIED.search(line):
+                        document.add_line(line, place_of("sheet", sheet=sheet.name or "", row=number))
     return document
 
 
