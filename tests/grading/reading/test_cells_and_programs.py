@@ -62,6 +62,9 @@ def test_what_sets_the_source_of_a_page_in_is_no_cell() -> None:
     work = read(("saved.html", f"<html>\n<body>\n<h1>\nWork</h1>{lines}<table>\n{rows}</table></body></html>".encode()))
     assert work.table is not None and work.table.cells == 7 * 25
     assert work.equations is not None and work.equations[0].left is not None
+    bare = "".join("<tr>" + "".join(f"<td>{text}" for text in row) for row in cells)
+    typed = read(("typed.html", f"<html><body>{lines}<table>{bare}</table></body></html>".encode()))
+    assert typed.table is not None and typed.table.columns == work.table.columns
 
 
 def test_the_pin_on_a_guide_of_the_frame_gives_its_speed_a_name_and_one_on_a_moving_guide_does_not() -> None:
