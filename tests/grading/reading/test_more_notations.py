@@ -96,6 +96,12 @@ def test_unread_lines_without_a_sign_of_equality_are_told():
     assert [mark.verdict for mark in found.marks] == ["right", "right", "unreadable"]
 
 
+def test_numbers_of_one_row_beside_the_equations_cost_nothing():
+    found = marked(f"{PLAIN['31']}\nrow 4: 0.4570*w3*0.2345 - 0.847*w2*(-0.9123) - 0.953*w1*0.0312 = 0\nw3 = 6.1234 rad/s")
+    assert (found.independent, found.share) == (4, 1.0) and not found.wrong
+    assert marked("w3 = 6.1234 rad/s\nw1 = 0.53").independent == 0
+
+
 def test_equations_one_behind_the_other_are_all_read():
     for between in (" ", "  ", " \\tag{11} ", " (11) "):
         assert marked(between.join(PLAIN["31"].split("\n"))).independent == 4

@@ -143,7 +143,7 @@ def _placed(line: EquationLine, at: DocumentLine, expected: Expected) -> Equatio
         is_one = line.relates and (at.is_formula or bool(names_in(line.text, spellings_for(expected)) & sought))
         return replace(line, place=at.place) if is_one else None
     names = {node.name for side in (line.left, line.right) for node in side.walk() if node.op == "name"} - {*BUILT_IN}
-    return replace(line, place=at.place, may_be_datum=len(names) < 2) if names & sought else None
+    return replace(line, place=at.place, may_be_datum=line.may_be_datum or len(names) < 2) if names & sought else None
 
 
 def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) -> list[DocumentTable]:
