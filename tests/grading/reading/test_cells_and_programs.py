@@ -21,7 +21,7 @@ def test_equations_typed_into_the_cells_of_a_workbook_are_read() -> None:
     assert work.table.reading.separated == "a table of cells"
     assert work.equations is not None and [line.text for line in work.equations] == [lines[0]]  # the other has no "="
     assert work.equations[0].where == "sheet “Уравнения”, row 1"
-    alone = read(("w.xlsx", workbook({"Уравнения": [[f"t:{line}"] for line in lines]})), ("t.csv", table()))
+    alone = read(("w.xlsx", workbook({"Уравнения": [["t:" + "\n".join(["By hand:", *lines])]]})), ("t.csv", table()))
     assert alone.table is not None and alone.equations is not None
 
 
@@ -62,6 +62,9 @@ def test_what_sets_the_source_of_a_page_in_is_no_cell() -> None:
     work = read(("saved.html", f"<html>\n<body>\n<h1>\nWork</h1>{lines}<table>\n{rows}</table></body></html>".encode()))
     assert work.table is not None and work.table.cells == 7 * 25
     assert work.equations is not None and work.equations[0].tree is not None
+    bare = "".join("<tr>" + "".join(f"<td>{text}" for text in row) for row in cells)
+    typed = read(("typed.html", f"<html><body>{lines}<table>{bare}</table></body></html>".encode()))
+    assert typed.table is not None and typed.table.columns == work.table.columns
 
 
 def test_the_pin_on_a_guide_of_the_frame_gives_its_speed_a_name_and_one_on_a_moving_guide_does_not() -> None:

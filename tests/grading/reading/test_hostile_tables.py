@@ -71,6 +71,22 @@ def test_an_error_is_a_missing_cell(text: str) -> None:
     assert sum(map(math.isfinite, w3.values)) == 24
 
 
+def test_rows_that_are_counted_without_a_head_are_read_by_the_heads_of_the_others() -> None:
+    for sign in (" ", ","):
+        counted = [f"{k}{sign}{sign.join(row)}" for k, row in enumerate(ROWS)]
+        table = read("\n".join([sign.join(HEAD), *counted]).encode())
+        assert [table.column(name).at for name in ("phi1", "w4")] == [3, 9]  # type: ignore[union-attr]
+        assert table.rows_present == (True,) * 25
+
+
+@pytest.mark.parametrize("angle", ["θ{}", "theta_{} [rad]", "φ{}"])
+@pytest.mark.parametrize("rate", ["dphi{}/dt", "dφ{}/dt, рад/с", "φ\u0307{}", "phi{}_dot", "d theta{}/dt"])
+def test_angles_by_another_letter_and_velocities_as_derivatives(angle: str, rate: str) -> None:
+    heads = ["t", *(angle.format(k) for k in (1, 2, 3)), *(rate.format(k) for k in (1, 2, 3)), "w4"]
+    table = read("\n".join(";".join(row) for row in [heads, *ROWS]).encode())
+    assert [(column.name, column.by) for column in table.columns] == [(name, "header") for name in GRID.names]
+
+
 def test_rows_shuffled_repeated_and_contradicting() -> None:
     shuffled = [ROWS[(7 * k) % 25] for k in range(25)]
     table = read(csv(shuffled))

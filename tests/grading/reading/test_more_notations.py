@@ -29,6 +29,7 @@ TEXTS = {
     "a right angle": "VMy - 2*r3*w3*cos(phi3) + r3*w3*cos(phi3 + 90°) = 0",
     "theta": "VMy - 2*r3*θ̇3*cos(θ3) - r3*θ̇3*sin(θ3) = 0",
     "rows": "w[3][i] = VMy[i]/(r3*(2*cos(phi[3][i]) + sin(phi[3][i])))",
+    "a program": "VMy(i) = V1*m.sin(p*t(i) + alpha);\nw3(i) = VMy(i)/(r3*(2*m.cos(phi3(i)) + m.sin(phi3(i))));",
     "lambda": "w3 = lambda t, phi3: V1*sin(p*t + alpha)/(r3*(2*cos(phi3) + sin(phi3)))",
     "returned": "def w3(t, phi3):\n    return V1*math.sin(p*t + alpha)/(r3*(2*math.cos(phi3) + math.sin(phi3)))",
     "between points": "BM*ω3*sinφ3 − BC*ω3*cosφ3 + CP*ω4 = 0",
@@ -73,7 +74,9 @@ def test_matrices_without_commas_are_a_question():
 @pytest.mark.parametrize("text", TEXTS)
 def test_one_equation_among_what_stands_round_it(text):
     found = marked(TEXTS[text])
-    assert [mark.verdict for mark in found.marks] == ["right"], [(m.line.text, m.line.repaired) for m in found.marks]
+    assert {mark.verdict for mark in found.marks} == {"right"} and found.independent == 1, [
+        (m.line.text, m.line.repaired) for m in found.marks
+    ]
 
 
 @pytest.mark.parametrize(
@@ -92,6 +95,12 @@ def test_a_chain_with_a_side_nobody_can_read_is_a_question_and_not_wrong():
 def test_unread_lines_without_a_sign_of_equality_are_told():
     found = marked(f"{REST}\nr3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1)\nWe take link 1 - and then link 2")
     assert [mark.verdict for mark in found.marks] == ["right", "right", "unreadable"]
+
+
+def test_numbers_of_one_row_beside_the_equations_cost_nothing():
+    found = marked(f"{PLAIN['31']}\nrow 4: 0.4570*w3*0.2345 - 0.847*w2*(-0.9123) - 0.953*w1*0.0312 = 0\nw3 = 6.1234 rad/s")
+    assert (found.independent, found.share) == (4, 1.0) and not found.wrong
+    assert marked("w3 = 6.1234 rad/s\nw1 = 0.53").independent == 0
 
 
 def test_equations_one_behind_the_other_are_all_read():

@@ -76,8 +76,9 @@ def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
     for sheet in sheets:
         for number, row in enumerate(sheet.rows, start=1):
             for cell in row:
-                if cell.kind == "text" and _TRIED.search(cell.text):
-                    document.add_line(cell.text, place_of("sheet", sheet=sheet.name or "", row=number))
+                for line in cell.text.split("\n") if cell.kind == "text" else ():
+                    if _TRIED.search(line):
+                        document.add_line(line, place_of("sheet", sheet=sheet.name or "", row=number))
     return document
 
 
@@ -141,7 +142,7 @@ def _placed(line: EquationLine, at: DocumentLine, names: Names) -> EquationLine 
     if line.tree is None:
         is_one = line.relates and (at.is_formula or bool(named & sought))
         return replace(line, place=at.place) if is_one else None
-    return replace(line, place=at.place, may_be_datum=len(named) < 2) if named & sought else None
+    return replace(line, place=at.place, may_be_datum=line.may_be_datum or len(named) < 2) if named & sought else None
 
 
 def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) -> list[DocumentTable]:

@@ -41,6 +41,7 @@ _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
+_MEASURED = re.compile(r"\d[.,]\d\d")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
 _DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a function of Python, and what it returns
@@ -92,6 +93,9 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.equations.append(read)
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
+    checks = [_is_of_one_row(line, names) for line in found.equations]
+    if not all(checks):  # beside equations
+        found.equations = [replace(line, may_be_datum=one) for line, one in zip(found.equations, checks, strict=True)]
     found.answers = [*answers.values()]
     return found
 
@@ -181,6 +185,12 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
 def _defines(line: str, own: Mapping[str, Formula], names: Names) -> bool:
     name, formula = own_name(line, names.spellings) if own else ("", "")
     return key(name) in own and "=" not in formula  # V_Cy = … = 0 is an equation, too
+
+
+def _is_of_one_row(read: EquationLine, names: Names) -> bool:
+    """Return whether a line names sought velocities and numbers alone, as "w3 = 6.12": a value or a check of some row."""
+    named = names_of(read, names) if read.tree is not None else set[str]()
+    return bool(named) and named <= {*names.expected.variant.sought} and _MEASURED.search(read.text) is not None
 
 
 def relates(read: EquationLine, names: Names) -> bool:

@@ -14,7 +14,9 @@ from coursework.grading.reading.equations.signs import plain_signs
 from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
-_PREFIX = re.compile(r"\b(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])")
+_PREFIX = re.compile(
+    r"\b(?:(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])|[a-z]{1,3}\.(?=(?:a?(?:sin|cos|tan)|sqrt|exp|arc\w+|pi)\b))"
+)
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
 _PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
@@ -101,7 +103,7 @@ def _indexed(found: re.Match[str], spellings: Spellings) -> str:
 def _of_row(found: re.Match[str], spellings: Spellings) -> str:
     """Return `w3[i]`, the value of some row, as the velocity; a row before or after, `[i + 1]`, is another value."""
     meant = spellings.angle(re.sub(r"[\[\]\s]", "", found[1]))
-    return found[0] if meant is None or meant in BUILT_IN else found[1]
+    return found[0] if meant in (None, "pi") else found[1]
 
 
 def _of_time(found: re.Match[str], spellings: Spellings) -> str:

@@ -58,6 +58,8 @@ _SYMBOLS = {
     "theta": ["theta", "th", "тета", "тэта", "vartheta"], "psi": ["psi", "пси", "псі"], "alpha": ["alpha", "альфа"],
     "beta": ["beta", "бета"], "gamma": ["gamma", "гамма"],
 }  # fmt: skip
+_TURNING = [*_SYMBOLS["phi"], *_SYMBOLS["theta"]]
+_BY_UNIT = {"rad": _TURNING, "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}
 
 
 _STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega")
@@ -166,13 +168,16 @@ def aliases(columns: tuple[tuple[str, str], ...]) -> Mapping[str, tuple[str, ...
             # The only angle (speed …) with this index may be called by any symbol of its kind.
             symbols = [
                 *symbols,
-                *{"rad": _SYMBOLS["phi"], "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}.get(unit, []),
+                *_BY_UNIT.get(unit, []),
             ]
         for symbol in (*symbols, *_WORDS.get(unit, [])):
             offer(symbol + index, name)
             for word in _WORDS.get(unit, []):
                 offer(word + symbol + index, name)
             if unit == "1/s":
+                for angle in _TURNING if index else ():
+                    for rate in ("d{0}{1}/dt", "d{0}{1}dt", "{0}{1}dot", "{0}dot{1}", "dot{0}{1}", "{0}\u0307{1}"):
+                        offer(rate.format(angle, index), name)
                 offer(f"{symbol}{index}z", name)
                 offer(f"{symbol}z{index}", name)
     for spelling in _TIMES:

@@ -18,6 +18,7 @@ from coursework.system.frozen import frozen
 
 _SEARCHED = 60  # rows in which the heads are looked for
 _FIRST = 6  # columns in which the heads of a transposed table are looked for
+_FEWEST = 3  # rows that show how rows are counted
 _Rows = list[list[PrintedNumber]]
 
 
@@ -44,7 +45,19 @@ def lay_out(sheet: Sheet, separator: str, columns: Sequence[tuple[str, str]]) ->
     lying = _heads_in(turned[:_FIRST], columns)
     if lying[1] > max(upright[1], 1) or (not upright[1] and _lies(rows, turned, len(columns))):
         return _block(turned, lying[0] if lying[1] else -1, columns, True, mark)
+    rows = _with_blank_head(rows, upright[0]) if upright[1] else rows
     return _block(rows, upright[0] if upright[1] else -1, columns, False, mark)
+
+
+def _with_blank_head(rows: _Rows, head: int) -> _Rows:
+    """Return the rows with a blank head first, where those below begin by counting and have one number more than heads."""
+    below = [row for row in rows[head + 1 :] if len(row) == len(rows[head]) + 1 and row[-1].flag == ""]
+    counted = [row[0].value for row in below]
+    if len(below) < _FEWEST or counted != [counted[0] + place for place in range(len(counted))]:
+        return rows
+    if not is_progression([row[1].value for row in below]):  # the time itself may count
+        return rows
+    return [*rows[:head], [*_padded([], 1), *rows[head]], *rows[head + 1 :]]
 
 
 def _printed(cell: Cell, mark: str, mixed: bool) -> PrintedNumber:
