@@ -3,7 +3,7 @@
 import { ChangeSet, redo, undo } from "./editor/codemirror.js";
 import { commandsIn } from "./commands.js";
 import { compared } from "./dialogs/conflict.js";
-import { askLine, refusedName } from "./dialogs/dialog.js";
+import { askLine, confirmed, refusedName } from "./dialogs/dialog.js";
 import { found } from "./elements.js";
 import { noticesIn } from "./notices.js";
 import { pageIn } from "./page/page.js";
@@ -156,12 +156,15 @@ const saving = savingIn({
   },
   // Page and sliders of the text before say nothing of this one.
   began() {
+    asks.drop();
     page.clear();
     lacking = null;
     frame.classList.add("empty");
     found("desk-pale", HTMLElement).hidden = true;
     data.show([], view.state.doc, since);
   },
+  again: ask,
+  sure: () => confirmed(say("state_changed"), say("keeps_nothing"), say("leave")),
   askName: (name) => askLine({ title: say("save"), label: say("name"), value: name, verb: say("save"), refuses: refusedName }),
   compare: (theirs, own) => compared(saving.name, own, theirs.text, config.nonce),
 });
@@ -177,4 +180,3 @@ commandsIn({ config, works, view, settings, saving, notices, given });
 const name = config.name || (config.mode === "serve" ? String(kept("last") ?? "mine") : "");
 const there = config.mode === "serve" && !config.text ? await works.read(name) : null;
 saving.begin(name, there?.text ?? config.text, there?.etag ?? config.etag);
-if (!asks.busy) ask();

@@ -54,7 +54,7 @@ export function settingsIn(config, changed) {
       return {
         ...chosen,
         ...(scheme.value && { scheme: scheme.value }),
-        ...(step.value.trim() && { step: step.value.trim() }),
+        ...(step.value.trim() && { step: step.value.trim().replace(",", ".") }),
       };
     },
   };

@@ -174,7 +174,7 @@ export interface PlacedFault {
   line: number;
   column: number;
   sentence: string;
-  missing: boolean;
+  missing: boolean; nowhere: boolean;
   mend: { from: number; to: number; insert: string } | null;
 }
 /** The controls of one datum. */

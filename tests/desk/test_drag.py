@@ -51,6 +51,12 @@ def test_with_alt_lengths_follow_with_the_digits_they_have(client):
     assert all(re.fullmatch(r"\d\.\d{3}", one.text) for one in changed)
 
 
+@pytest.mark.parametrize(("name", "joint", "far"), [("jansen", "X", 0.01), ("example-1", "B", -0.5)])
+def test_lengths_are_rounded_to_what_still_closes(client, name, joint, far):
+    found = drag(client, text_of(name), joint, far, free=True)
+    assert _places(parse_variant(found["text"]))  # raises where it does not close, and where a link has no length
+
+
 @pytest.mark.parametrize(("name", "joint"), [("jansen", "F"), ("example-1", "C"), ("v102", "C"), ("watt", "E")])
 @pytest.mark.parametrize("free", [False, True])
 def test_a_closed_chain_stays_closed(client, name, joint, free):

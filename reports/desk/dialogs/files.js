@@ -29,7 +29,7 @@ export async function openFiles({ works, saving, view }) {
     const there = await works.read(name);
     if (!there) return;
     dialog.close();
-    saving.begin(name, there.text, there.etag);
+    await saving.open(name, there.text, there.etag);
     view.focus();
   }
   /**
@@ -64,7 +64,7 @@ export async function openFiles({ works, saving, view }) {
         {
           type: "button",
           className: "name",
-          onclick: () => (dialog.close(), name !== saving.name && saving.begin(name, "", null), view.focus()),
+          onclick: () => (dialog.close(), name !== saving.name && void saving.open(name, "", null), view.focus()),
         },
         name || say("unnamed"),
       ),

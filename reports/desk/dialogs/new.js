@@ -36,6 +36,7 @@ export async function openNew(host, desk) {
    */
   async function start(text, tables, name = "") {
     const taken = new Set((await desk.works.list()).filter((one) => !one.deleted).map((one) => one.name));
+    for (const draft of Object.keys(desk.saving.drafts())) taken.add(draft);
     let free = name || say("new_name");
     for (let k = 2; taken.has(free); k++) free = `${name || say("new_name")}-${k}`;
     const chosen = await askLine({
@@ -48,7 +49,7 @@ export async function openNew(host, desk) {
     if (!chosen) return;
     dialog.close();
     desk.works.keepTables(tables);
-    desk.saving.begin(chosen, text, null);
+    await desk.saving.open(chosen, text, null);
     desk.view.focus();
   }
 

@@ -1,5 +1,6 @@
 // A mechanism from pieces: a crank, groups, each with a picture; what is chosen is hung on a point that the text has.
 
+import { EditorView } from "../editor/codemirror.js";
 import { make, moving, picture } from "../elements.js";
 import { post } from "../requests.js";
 import { declaredIn } from "../text/declared.js";
@@ -63,7 +64,11 @@ export function hangPiece(piece, desk) {
       if (why.textContent) return;
       dialog.close();
       const from = edited(desk.view, doc, found, "input.desk");
-      if (from !== null) desk.view.dispatch({ selection: { anchor: from }, scrollIntoView: true });
+      // Data and faults below may take some of the height at once.
+      if (from !== null) {
+        const effects = EditorView.scrollIntoView(from, { y: "start", yMargin: 60 });
+        desk.view.dispatch({ selection: { anchor: from }, effects });
+      }
       desk.view.focus();
     } catch (error) {
       why.textContent = /** @type {Error} */ (error).message;

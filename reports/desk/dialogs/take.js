@@ -71,13 +71,20 @@ export function openTake(host, { config, works, view, given, saving }) {
           ...skipped.map((each) => `${each.name}: ${each.sentence}`),
         ];
         told.replaceChildren(...lines.map((line) => make("p", {}, line)));
+        // Who opens one text wants to see it.
+        const only = written.length === 1 && !skipped.length && /^(.+)\.toml$/.exec(written[0] ?? "")?.[1];
+        const there = only && (await works.read(only));
+        if (!there) return;
+        dialog.close();
+        await saving.open(only, there.text, there.etag);
+        view.focus();
       } catch (error) {
         told.textContent =
           /** @type {Error} */ (error).message === "no zip" ? say("no_zip") : /** @type {Error} */ (error).message;
       }
     },
   });
-  openDialog(host, say("take_title", { name: name() }), [
+  const { dialog } = openDialog(host, say("take_title", { name: name() }), [
     make(
       "p",
       { className: "row" },

@@ -18,7 +18,7 @@ const later = new IntersectionObserver(
  * @param {string} [refused] */
 const explain = (refused) => {
   const figure = document.getElementById("mechanism");
-  if (!figure?.querySelector("[data-joint]")) return;
+  if (!figure) return;
   let how = document.getElementById("drag-how");
   if (!how) {
     how = Object.assign(document.createElement("p"), { id: "drag-how", className: "note" });
@@ -36,7 +36,12 @@ const explain = (refused) => {
     figure.append(how);
   }
   const [text, switched] = how.querySelectorAll("span");
-  if (text && switched) [text.textContent, switched.textContent] = [say("drag_how", {}), say("drag_free", {})];
+  // A drawing of a later row has no joints to drag, and says why.
+  const still = !figure.querySelector("[data-joint]");
+  if (text && switched) {
+    [text.textContent, switched.textContent] = [say(still ? "drag_later" : "drag_how", {}), say("drag_free", {})];
+    /** @type {HTMLElement} */ (switched.parentElement).hidden = still;
+  }
   const why = document.getElementById("drag-why");
   if (why) why.textContent = refused ?? "";
 };

@@ -79,7 +79,7 @@ export function dataIn(box, view) {
       put(name, `${text} ${of().unit}`.trim());
     });
     field.addEventListener("change", () => {
-      const text = field.value.trim().replace(",", ".").replace("−", "-");
+      const text = field.value.replace(/["\\]/g, "").trim().replace(",", ".").replace("−", "-");
       const number = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?$/i.test(text);
       put(name, number ? `${text} ${of().unit}`.trim() : text);
     });

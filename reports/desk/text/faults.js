@@ -14,10 +14,15 @@ const MISSING = ["V012", "V072"]; // a section, the equations
  */
 export const isMissing = (fault) => "code" in fault && MISSING.includes(fault.code);
 
+/** What is wrong with scheme or step stands nowhere in the text, as what is missing.
+ * @param {Fault | Remark} fault
+ */
+const isNowhere = (fault) => isMissing(fault) || fault.line === null;
+
 /** What is told of a fault where its place is not beside it.
  * @param {Fault} fault
  */
-export const told = (fault) => (isMissing(fault) ? fault.sentence : `${placeOf(fault)} ${fault.sentence}`);
+export const told = (fault) => (isNowhere(fault) ? fault.sentence : `${placeOf(fault)} ${fault.sentence}`);
 
 /** @param {{line: number | null, column: number | null}} fault */
 const placeOf = ({ line, column }) => say("place", { line: line ?? 1, column: column ?? 1 });
@@ -45,6 +50,7 @@ function placed(doc, since, fault) {
     column: fault.column ?? 1,
     sentence: fault.sentence,
     missing: isMissing(fault),
+    nowhere: isNowhere(fault),
     mend: mended && mended.from <= mended.to ? mended : null,
   };
 }
@@ -96,10 +102,10 @@ export function showFaults(view, list, answer, doc, since) {
     message: fault.sentence,
     actions: fault.mend ? [{ name: name(), apply: () => mendIt(view, fault) }] : [],
   });
-  const slips = faults.filter(({ missing }) => !missing);
+  const slips = faults.filter(({ nowhere }) => !nowhere);
   view.dispatch(setDiagnostics(view.state, [...slips.map(marked("error")), ...remarks.map(marked("info"))]));
   list.replaceChildren(
-    ...faults.map((fault) => line(view, fault, fault.missing ? "fault missing" : "fault")),
+    ...faults.map((fault) => line(view, fault, fault.missing ? "fault missing" : fault.nowhere ? "fault nowhere" : "fault")),
     ...remarks.map((remark) => line(view, remark, "remark")),
   );
 }
@@ -113,7 +119,7 @@ const mendWords = (insert) => say("mend_to", { text: insert.trim() || say("nothi
  * @param {string} kind
  */
 function line(view, fault, kind) {
-  const place = fault.missing ? [] : [make("b", {}, placeOf(fault)), " "];
+  const place = fault.nowhere ? [] : [make("b", {}, placeOf(fault)), " "];
   const go = make("button", { type: "button", className: "go", onclick: () => goTo(view, fault) }, ...place, fault.sentence);
   const mend =
     fault.mend &&

@@ -65,6 +65,11 @@ export function asking({ body, answered, began, lost }) {
       if (flying) again = true;
       else void go();
     },
+    /** What was asked is of another text. */
+    drop() {
+      flying?.abort();
+      flying = null;
+    },
     get busy() {
       return flying !== null;
     },

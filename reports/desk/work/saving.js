@@ -10,7 +10,8 @@ import { keep, kept, keptNames } from "./store.js";
 /**
  * @typedef {{
  *   works: Works, view: EditorView, state: ReturnType<typeof import("../state.js").stateIn>,
- *   notices: ReturnType<typeof import("../notices.js").noticesIn>, named: (name: string) => void, began: () => void,
+ *   notices: ReturnType<typeof import("../notices.js").noticesIn>, named: (name: string) => void, began: () => void, again: () => void,
+ *   sure: () => Promise<boolean>,
  *   askName: (name: string) => Promise<string | null>,
  *   compare: (theirs: Kept, own: string) => Promise<"mine" | "theirs" | null>,
  * }} Parts
@@ -19,8 +20,9 @@ import { keep, kept, keptNames } from "./store.js";
 const DRAFT = "draft.";
 
 /** @param {Parts} parts */
-export function savingIn({ works, view, state, notices, named, began, askName, compare }) {
+export function savingIn({ works, view, state, notices, named, began, again, sure, askName, compare }) {
   let name = "",
+    safe = true,
     warned = false;
   /** @type {{text: string, etag: string | null}} */
   let base = { text: "", etag: null };
@@ -40,7 +42,7 @@ export function savingIn({ works, view, state, notices, named, began, askName, c
   /** What was typed is kept at once: a tab may be closed, a browser may die. */
   function changed() {
     const unsaved = text() !== base.text;
-    const safe = keep(draft(), unsaved ? { text: text(), etag: base.etag, at: Date.now() } : null);
+    safe = keep(draft(), unsaved ? { text: text(), etag: base.etag, at: Date.now() } : null);
     if (!safe && !warned) notices.show("keeps", say("keeps_nothing"));
     warned ||= !safe;
     tell();
@@ -114,7 +116,7 @@ export function savingIn({ works, view, state, notices, named, began, askName, c
     began();
     const unsaved = kept(draft());
     const restored = typeof unsaved?.text === "string" && unsaved.text !== content ? unsaved : null;
-    rewrite(view, restored ? restored.text : content, { undo: false });
+    if (!rewrite(view, restored ? restored.text : content, { undo: false })) again();
     if (restored && etag !== null && restored.etag !== etag) collide({ text: content, etag });
     else if (restored) {
       const time = new Date(restored.at).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
@@ -122,6 +124,16 @@ export function savingIn({ works, view, state, notices, named, began, askName, c
     }
     tell();
   }
+
+  const lost = () => !safe && text() !== base.text;
+  /**
+   * Begin with another text; where the browser keeps nothing a person is asked before what was typed goes.
+   * @type {(...text: Parameters<typeof begin>) => Promise<void>}
+   */
+  const open = async (...given) => {
+    if (!lost() || (await sure())) begin(...given);
+  };
+  addEventListener("beforeunload", (event) => lost() && event.preventDefault());
 
   /** @param {{name: string, etag: string}[]} entries */
   async function outside(entries) {
@@ -146,6 +158,7 @@ export function savingIn({ works, view, state, notices, named, began, askName, c
   return {
     save,
     begin,
+    open,
     changed,
     /** What is not saved yet by its name, the text that is open too. */
     drafts() {

@@ -71,6 +71,23 @@ def test_files_are_copied_renamed_deleted_and_brought_back(desk: Callable[..., A
     assert names() == {"31", "other"}
 
 
+def test_where_the_browser_keeps_nothing_no_other_text_is_opened_unasked(desk: Callable[..., Any]) -> None:
+    one, path = saved(desk)
+    (path.parent / "other.toml").write_text(one.text, encoding="utf-8")
+    one.page.evaluate("void (Storage.prototype.setItem = () => { throw new Error('full'); })")
+    one.replace(*OWN)
+    before = one.text
+    one.page.click("#desk-files")
+    one.page.click("li[data-name=other] .name")
+    one.page.wait_for_selector("dialog .main")
+    one.page.keyboard.press("Escape")
+    assert (one.text, one.page.inner_text("#desk-name")) == (before, "31")
+    one.page.click("#desk-files")
+    one.page.click("li[data-name=other] .name")
+    one.page.click("dialog .main")
+    one.until(lambda: one.page.inner_text("#desk-name") == "other")
+
+
 def test_a_folder_that_cannot_be_written_is_said_before_the_first_change(desk: Callable[..., Any]) -> None:
     one, folder = desk()
     assert one.page.locator("#desk-notices p").count() == 0

@@ -71,5 +71,6 @@ def test_a_variant_is_typed_from_nothing_saved_and_moved(desk: Callable[..., Any
         assert page.locator("dialog .told").all_inner_texts() in ([], [""])
         page.keyboard.press("Escape")
     one.until(lambda: page.inner_text("#desk-name") == "other")
+    one.report.wait_for_selector("#mechanism")  # the very text that stood there has its page all the same
     assert (folder / "copy.toml").read_text(encoding="utf-8") == one.text
     assert one.said == []
