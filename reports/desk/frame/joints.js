@@ -158,10 +158,12 @@ const joints = {
       free: event.altKey || this.free,
       last,
     });
-    if (last) {
-      this.held = null;
-      document.documentElement.classList.remove("dragging");
-    }
+    if (last) this.drop();
+  },
+
+  drop() {
+    this.held = null;
+    document.documentElement.classList.remove("dragging");
   },
 
   /** @param {KeyboardEvent} event */
@@ -184,8 +186,11 @@ const joints = {
 };
 document.addEventListener("pointerdown", (event) => joints.down(event));
 document.addEventListener("pointermove", (event) => joints.move(event, false));
-for (const kind of /** @type {const} */ (["pointerup", "pointercancel"]))
-  document.addEventListener(kind, (event) => joints.move(event, true));
+document.addEventListener("pointerup", (event) => joints.move(event, true));
+// What is broken off has no place of its own: the joint stays where it was last.
+document.addEventListener("pointercancel", () => joints.drop());
+// A finger on a joint does not move the page, whatever becomes of the drawing under it.
+document.addEventListener("touchstart", (event) => joints.held && event.preventDefault(), { passive: false });
 document.addEventListener("keydown", (event) => joints.key(event));
 document.addEventListener("focusout", (event) => {
   if (!joints.held && document.hasFocus() && event.relatedTarget) joints.focus = "";
