@@ -127,14 +127,14 @@ def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | No
     off = np.abs(student.values - step.expected)
     off, digits = off[np.isfinite(off)], digits[np.isfinite(digits)]
     whole = off[off <= _COARSE * most]
-    allowed = float(np.median(digits)) if len(digits) else np.inf
-    usual = _USUAL_PRINT * allowed
-    if usual > most:
+    if not len(whole) or not len(digits):
         return 0.0, None
-    middle = max(float(np.median(whole)), usual) if len(whole) else usual
+    allowed = float(np.median(digits))
+    usual = _USUAL_PRINT * allowed
+    middle = max(float(np.median(whole)), usual)
     coarse = _COARSE * usual * _RUNG ** math.ceil(math.log(middle / usual, _RUNG) - _ROUND_OFF)
-    if middle > most or np.count_nonzero(off <= coarse) < _COARSE_ROWS * len(off):
-        return _COARSE * usual, None
+    if middle > most or np.mean(off <= coarse) < _COARSE_ROWS:
+        return 0.0, None
     return coarse, math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
 
 
