@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.assigning import class_page, sheet
 from coursework.assigning.page_words import drives
+from coursework.assigning.ranges import Range
 from coursework.grading.marking.rubric import Rubric
 from coursework.report.text.words import load_words
 
@@ -46,9 +47,9 @@ def test_the_table_has_the_rows_of_the_run(name):
 @pytest.mark.parametrize("choice", [False, True])
 def test_a_datum_is_shown_between_the_ends_of_its_range(choice, monkeypatch):
     """Of a choice the least and the largest, wherever they stand; of a range the first and the last."""
-    texts = ["0.5 m", "30 cm", "0.7 m"] if choice else ["0.3 m", "0.9 m", "0.7 m"]
     monkeypatch.setattr(class_page, "_head", lambda *given: [])
-    one = SimpleNamespace(path=("given", "r1"), choice=choice, count=3, text=texts.__getitem__)
+    drawn = {"choice": ("0.5 m", "30 cm", "0.7 m")} if choice else {"first": 3, "step": 2, "decimals": 1, "unit": "m"}
+    one = Range(("given", "r1"), count=3, **drawn)
     accepted = [SimpleNamespace(values={("given", "r1"): text}) for text in ("0.4 m", "0.6 m")]
     shown = class_page._datum(one, accepted, SimpleNamespace(), WORDS)["strip"]
     assert (shown.first, shown.last, shown.middle) == ("30\xa0cm" if choice else "0.3\xa0m", "0.7\xa0m", "0.5000")

@@ -11,6 +11,7 @@ from contextlib import suppress
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
+from coursework.variant.reading.shape import of_motor
 from coursework.variant.record.forces import GRAVITY, MEASURED, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
@@ -150,7 +151,7 @@ def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:
         if key in _OF_MOTOR:
             continue
         if not isinstance(entry, schema.MotorEntry):
-            parts.say(("motor", key), say("fault.V713", name=key))
+            parts.say(("motor", key), of_motor(key))
             continue
         torque = _value(("motor", key, "torque"), entry.torque, "N*m", parts)
         source = _FRAME if entry.source is None else _body(str(entry.source), parts)
@@ -179,6 +180,6 @@ def _free(rates: object, known: dict[str, str], parts: Parts) -> tuple[str, ...]
 def _flywheel(entry: object, parts: Parts) -> Flywheel | None:
     path: KeyPath = ("motor", "flywheel")
     if not isinstance(entry, schema.Flywheel):
-        parts.say(path, say("fault.V716"))
+        parts.say(path, of_motor("flywheel"))
         return None
     return Flywheel(_body(str(entry.on), parts), **_values(path, entry, ("inertia", "unevenness"), parts, True))

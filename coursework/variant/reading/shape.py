@@ -156,9 +156,14 @@ def _fault(path: KeyPath, entry: Entry, source: Source) -> Fault:
         name = str(path[-2]) if len(path) > 1 else ""
         return source.fault(path[:-2], say("fault.V014", name=name[:50]), at_key=True)
     if path[0] == "motor" and len(path) == 2 and key not in {"rates", "start"}:
-        return source.fault(path, say("fault.V716") if key == "flywheel" else say("fault.V713", name=key))
+        return source.fault(path, of_motor(key))
     shown = _shown(entry.get("input"))
     return source.fault(path, say("fault.V015", what=_expected(path, entry), found=shown, hint=_closest(entry)))
+
+
+def of_motor(key: str) -> Sentence:
+    """Return how the flywheel or a torque of [motor] is written."""
+    return say("fault.V716") if key == "flywheel" else say("fault.V713", name=key)
 
 
 def _example(key: str, plain: str) -> str:

@@ -193,6 +193,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "slips-in-most-rows": files(slips_in_most_rows()),
         "document": {"work.md": markdown(), "table.csv": files()["table.csv"]},
         "two-starts": files(students.table(start=(1.73, 3.3, 2.87))),
+        "start-mistyped": files(with_cell(0, 0, 1.0)),
         "two-slips": files(two_slips()),
         "start-and-slips": files(start_and_slips()),
         "own-sum": files(*own_sum()),

@@ -8,8 +8,9 @@ import pytest
 
 import coursework
 from coursework.takeaway.foreign import linkage, pmks, pmks_plus, pylinkage
-from coursework.takeaway.foreign.scheme import MOST_BYTES, Slider, left_out
+from coursework.takeaway.foreign.scheme import MOST_BYTES, Slider
 from coursework.words.errors import InputError
+from coursework.words.sentences import say
 from tests.command import call
 from tests.takeaway.foreign.files import (
     FILES,
@@ -249,7 +250,7 @@ LEFT_OUT = [
 
 @pytest.mark.parametrize(("read", "content", "names"), LEFT_OUT, ids=[case[2][-1] for case in LEFT_OUT])
 def test_what_has_no_counterpart_is_named(read, content, names):
-    said = str(left_out("…")).split("…")
+    said = str(say("foreign.left_out", what="…")).split("…")
     told = [str(remark) for remark in read(content).remarks if str(remark).startswith(said[0]) and str(remark).endswith(said[1])]
     assert sorted(one.removeprefix(said[0]).removesuffix(said[1]) for one in told) == sorted(names)
 

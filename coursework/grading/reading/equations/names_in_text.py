@@ -59,7 +59,8 @@ def _speeds(variant: Variant) -> Iterator[tuple[str, str]]:
         fixed |= {name} if fixed.issuperset(place.names()) else set()
     for group in variant.groups:
         guided = [formula for guide in group.guides for formula in (guide.through, guide.angle, guide.offset)]
-        if group.kind == "RRP" and group.meets and all(fixed.issuperset(formula.names()) for formula in guided):
+        is_rod = group.meets and group.guides and group.lengths  # from a pin on a guide
+        if is_rod and all(fixed.issuperset(formula.names()) for formula in guided):
             yield _key(f"v{group.meets}"), rates[group.coordinates[-1]]
 
 
