@@ -154,7 +154,7 @@ def _read(text: str, match: re.Match[str]) -> PrintedNumber:
 
 def stored(text: str) -> PrintedNumber:
     """Return a number as a spreadsheet stores it: at most 15 digits, the noise behind them rounded away."""
-    match = _NUMBER["."].fullmatch(text.strip())
+    match = _NUMBER["."].fullmatch(text.strip().removesuffix(".0"))  # how some programs store a whole double
     if not match:
         return PrintedNumber(text, math.nan, 0, 0, "error")
     read = _read(text, match)

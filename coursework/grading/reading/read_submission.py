@@ -243,15 +243,15 @@ def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> Non
 
 
 def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:
-    """Return the table that counts: the one with most cells on the grid; two equally good and different ones need a person."""
+    """Return the table that counts: the one that weighs most; two equally good and different ones need a person."""
     if not found.tables:
         instead = found.refused or ([] if found.equations or found.answers else found.attached)
         if instead:
             return None, instead[0]
         return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
-    ordered = sorted(found.tables, key=lambda table: (table.cells, _decimals(table)), reverse=True)
+    ordered = sorted(found.tables, key=lambda table: (table.weight, _decimals(table)), reverse=True)
     best, others = ordered[0], ordered[1:]
-    equal = [other for other in others if other.cells == best.cells and not _agree(other, best)]
+    equal = [other for other in others if other.weight == best.weight and not _agree(other, best)]
     if equal:
         names = tuple(_named(table) for table in (best, *equal))
         return None, Trouble("needs-review", "two_tables", say("reading.trouble.two_tables", names=names))

@@ -82,7 +82,7 @@ class Table:
     """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in.
 
     `own` has every row where the times are not the grid's, in the order of time; `place` is where it stands in a document, None
-    where the file is the table.
+    where the file is the table.  `strange` counts the cells that are read by position under heads that name something else.
     """
 
     reading: Reading
@@ -91,11 +91,17 @@ class Table:
     notes: tuple[Note, ...]
     own: OwnTimes | None = None
     place: Sentence | None = None
+    strange: int = 0
 
     @property
     def cells(self) -> int:
         """Return how many cells of the grid have a number."""
         return sum(math.isfinite(value) for column in self.columns for value in column.values)
+
+    @property
+    def weight(self) -> float:
+        """Return how much speaks for this one of several tables: its cells, strange ones a quarter."""
+        return self.cells - 0.75 * self.strange
 
     def column(self, name: str) -> TableColumn | None:
         """Return a column by the key's name, None where it is missing."""

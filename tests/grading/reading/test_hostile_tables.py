@@ -6,7 +6,9 @@ import math
 
 import pytest
 
+from coursework.grading.reading.numbers import stored
 from coursework.grading.reading.student_work import Table, Trouble
+from coursework.grading.reading.table.digits import last_places
 from tests.grading.reading.dialects import workbook, written
 from tests.grading.reading.misread import COLUMNS, GRID, HEAD, ROWS, cells, codes, column, csv, read, read_table, refused
 from tests.grading.scenes import times
@@ -207,6 +209,35 @@ def test_the_first_sheet_with_a_table_wins_and_is_named() -> None:
     assert table.reading.sheet == "Таблиця"
     assert "Таблиця" in table.notes[0].text
     assert refused(workbook({str(k): [["t:x"]] for k in range(12)} | {"13": good}), "t.xlsx").code == "no_sheet_table"
+
+
+DATA = [
+    ["t:symbol", "t:value", "t:again"],
+    *([f"t:{name}", f"n:{value}", f"n:{value}"] for name, value in zip(HEAD, ROWS[0], strict=True)),
+]
+
+
+def test_a_sheet_of_data_before_the_table_is_not_the_table_even_where_that_was_never_computed() -> None:
+    good = [[f"t:{text}" for text in HEAD], *([f"n:{text}" for text in row] for row in ROWS)]
+    found = read(workbook({"Data": DATA, "Table": good, "Exact": good}), "t.xlsx")
+    assert (found.reading.sheet, found.reading.transposed, sum(found.rows_present)) == ("Table", False, len(ROWS))
+    empty = [good[0], *([f"n:{row[0]}", *["f:A1+1"] * 7] for row in ROWS)]
+    assert refused(workbook({"Data": DATA, "Table": empty, "Exact": good}), "t.xlsx").code == "formulas"
+
+
+def test_a_table_under_heads_of_other_things_gives_way_and_no_head_at_all_does_not() -> None:
+    good = [[f"t:{text}" for text in HEAD], *([f"n:{text}" for text in row] for row in ROWS)]
+    points = [[f"t:{text}" for text in ("t", "xA", "yA", "xB", "yB", "vB", "aB", "xC")], *good[1:]]
+    short = good[:12]
+    assert read(workbook({"Points": points, "Short": short}), "t.xlsx").reading.sheet == "Short"
+    assert read(workbook({"Bare": good[1:], "Short": short}), "t.xlsx").reading.sheet == "Bare"
+
+
+def test_digits_of_stored_numbers_are_no_printed_ones() -> None:
+    column = last_places(
+        [stored(text) for text in ("-4.0", "-5.000000000000001", "-5.726309395472406", *("0.123456789012345",) * 30)]
+    )
+    assert set(column[1]) == {1e-9}
 
 
 def test_gaps_between_blanks_are_told_by_where_the_numbers_stand() -> None:

@@ -105,7 +105,7 @@ def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[
         except Refused as error:
             refused.append((text.count("\n"), error))
     if document.first_counts:
-        found = sorted(found, key=lambda table: -table.cells)[:1]
+        found = sorted(found, key=lambda table: -table.weight)[:1]
     return found, max(refused, key=lambda entry: entry[0])[1] if refused else None
 
 

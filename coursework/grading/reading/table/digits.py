@@ -48,7 +48,7 @@ def _own_decimals(cell: PrintedNumber, full: int) -> int:
 def _keeps_zeros(numbers: list[PrintedNumber]) -> bool:
     """Return whether some number was printed with a zero at its end; what a double has beyond fifteen digits says nothing."""
     told = [cell for cell in numbers if cell.value and cell.digits <= _DOUBLE]
-    return any(-300 < cell.place < 0 and round(cell.value * 10.0**-cell.place) % 10 == 0 for cell in told)
+    return any(-300 < cell.place < 0 and round(float(f"{cell.value:.15g}") * 10.0**-cell.place) % 10 == 0 for cell in told)
 
 
 def _significant_digits(numbers: list[PrintedNumber]) -> int:

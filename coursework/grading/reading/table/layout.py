@@ -24,13 +24,17 @@ _Rows = list[list[PrintedNumber]]
 
 @frozen
 class Layout:
-    """Heads (one a column of the file, empty where there are none) and the rows of numbers below them."""
+    """Heads (one a column of the file, empty where there are none) and the rows of numbers below them.
+
+    `above` is the row over the first of numbers where there are no heads: what stands there names something else.
+    """
 
     heads: tuple[Head, ...]
     has_heads: bool
     body: tuple[tuple[PrintedNumber, ...], ...]
     transposed: bool
     decimal: str
+    above: tuple[str, ...] = ()
 
 
 def lay_out(sheet: Sheet, separator: str, columns: Sequence[tuple[str, str]]) -> Layout | None:
@@ -44,9 +48,14 @@ def lay_out(sheet: Sheet, separator: str, columns: Sequence[tuple[str, str]]) ->
     turned = [list(column) for column in zip(*(_padded(row, width) for row in rows), strict=True)]
     lying = _heads_in(turned[:_FIRST], columns)
     if lying[1] > max(upright[1], 1) or (not upright[1] and _lies(rows, turned, len(columns))):
-        return _block(turned, lying[0] if lying[1] else -1, columns, True, mark)
-    rows = _with_blank_head(rows, upright[0]) if upright[1] else rows
-    return _block(rows, upright[0] if upright[1] else -1, columns, False, mark)
+        block = _block(turned, lying[0] if lying[1] else -1, columns, True, mark)
+        standing = _upright(rows, upright[0], columns, mark) if upright[1] else None
+        return standing if standing and (not block or len(block.body) < len(standing.body)) else block
+    return _upright(rows, upright[0] if upright[1] else -1, columns, mark)
+
+
+def _upright(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], mark: str) -> Layout | None:
+    return _block(_with_blank_head(rows, head) if head >= 0 else rows, head, columns, False, mark)
 
 
 def _with_blank_head(rows: _Rows, head: int) -> _Rows:
@@ -118,9 +127,12 @@ def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transpose
     texts = [cell.text for cell in rows[head]] if head >= 0 else []
     body: list[tuple[PrintedNumber, ...]] = []
     units: list[str] = []
+    before: list[PrintedNumber] = []
     for row in rows[head + 1 :]:
         if _is_body(row):
             body.append(tuple(row))
+        elif head < 0 and not body:
+            before = row
         elif head >= 0 and not body and _is_units(row):
             units = [unit_of(cell.text) for cell in row]
         elif body and _heads_in([row], columns)[1] and [cell.text for cell in row] != texts:
@@ -132,8 +144,9 @@ def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transpose
     heads = [read_head(text, columns) for text in texts[:width]]
     heads += [Head("", (), "")] * (width - len(heads))
     units += [""] * (width - len(units))
+    above = tuple(cell.text for cell in _padded(before, width))
     merged = tuple(replace(read, unit=read.unit or below) for read, below in zip(heads, units, strict=False))
-    return Layout(merged, head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark)
+    return Layout(merged, head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark, above)
 
 
 def _is_body(row: list[PrintedNumber]) -> bool:

@@ -15,7 +15,7 @@ from typing import Any
 
 from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.grading.reading.files.cells import Sheet
-from coursework.grading.reading.limits import unreadable
+from coursework.grading.reading.limits import Refused, unreadable
 from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.student_work import OwnTimes, Reading, Table, TableColumn
 from coursework.grading.reading.submission import Note, note
@@ -51,6 +51,23 @@ def read_sheets(sheets: Sequence[Sheet], origin: Origin, grid: Grid) -> Table | 
     return None
 
 
+def promised(sheet: Sheet, origin: Origin, grid: Grid) -> float:
+    """Return the most that a refused sheet could weigh as a table: its cells under heads of the task, others a quarter."""
+    try:
+        layout = lay_out(sheet, origin.separator, grid.units)
+    except Refused:  # its decimal mark cannot be told
+        return 0.25 * sum(bool(cell.text) for row in sheet.rows for cell in row)
+    if layout is None:
+        return 0.0
+    named = [{*head.candidates} & {*grid.names} for head in layout.heads]
+    return sum(
+        1.0 if name else 0.25
+        for row in layout.body[: grid.rows]
+        for cell, name in zip(row, named, strict=True)
+        if cell.stands_for_number
+    )
+
+
 def _is_table(layout: Layout) -> bool:
     """Return whether there are at least three columns of numbers, or two that are named."""
     filled = sum(any(row[at].stands_for_number for row in layout.body) for at in range(len(layout.heads)))
@@ -79,7 +96,21 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
     )  # fmt: skip
     present = tuple(row is not None for row in rows.of_grid)
     notes = origin.notes + tuple(_notes(layout, places, rows, read, grid))
-    return Table(reading, tuple(read), present, notes, _own_times(grid, places, layout, rows, read) if rows.own else None)
+    own = _own_times(grid, places, layout, rows, read) if rows.own else None
+    return Table(
+        reading, tuple(read), present, notes, own, strange=sum(_filled(column) for column in read if _is_strange(column, layout))
+    )
+
+
+def _is_strange(column: TableColumn, layout: Layout) -> bool:
+    """Return whether a column is read by position although its head says a word of its own."""
+    head = layout.heads[column.at - 1]
+    text = head.text if layout.has_heads else layout.above[column.at - 1]
+    return column.by == "position" and not head.candidates and any(map(str.isalpha, text))
+
+
+def _filled(column: TableColumn) -> int:
+    return sum(map(math.isfinite, column.values))
 
 
 def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Sequence[TableColumn]) -> OwnTimes:

@@ -17,7 +17,7 @@ from coursework.grading.reading.files.separators import split
 from coursework.grading.reading.limits import Refused, bounds, unreadable
 from coursework.grading.reading.student_work import Table
 from coursework.grading.reading.submission import Note, note
-from coursework.grading.reading.table.table import Origin, read_sheets
+from coursework.grading.reading.table.table import Origin, promised, read_sheets
 
 
 def is_spreadsheet(archive: Archive) -> bool:
@@ -34,16 +34,34 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[Table | N
         given, kind = ods.sheets_of(archive, *bounds(grid.rows)), "ods"
     else:
         raise unreadable("damaged")
-    table: Table | None = None
+    found: list[tuple[float, Table | Refused]] = []  # by what stands under the heads of the task
     sheets: list[Sheet] = []
     try:
         for sheet in given:
-            table = table or read_sheets([sheet], Origin(name, kind, "cells", _told(sheet, sheets)), grid)
+            found += _found_in(sheet, Origin(name, kind, "cells", _told(sheet, sheets)), grid)
             sheets.append(sheet)
     except Refused:  # of a sheet behind the table nothing need be read
-        if table is None:
+        if not any(isinstance(table, Table) for _, table in found):
             raise
-    return table, sheets
+    # The first of equally good ones; what a person must look at or save again is never passed over for a worse sheet.
+    best = max(found, key=lambda entry: (entry[0], _stands(entry[1])), default=(0.0, None))[1]
+    if isinstance(best, Refused):
+        raise best
+    return best, sheets
+
+
+def _found_in(sheet: Sheet, origin: Origin, grid: Grid) -> list[tuple[float, Table | Refused]]:
+    """Return the table of a sheet, or why it was refused, with how much speaks for it; nothing where it has no table."""
+    try:
+        table = read_sheets([sheet], origin, grid)
+    except Refused as refused:
+        return [(promised(sheet, origin, grid), refused)]
+    return [(table.weight, table)] if table else []
+
+
+def _stands(found: Table | Refused) -> bool:
+    """Return whether a sheet is looked at no further: a table, one that was never computed or that a person must look at."""
+    return isinstance(found, Table) or found.trouble.code == "formulas" or found.trouble.state == "needs-review"
 
 
 def table_of_text(decoded: Decoded, name: str, grid: Grid) -> Table | None:
