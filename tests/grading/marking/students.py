@@ -103,6 +103,8 @@ MISCONCEPTIONS = {
     "rk4": lambda: table(rk4),
     "time_ahead": lambda: table(printed=lambda t, q: velocities(t + H, q)),
     "time_behind": lambda: table(printed=lambda t, q: velocities(t - H, q)),
+    "step_ahead": lambda: table(lambda t, q: H * slopes(t + H, q)),
+    "step_behind": lambda: table(lambda t, q: H * slopes(t - H, q)),
     "omega_late": late,
     "other_step": lambda: table(lambda t, q: 2 * H * slopes(t, q)),
     "degree_mode": lambda: table(printed=lambda t, q: velocities(t, q, degrees=True)),

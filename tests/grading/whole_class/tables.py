@@ -83,6 +83,8 @@ def faults(machine: Machine) -> Iterator[tuple[str, Make]]:
     yield "backward", lambda: _of_both_rows(machine, 0.0)
     yield "time_ahead", lambda: machine.table(printed=lambda t, q: machine.velocities(t + h, q))
     yield "time_behind", lambda: machine.table(printed=lambda t, q: machine.velocities(t - h, q))
+    yield "step_ahead", lambda: machine.table(lambda t, q: h * slopes(machine, t + h, q))
+    yield "step_behind", lambda: machine.table(lambda t, q: h * slopes(machine, t - h, q))
     yield "omega_late", lambda: _moved_velocities(machine, 1)
     yield "omega_early", lambda: _moved_velocities(machine, -1)
     yield "rounded_omega_1", lambda: machine.table(lambda t, q: h * np.round(slopes(machine, t, q), 1))

@@ -9,6 +9,7 @@ from tests.grading.whole_class.pupils import Pupil, machine, pupils
 from tests.grading.whole_class.truths import false_sentences
 
 SAMPLE, WHOLE = 40, 300
+SEED = 31  # by which every kind of work is in the sample
 QUESTIONS = 0.02  # of the right works
 
 
@@ -20,7 +21,7 @@ def school(request, tmp_path_factory):
     """The class, what was said of everybody, and where the variants stand."""
     count, is_cheap = request.param
     folder = tmp_path_factory.mktemp("class")
-    everybody = pupils(count, folder, cheap=is_cheap)
+    everybody = pupils(count, folder, SEED, cheap=is_cheap)
     return everybody, graded(everybody, folder), folder
 
 

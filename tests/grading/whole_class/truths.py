@@ -29,7 +29,7 @@ OF_FILES = {
     "from_pdf": ("pdf",), "encoding": (), "sheet": ("xlsx", "ods"), "repaired": (), "two_tables": (), "ignored_file": ("script",),
     "attachment": (),
 }  # fmt: skip
-_LETTERS = str.maketrans({"α": "alpha", "β": "beta", "ω": "w", "φ": "phi", "_": ""})
+_LETTERS = str.maketrans({"α": "alpha", "β": "beta", "ω": "w", "φ": "phi", "_": "", " ": ""})
 # Said where a line asks a person, or where nothing of worth was handed in.
 OF_QUESTIONS = (
     "feedback.line_adds_nothing", "feedback.lack", "feedback.status.needs_review", "feedback.earned.unread",

@@ -18,7 +18,7 @@ from coursework.grading.marking.table.claims import Claim, TableUnderTest, shift
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
 from coursework.grading.marking.table.own_equations import equation_claims
-from coursework.motion.schemes import SCHEMES, Scheme
+from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array
 
 # Schemes that somebody takes for Euler's; their names are the codes of the misconceptions.
@@ -58,16 +58,17 @@ def claims(
 
 
 def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
-    """Steps of other schemes, each a function of the row's own angles."""
+    """Steps of other schemes, each a function of the row's own angles; of Euler with the time of a row beside."""
     h, m, velocities_at = printed.key.step, printed.m, printed.key.velocities_at
 
-    def increments(t: Array, q: Array, w: Array, scheme: Scheme) -> Array:
-        return np.asarray(scheme.step(lambda at, moved: velocities_at(at, q + moved)[:, :m], t, np.zeros_like(q), h))
+    def increments(t: Array, q: Array, w: Array, scheme: Scheme, ahead: float) -> Array:
+        return np.asarray(scheme.step(lambda at, moved: velocities_at(at + ahead, q + moved)[:, :m], t, np.zeros_like(q), h))
 
-    for name in SCHEMES_TRIED:
-        made = partial(increments, scheme=SCHEMES[name])
+    tried = [*((name, SCHEMES[name], 0.0) for name in SCHEMES_TRIED), ("step_ahead", EULER, h), ("step_behind", EULER, -h)]
+    for code, scheme, ahead in tried:
+        made = partial(increments, scheme=scheme, ahead=ahead)
         stacked = printed.stacked(partial(made, w=np.empty(0)))
-        claim = printed.claim(name, printed.steps(stacked(printed.q), printed.spread(stacked)))
+        claim = printed.claim(code, printed.steps(stacked(printed.q), printed.spread(stacked)))
         yield replace(claim, table=printed.marched(velocities_at, made))
     rates, units = printed.w, printed.w_units[:, :m]
     following, units_after = shifted(rates, -1), np.nan_to_num(shifted(units, -1))
