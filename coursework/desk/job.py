@@ -85,6 +85,6 @@ def fault_entry(code: str, sentence: str, line: int = 0, column: int = 0, mend: 
     }  # fmt: skip
 
 
-def faulty(kind: str, faults: list[dict[str, Any]]) -> Answer:
-    """Return the answer to a text with faults."""
-    return plain(OK, {"faults": faults, "summary": None, **({"page": None} if kind == "page" else {})})
+def faulty(kind: str, faults: list[dict[str, Any]], **more: Any) -> Answer:
+    """Return the answer to a text with faults, and what `more` is known of it."""
+    return plain(OK, {"faults": faults, "summary": None, **({"page": None} if kind == "page" else {}), **more})

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.desk.answering import completion, derived, drag, pieces, takeaway, variant_page
+from coursework.desk.answering.contradicted import naming_terms
 from coursework.desk.answering.typed import Desk, faults_of
 from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
 from coursework.system.budget import MIB, Budget, watched
@@ -24,8 +25,8 @@ from coursework.words.sentences import say
 
 PACKED_FROM = 2000  # bytes, below which compressing an answer costs more than it saves
 KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
-    "page": variant_page.page,
-    "check": variant_page.check,
+    "page": naming_terms("page", variant_page.page),
+    "check": naming_terms("check", variant_page.check),
     "take": takeaway.take,
     "table": takeaway.table,
     "catalogue": completion.catalogue,

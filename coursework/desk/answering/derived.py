@@ -1,6 +1,6 @@
 """The velocity equations that the geometry of a text gives, written into it with their reasons; and what it says of written ones.
 
-Enters: a `Desk`.  Leaves: the text with them; a verdict an equation.  Used by `bench.py` and `variant_page.py`.
+Enters: a `Desk`.  Leaves: the text with them; a verdict an equation.  Used by `bench.py`, `variant_page.py` and `contradicted.py`.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.start import start_values
 from coursework.variant.formula.reader import MAX_NODES as MOST_PARTS
 from coursework.variant.formula.tree import spelled
+from coursework.variant.record.entries import Constraint
 from coursework.words.sentences import say
 
 ROWS, SPREAD = 4, 0.1  # positions about the start at which equations are compared, and how far (rad, m)
@@ -39,13 +40,13 @@ def equations(desk: Desk) -> dict[str, Any] | Answer:
 def lacking_lines(desk: Desk) -> list[str]:
     """Return the equations which the written ones lack, as a text has them."""
     found = differentiate(build(desk.variant))
-    lacking = [one for one in _lacking(found) if _parts(one, found) <= MOST_PARTS]
+    kept = [one for one in lacking(found) if _parts(one, found) <= MOST_PARTS]
     taken = {constraint.name for constraint in desk.variant.constraints}
     names = (str(number) for number in range(1, 1000) if str(number) not in taken)
-    return [line for name, one in zip(names, lacking, strict=False) for line in _written(name, one, found, desk)]
+    return [line for name, one in zip(names, kept, strict=False) for line in _written(name, one, found, desk)]
 
 
-def _lacking(found: VelocityEquations) -> Iterator[VelocityEquation]:
+def lacking(found: VelocityEquations) -> Iterator[VelocityEquation]:
     """Give the derived equations that are independent of the written ones, and of those before them."""
     own = {constraint.name for constraint in found.variant.constraints}
     written = [one for one in found.equations if one.name in own]
@@ -93,12 +94,13 @@ def _line(desk: Desk) -> int:
 
 
 def verdicts(desk: Desk) -> list[dict[str, Any]]:
-    """Return of each written equation what the geometry says of it: right, or nothing (None); a wrong one is a fault."""
+    """Return of each written equation what the geometry says of it: right, or nothing (None)."""
     closure = desk.run.scene.closure
     agreed = closure.agreed if closure is not None else ()
-    told = {right: desk.words.written(say(f"desk.equation_{right}")) for right in ("right", "open")}
-    return [
-        {"name": one.name, "line": one.line, "right": one.name in agreed or None,
-         "sentence": told["right" if one.name in agreed else "open"]}
-        for one in desk.variant.constraints if not one.is_closure
-    ]  # fmt: skip
+    return [verdict(desk, one, one.name in agreed or None) for one in desk.variant.constraints if not one.is_closure]
+
+
+def verdict(desk: Desk, one: Constraint, right: bool | None, how: str = "") -> dict[str, Any]:
+    """Return what is told beside an equation: it is right, nothing judges it (None), or it is wrong and `how`."""
+    told = how if right is False else say("desk.equation_right" if right else "desk.equation_open")
+    return {"name": one.name, "line": one.line, "right": right, "sentence": desk.words.written(told)}

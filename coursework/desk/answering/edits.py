@@ -1,7 +1,7 @@
 """Single values of a text replaced, and lines added: the new text, and what in it is new.
 
 Enters: a text, values by their path.  Leaves: the text, places in it (line and column from 1, the end excluded).
-Used by `controls.py`, `derived.py`, `drag.py`, `pieces.py` and `point_pieces.py`.
+Used by `contradicted.py`, `controls.py`, `derived.py`, `drag.py`, `pieces.py` and `point_pieces.py`.
 """
 
 from __future__ import annotations
@@ -97,9 +97,10 @@ def changed(text: str, pieces: list[Piece]) -> dict[str, Any]:
 
 
 def _place(text: str, begin: int, end: int) -> dict[str, int]:
-    (line, column), (end_line, end_column) = _at(text, begin), _at(text, end)
+    (line, column), (end_line, end_column) = line_and_column(text, begin), line_and_column(text, end)
     return {"line": line, "column": column, "end_line": end_line, "end_column": end_column}
 
 
-def _at(text: str, place: int) -> tuple[int, int]:
+def line_and_column(text: str, place: int) -> tuple[int, int]:
+    """Return the line and column, from 1, of a place in a text."""
     return text.count("\n", 0, place) + 1, place - (text.rfind("\n", 0, place) + 1) + 1

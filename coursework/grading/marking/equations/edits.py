@@ -39,10 +39,10 @@ def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
     factors = [named(name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
     angles = [named(name) for name, kind in kinds.items() if kind == "rad"]
     factors += [Formula("call", (angle,), name=call) for angle in angles for call in ("sin", "cos")]
-    for path, node, is_term, leads in _places(tree):
-        column = _column(node)
+    for path, node, is_term, leads in places(tree):
+        column = column_of(node)
         if node.op in _OPPOSITE and path:
-            yield Edit("sign", path, Formula(_OPPOSITE[node.op], node.args, column=node.column), _column(node.args[1]))
+            yield Edit("sign", path, Formula(_OPPOSITE[node.op], node.args, column=node.column), column_of(node.args[1]))
         if node.op == "neg":
             yield Edit("sign", path, node.args[0], column)
         if is_term and leads and not _is_signed(node):
@@ -70,7 +70,7 @@ def _is_signed(node: Formula) -> bool:
     return node.op == "neg"
 
 
-def _places(
+def places(
     node: Formula, path: tuple[int, ...] = (), is_term: bool = False, leads: bool = False
 ) -> Iterator[tuple[tuple[int, ...], Formula, bool, bool]]:
     """Yield every node, its path, whether it is a term of a sum, and whether no plus or minus stands before it."""
@@ -80,7 +80,7 @@ def _places(
         first = (
             not path or node.op in {"call", "part", "pair"} or (node.op in {"+", "-"} and not place and (leads or not is_term))
         )
-        yield from _places(arg, (*path, place), sums or node.op in {"call", "part", "pair"}, first)
+        yield from places(arg, (*path, place), sums or node.op in {"call", "part", "pair"}, first)
 
 
 def _multiplied(factor: Formula, node: Formula) -> Formula:
@@ -90,7 +90,8 @@ def _multiplied(factor: Formula, node: Formula) -> Formula:
     return Formula("*", (factor, node), column=node.column)
 
 
-def _column(node: Formula) -> int:
+def column_of(node: Formula) -> int:
+    """Return where a part of a formula begins in its text."""
     return min((part.column for part in node.walk() if part.column), default=0)
 
 

@@ -242,12 +242,22 @@ class Judge:
             return "wrong"
 
     def _slip(self, tree: Formula, line: EquationLine) -> Hint | None:
-        """Return the single edit that makes a line right, the first in the text, with how many others do as well."""
+        """Return the single edit that makes a line right, the likeliest, with how many others do as well."""
+        read = line.repaired or line.text
+        found = self.slips(tree, read)
+        if not found:
+            return None
+        best = found[0]
+        column = column_as_handed_in(line.text, read, best.column, is_sign=best.kind == "sign")
+        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
+
+    def slips(self, tree: Formula, read: str) -> list[Edit]:
+        """Return each single edit that makes a wrong line right, the likeliest first; `read` is the text of the line."""
         try:
             values = Values(tree, self.off_closure.names)
+            scale = float(np.median(real(size_of(tree, self.off_closure.names), self.off_closure.count))) or 1.0
         except NoValue:
-            return None
-        scale = float(np.median(real(size_of(tree, self.off_closure.names), self.off_closure.count))) or 1.0
+            return []
         found: list[Edit] = []
         for edit in edits(tree, self.kinds):
             after = values.after(edit)
@@ -256,17 +266,12 @@ class Judge:
             mended = applied(tree, edit)
             if self._verdict(mended) in {"right", "rounded"} and np.any(linear(mended, self.off_closure).directions):
                 found.append(edit)
-        if not found:
-            return None
-        read = line.repaired or line.text
 
         def rank(edit: Edit) -> tuple[int, bool, int]:
             is_new = edit.kind == "sign" and not has_sign(read, edit.column)  # one that stands there is likelier turned
             return _PREFERRED.index(edit.kind), is_new, edit.column
 
-        best = min(found, key=rank)
-        column = column_as_handed_in(line.text, read, best.column, is_sign=best.kind == "sign")
-        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
+        return sorted(found, key=rank)
 
 
 _PREFERRED = ("sign", "function", "name", "factor")

@@ -1,0 +1,143 @@
+"""Written equations that the geometry contradicts: which term differs and how, while the others keep their verdicts.
+
+Enters: a `Desk` and its faults.  Leaves: those faults, each at its term, and a verdict an equation.  Used by `bench.py`.
+The search is that of the grading, with the velocities that the geometry gives.  What would be right is not told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from coursework.api import make_run
+from coursework.desk.answering.derived import lacking, verdict
+from coursework.desk.answering.edits import line_and_column
+from coursework.desk.answering.typed import Desk, faults_of
+from coursework.desk.job import Answer, fault_entry, faulty
+from coursework.equations.reduction.equations import differentiate
+from coursework.grading.marking.equations.columns import column_as_handed_in
+from coursework.grading.marking.equations.differing import difference_of
+from coursework.grading.marking.equations.edits import Edit, applied
+from coursework.grading.marking.equations.equations import Judge
+from coursework.grading.marking.equations.linear import is_same, linear
+from coursework.grading.marking.equations.numbers import value_of
+from coursework.grading.marking.key import key_of
+from coursework.mechanism.mechanism import build
+from coursework.scene.quantities import TABLE
+from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.record.entries import Constraint
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.rewriting import place_of
+from coursework.words.errors import CourseworkError, Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+CONTRADICTS = "V302"
+_OTHER_WAY = "fault.bound.other_way"
+_LONGEST = 60  # letters of a term within a sentence
+Slip = tuple[Sentence, int]  # which term differs and how, and where it begins in the equation: 0 where none stands
+Answering = Callable[[Desk], dict[str, Any] | Answer]
+
+
+def naming_terms(kind: str, made: Answering) -> Answering:
+    """Return what answers as `made` does, and where equations contradict the geometry says which term of each differs."""
+
+    def answer(desk: Desk) -> dict[str, Any] | Answer:
+        try:
+            return made(desk)
+        except InputError as error:
+            if any(fault.code != CONTRADICTS for fault in error.faults):
+                raise
+            return _contradicted(kind, error, desk)
+
+    return answer
+
+
+def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
+    wrong = {fault.line: fault for fault in error.faults}
+    agreed, slips = tuple[str, ...](), dict[int, Slip]()
+    with suppress(CourseworkError):  # what is left may be no mechanism
+        right = _without(wrong, desk.variant)
+        closure = make_run(right, quantities=[TABLE.name]).scene.closure
+        agreed = closure.agreed if closure is not None else ()
+        judge, others = Judge(key_of(right)), [one for one in right.constraints if one.name in agreed and one.line]
+        found = ((one.line, _slip(one, judge, others, desk)) for one in desk.variant.constraints if one.line in wrong)
+        slips = {line: slip for line, slip in found if slip is not None}
+    entries = [
+        _entry(wrong[entry["line"]], slips[entry["line"]], desk) if entry["line"] in slips else entry
+        for entry in faults_of(error, desk)
+    ]
+    verdicts = [
+        verdict(desk, one, False, slips[one.line][0] if one.line in slips else "")
+        if one.line in wrong
+        else verdict(desk, one, one.name in agreed or None)
+        for one in desk.variant.constraints
+        if not one.is_closure
+    ]
+    return faulty(kind, entries, equations=verdicts)
+
+
+def _without(lines: dict[int, Fault], variant: Variant) -> Variant:
+    """Return the variant with what the geometry says in the place of its equations on some lines."""
+    rest = replace(variant, constraints=tuple(one for one in variant.constraints if one.line not in lines))
+    found = differentiate(build(rest))
+    more = tuple(Constraint(one.name, one.because, *one.shown(found.order)) for one in lacking(found))
+    return replace(rest, constraints=(*rest.constraints, *more))
+
+
+def _slip(one: Constraint, judge: Judge, others: Sequence[Constraint], desk: Desk) -> Slip | None:
+    """Return what alone is wrong with an equation; a slip that would make it one of the `others` is none."""
+    tree = Formula("-", one.sides)
+    text, probe = _text(one, desk)[1], judge.off_closure
+    known = [linear(Formula("-", other.sides), probe) for other in others]
+    for edit in judge.slips(tree, text):
+        # A name that is zero in the place of another, or before it, says that nothing belongs there.
+        is_there = np.any(value_of(edit.replacement, probe.names))
+        if is_there and not any(is_same(linear(applied(tree, edit), probe), other) for other in known):
+            column = column_as_handed_in(text, text, edit.column, is_sign=True) if edit.kind == "sign" else edit.column
+            return say(f"desk.slip.{edit.kind}", term=_shown(_edited(tree, edit))), column
+    differs = difference_of(tree, judge.key.variant, probe, known)
+    return (say(f"desk.slip.{differs.kind}", term=_shown(differs.term)), differs.column) if differs else None
+
+
+def _edited(tree: Formula, edit: Edit) -> Formula:
+    """Return what an edit is about: a name or a call itself, else the term that it changes."""
+    term = tree
+    for place in edit.path:
+        within, tree = tree.op, tree.args[place]
+        term = term if within in {"*", "/", "^"} else tree
+    if edit.kind in {"function", "name"}:
+        return tree
+    if tree.op in {"+", "-"}:
+        return tree.args[1]
+    return term.args[0] if term.op == "neg" else term
+
+
+def _shown(term: Formula) -> str:
+    text = spelled(term)
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
+
+
+def _entry(fault: Fault, slip: Slip, desk: Desk) -> dict[str, Any]:
+    """Return a fault at the term that differs, on the whole line where a term is missing."""
+    how, column = slip
+    name, sections, about = (fault.message.values[name] for name in ("name", "sections", "about"))
+    about = about if isinstance(about, Sentence) and about.key == _OTHER_WAY else ""
+    sentence = desk.words.written(say("desk.equation_differs", name=name, sections=sections, how=how, about=about))
+    own = next(one for one in desk.variant.constraints if one.line == fault.line)
+    begin, text = _text(own, desk)
+    # What is missing is so between the quotes.
+    line, place = line_and_column(desk.text, begin + column - 1) if text else (fault.line, 0)
+    return fault_entry(fault.code, sentence, line, place)
+
+
+def _text(one: Constraint, desk: Desk) -> tuple[int, str]:
+    """Return where the text of an equation begins (letters from 0) and the text, "" where escapes stand in it."""
+    place = desk.variant.constraints.index(one)
+    begin, end = place_of(desk.text, ("constraint", place, one.key)) or (0, 0)
+    text = desk.text[begin:end]
+    return (begin, text) if "\\" not in text else (0, "")
