@@ -66,6 +66,13 @@ def test_the_file_is_read_anew_only_for_what_is_written(client, monkeypatch):
     assert len(read) < 10  # a hundred places are tried on the way
 
 
+def test_what_rounding_takes_away_again_is_said(client):
+    text = text_of("robot-arm")
+    found = drag(client, text, "A", 0.01, free=True)
+    assert found["text"] == text
+    assert "more digits" in found["sentence"]
+
+
 @pytest.mark.parametrize(("name", "joint"), [("jansen", "F"), ("example-1", "C"), ("v102", "C"), ("watt", "E")])
 @pytest.mark.parametrize("free", [False, True])
 def test_a_closed_chain_stays_closed(client, name, joint, free):

@@ -60,9 +60,11 @@ def drag(desk: Desk) -> dict[str, Any]:
     found = _closing(written_at, begin, nearest, moving)
     after = _moved(variant, moving, found)
     reached = _places(after)[joint]
+    near, written = abs(reached - place) < size / 100, _written(variant, after, moving, found)
+    rounded = lengths and not (near or written)
     return {
-        **with_values(desk.text, _written(variant, after, moving, found)), "reached": [reached.real, reached.imag],
-        "near": abs(reached - place) < size / 100, "sentence": None,
+        **with_values(desk.text, written), "reached": [reached.real, reached.imag], "near": near,
+        "sentence": desk.words.written(say("desk.joint_rounded")) if rounded else None,
     }  # fmt: skip
 
 
