@@ -165,6 +165,8 @@ export interface Held {
   mm: number;
   box: number[];
   width: number;
+  height: number;
+  released: boolean;
   matrix: DOMMatrix;
 }
 /** A fault where it is in the editor now. */

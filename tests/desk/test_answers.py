@@ -153,6 +153,29 @@ def test_a_section_that_is_missing_is_begun_at_the_end_of_the_text(client):
     assert [(fault["code"], fault["mend"]["text"].split()[0]) for fault in told] == [("V072", "[[constraint]]")]
 
 
+def mended(client, text: str, key: str = "faults") -> str:
+    (mend,) = [one["mend"] for one in client.post("/api/check", json={"text": text}).json()[key]]
+    return text + mend["text"]
+
+
+def test_an_empty_text_begins_as_a_task_sheet_does(client):
+    text = client.post("/api/check", json={"text": ""}).json()["faults"][0]["mend"]["text"]
+    text = mended(client, text)
+    assert [line for line in text.split("\n") if line.startswith("[")] == ["[given]", "[drive]", "[coordinates]", "[time]"]
+    assert client.post("/api/check", json={"text": text}).json()["faults"][0]["code"] == "V072"  # no other fault in it
+
+
+def test_what_a_text_lacks_yet_is_begun_by_a_click(client):
+    whole = TEXT.partition("# --- geometry")[0]
+    last = whole.rindex("[[constraint]]")
+    assert "[[constraint]]" in mended(client, whole[:last])[last:]  # fewer equations than velocities
+    text = mended(client, whole, "remarks")
+    assert "[points]" in text[len(whole) :]
+    text = mended(client, text.replace('A = "(0, 0)"', 'M = "(0, 0)"'), "remarks")
+    assert text.endswith('[closure]\ndriven = "M"\nholds  = []\n')
+    assert client.post("/api/check", json={"text": TEXT}).json()["remarks"] == []
+
+
 def test_a_faulty_text_has_no_page(client):
     found = client.post("/api/page", json={"text": ""}).json()
     assert (found["page"], found["summary"], len(found["faults"]) > 0) == (None, None, True)

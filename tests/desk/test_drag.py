@@ -9,6 +9,7 @@ import pytest
 from coursework.api import solve
 from coursework.desk.answering.drag import _places
 from coursework.desk.job import Policy
+from coursework.variant.reading import reader
 from coursework.variant.reading.reader import parse_variant
 from tests.desk.desks import TEXT, VARIANTS, desk
 from tests.sample import sampled
@@ -51,10 +52,25 @@ def test_with_alt_lengths_follow_with_the_digits_they_have(client):
     assert all(re.fullmatch(r"\d\.\d{3}", one.text) for one in changed)
 
 
-@pytest.mark.parametrize(("name", "joint", "far"), [("jansen", "X", 0.01), ("example-1", "B", -0.5)])
+@pytest.mark.parametrize(("name", "joint", "far"), [("jansen", "X", 0.01), ("jansen", "F", 0.1), ("example-1", "B", -0.5)])
 def test_lengths_are_rounded_to_what_still_closes(client, name, joint, far):
     found = drag(client, text_of(name), joint, far, free=True)
-    assert _places(parse_variant(found["text"]))  # raises where it does not close, and where a link has no length
+    reached = _places(parse_variant(found["text"]))  # raises where it does not close, and where a link has no length
+    assert abs(reached[joint] - complex(*found["reached"])) < 1e-9
+
+
+def test_the_file_is_read_anew_only_for_what_is_written(client, monkeypatch):
+    read, build = [], reader._build
+    monkeypatch.setattr(reader, "_build", lambda *given: read.append(given) or build(*given))
+    assert not drag(client, text_of("jansen"), "X", 0.01, free=True)["near"]
+    assert len(read) < 10  # a hundred places are tried on the way
+
+
+def test_what_rounding_takes_away_again_is_said(client):
+    text = text_of("robot-arm")
+    found = drag(client, text, "A", 0.01, free=True)
+    assert found["text"] == text
+    assert "more digits" in found["sentence"]
 
 
 @pytest.mark.parametrize(("name", "joint"), [("jansen", "F"), ("example-1", "C"), ("v102", "C"), ("watt", "E")])

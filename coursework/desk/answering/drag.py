@@ -6,9 +6,11 @@ By damped least squares; what geometry determines follows, so that a closed chai
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -21,7 +23,7 @@ from coursework.drawing.outline.tracing import read_outline
 from coursework.motion.settings import Settings
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array, Complex
-from coursework.variant.record.changes import determined
+from coursework.variant.record.changes import determined, follow_from
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import InputError
@@ -46,18 +48,23 @@ def drag(desk: Desk) -> dict[str, Any]:
     begin = np.array([_value(one) for one in moving])
 
     def at(values: Array) -> complex:
+        return _places(_sketched(variant, moving, values))[joint]
+
+    def written_at(values: Array) -> complex:
         return _places(_moved(variant, moving, values))[joint]
 
     size = max(abs(a - b) for a in before.values() for b in before.values()) or 1.0
     nearest = _nearest(at, begin, place, size)
     if nearest is None:
         return _unmoved(desk, say("desk.joint_of_data" if not lengths else "desk.joint_fixed", joint=joint))
-    found = _closing(at, begin, nearest, moving)
+    found = _closing(written_at, begin, nearest, moving)
     after = _moved(variant, moving, found)
     reached = _places(after)[joint]
+    near, written = abs(reached - place) < size / 100, _written(variant, after, moving, found)
+    rounded = lengths and not (near or written)
     return {
-        **with_values(desk.text, _written(variant, after, moving, found)), "reached": [reached.real, reached.imag],
-        "near": abs(reached - place) < size / 100, "sentence": None,
+        **with_values(desk.text, written), "reached": [reached.real, reached.imag], "near": near,
+        "sentence": desk.words.written(say("desk.joint_rounded")) if rounded else None,
     }  # fmt: skip
 
 
@@ -76,6 +83,20 @@ def _moved(variant: Variant, moving: Sequence[Written], values: Array) -> Varian
     return variant.with_data(given=changed) if moving and moving[0].path[0] == "given" else variant.with_data(start=changed)
 
 
+def _sketched(variant: Variant, moving: Sequence[Written], values: Array) -> Variant:
+    """Return what `_moved` does where points are all that is asked for: no file is read again.  Raises `ArithmeticError`."""
+    now = {one.name: value for one, value in zip(moving, values.tolist(), strict=True)}
+    if any(now.get(one.name, 1.0) <= 0 < one.value for one in variant.given):
+        raise ArithmeticError  # a link without a length
+    given = tuple(replace(one, value=now[one.name]) if one.name in now else one for one in variant.given)
+    follow = follow_from(variant, [one.path for one in moving])
+    starts = tuple(
+        replace(one, start=None, start_guess=one.start_or_guess) if one.name in follow
+        else replace(one, start=now.get(one.name, one.start)) for one in variant.coordinates
+    )  # fmt: skip
+    return replace(variant, given=given, coordinates=starts)
+
+
 def _places(variant: Variant) -> dict[str, complex]:
     """Return where the points of a mechanism are at the start (m).  Raises `InputError` where it does not close."""
     scene = Scene(variant, Settings())
@@ -87,12 +108,12 @@ def _places(variant: Variant) -> dict[str, complex]:
 def _nearest(at: At, begin: Array, place: complex, size: float) -> Array | None:
     """Return the values nearest to `begin` that bring a point nearest to a place, None where none of them moves it."""
     values, point, damping = begin, at(begin), 1e-3
-    if not np.any(np.abs(_slopes(at, begin, point)) > CLOSE):
+    slopes = _slopes(at, begin, point)
+    if not np.any(np.abs(slopes) > CLOSE):
         return None
     for _ in range(MOST_STEPS):
         if abs(point - place) < CLOSE * size or damping > _STUCK:
             break
-        slopes = _slopes(at, values, point)
         rows = np.array([slopes.real, slopes.imag])
         away = np.array([(place - point).real, (place - point).imag])
         scale = float(np.max(np.sum(rows * rows, axis=0)))
@@ -103,6 +124,7 @@ def _nearest(at: At, begin: Array, place: complex, size: float) -> Array | None:
             damping *= _HARDER
             continue
         values, point, damping = values + step, tried, damping * _EASIER
+        slopes = _slopes(at, values, point)
     return values
 
 
@@ -128,7 +150,7 @@ def _slopes(at: At, values: Array, point: complex) -> Complex:
 def _tried(at: At, values: Array) -> complex | None:
     """Return where a point is with other values, None where the mechanism does not close with them."""
     with suppress(InputError, ArithmeticError):
-        return at(values)
+        return point if cmath.isfinite(point := at(values)) else None
     return None
 
 

@@ -14,10 +14,13 @@ from coursework.variant.toml.source import QUOTES
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 
-_ADVICE, _MISSING, _NOTHING_WRITTEN, _COMMA = "hint.closest", "V012", "V072", "V106"
+_ADVICE, _COMMA = "hint.closest", "V106"
+_MISSING, _NOTHING_WRITTEN, _TOO_FEW = "V012", "V072", "V404"
 _BEGUN = {  # how a section begins that no file can do without
     "coordinates": '[coordinates]\nphi1 = { start = "0 rad", rate = "w1" }',
     "time": '[time]\nstep = "0.02 s"\nend  = "0.48 s"',
+    # what stands first on a task sheet
+    "given": '[given]\nr1 = "0.5 m"\nV1 = "1 m/s"\np  = "10 1/s"\n\n[drive]\nVMx = "0"\nVMy = "V1*sin(p*t)"',
     "constraint": '[[constraint]]\nbecause  = ""\nequation = ""',
 }
 _UNQUOTED = re.compile(r"""^(\s*(?:[\w-]+|"[^"]*")\s*=\s*)([^\s"'\[{#](?:[^"'\[\]{}#]*[^\s"'\[\]{}#])?)""")
@@ -35,7 +38,7 @@ def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]
     meant = [_meant(fault) for fault in faults]
     return [
         _beginning(fault, lines, meant)
-        if fault.code in (_MISSING, _NOTHING_WRITTEN)
+        if fault.code in (_MISSING, _NOTHING_WRITTEN, _TOO_FEW)
         else _rewritten(fault, lines) or _respelled(fault, name, lines)
         for fault, name in zip(faults, meant, strict=True)
     ]
@@ -46,12 +49,18 @@ def _meant(fault: Fault) -> str | None:
 
 
 def _beginning(fault: Fault, lines: Sequence[str], meant: Sequence[str | None]) -> Mend | None:
-    name = str(fault.message.values.get("name", "constraint"))
+    name = str(fault.message.values["name"]) if fault.code == _MISSING else "constraint"
     if name in meant or name not in _BEGUN:
         return None
+    first = "" if any(lines) else f"{_BEGUN['given']}\n\n"
+    return appended(first + _BEGUN[name], lines)
+
+
+def appended(text: str, lines: Sequence[str]) -> Mend:
+    """Return the mend that puts a section behind all others."""
     gap = "" if not any(lines) else "\n" if not lines[-1] else "\n\n"
     line, column = len(lines), len(lines[-1]) + 1
-    return {"line": line, "column": column, "end_line": line, "end_column": column, "text": f"{gap}{_BEGUN[name]}\n"}
+    return {"line": line, "column": column, "end_line": line, "end_column": column, "text": f"{gap}{text}\n"}
 
 
 def _rewritten(fault: Fault, lines: Sequence[str]) -> Mend | None:

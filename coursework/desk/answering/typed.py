@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import make_run, step_of, variant_in
-from coursework.desk.answering.mends import mends_of
+from coursework.desk.answering.mends import appended, mends_of
 from coursework.desk.inside import TablesOf
 from coursework.desk.job import Setup, fault_entry
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
@@ -80,8 +80,22 @@ def faults_of(error: CourseworkError, desk: Desk) -> list[dict[str, Any]]:
 
 
 def remarks_of(desk: Desk) -> list[dict[str, Any]]:
-    """Return what can be computed but looks like a slip of the pen."""
-    return [
+    """Return what can be computed but looks like a slip of the pen, and which section would tell more."""
+    slips = [
         {"code": remark.code, "line": remark.line, "sentence": desk.words.written(remark.sentence)}
         for remark in desk.variant.plausibility
     ]
+    return slips + _next_section(desk)
+
+
+def _next_section(desk: Desk) -> list[dict[str, Any]]:
+    """Return what a text with equations lacks for a drawing or for judging them, with how it begins."""
+    variant = desk.variant
+    if not variant.constraints or variant.driven or variant.holds or any(one.is_closure for one in variant.constraints):
+        return []
+    points, laws = [name for name, _ in variant.points], {law.name for law in variant.drive}
+    key, begun = "closure", next((f'[closure]\ndriven = "{one}"\nholds  = []' for one in points if f"V{one}x" in laws), "")
+    if not points:
+        key, begun = "points", '[points]\nA = "(0, 0)"'
+    mend = appended(begun, desk.text.split("\n")) if begun else None
+    return [{"code": "", "line": None, "sentence": desk.words.written(say(f"desk.next_{key}")), "mend": mend}]

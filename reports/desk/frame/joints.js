@@ -89,9 +89,9 @@ const joints = {
       ].join(" "),
     );
     svg.style.width = `${held.width}px`;
-    svg.style.height = "auto";
+    svg.style.height = `${held.height}px`;
     svg.style.overflow = "visible";
-    ring.classList.add("held");
+    ring.classList.toggle("held", !held.released);
   },
 
   /** Where a place of the window lies in the mechanism (m).
@@ -126,6 +126,8 @@ const joints = {
       origin: [cx.baseVal.value - at[0] * mm, cy.baseVal.value + at[1] * mm],
       box: [box.x, box.y, box.width, box.height],
       width: svg.getBoundingClientRect().width,
+      height: svg.getBoundingClientRect().height,
+      released: false,
       matrix: matrix.inverse(),
     };
     this.focus = joint.joint;
@@ -141,14 +143,13 @@ const joints = {
       screen = ring?.ownerSVGElement?.getScreenCTM();
     if (!ring || !screen) return;
     const at = new DOMPoint(x, y).matrixTransform(screen.inverse());
-    ring.setAttribute("cx", String(at.x));
-    ring.setAttribute("cy", String(at.y));
+    ring.setAttribute("transform", `translate(${at.x - ring.cx.baseVal.value} ${at.y - ring.cy.baseVal.value})`);
   },
 
   /** @param {PointerEvent} event
    * @param {boolean} last */
   move(event, last) {
-    if (!this.held) return;
+    if (!this.held || this.held.released) return this.look(event);
     event.preventDefault();
     this.follow(event.clientX, event.clientY);
     tell({
@@ -161,9 +162,20 @@ const joints = {
     if (last) this.drop();
   },
 
+  /** What cannot follow to where the hand was is where it can be; the last drawing does not jump under the hand. */
   drop() {
-    this.held = null;
+    if (!this.held) return;
+    this.held.released = true;
+    const ring = this.find(this.held.name);
+    ring?.removeAttribute("transform");
+    ring?.classList.remove("held");
     document.documentElement.classList.remove("dragging");
+  },
+
+  /** Whoever looks elsewhere gets the next drawing as large as it fits.
+   * @param {Event} event */
+  look({ target }) {
+    if (this.held?.released && !(target instanceof Element && target.closest("#mechanism"))) this.held = null;
   },
 
   /** @param {KeyboardEvent} event */
@@ -189,9 +201,12 @@ document.addEventListener("pointermove", (event) => joints.move(event, false));
 document.addEventListener("pointerup", (event) => joints.move(event, true));
 // What is broken off has no place of its own: the joint stays where it was last.
 document.addEventListener("pointercancel", () => joints.drop());
+document.documentElement.addEventListener("pointerleave", (event) => joints.look(event));
 // A finger on a joint does not move the page, whatever becomes of the drawing under it.
-document.addEventListener("touchstart", (event) => joints.held && event.preventDefault(), { passive: false });
+document.addEventListener("touchstart", (event) => joints.held && !joints.held.released && event.preventDefault(), {
+  passive: false,
+});
 document.addEventListener("keydown", (event) => joints.key(event));
 document.addEventListener("focusout", (event) => {
-  if (!joints.held && document.hasFocus() && event.relatedTarget) joints.focus = "";
+  if ((!joints.held || joints.held.released) && document.hasFocus() && event.relatedTarget) joints.focus = "";
 });

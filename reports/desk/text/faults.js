@@ -102,16 +102,21 @@ export function showFaults(view, list, answer, doc, since) {
     message: fault.sentence,
     actions: fault.mend ? [{ name: name(), apply: () => mendIt(view, fault) }] : [],
   });
-  const slips = faults.filter(({ nowhere }) => !nowhere);
-  view.dispatch(setDiagnostics(view.state, [...slips.map(marked("error")), ...remarks.map(marked("info"))]));
+  const somewhere = (/** @type {Told[]} */ list) => list.filter(({ nowhere }) => !nowhere);
+  const signs = [...somewhere(faults).map(marked("error")), ...somewhere(remarks).map(marked("info"))];
+  view.dispatch(setDiagnostics(view.state, signs));
   list.replaceChildren(
     ...faults.map((fault) => line(view, fault, fault.missing ? "fault missing" : fault.nowhere ? "fault nowhere" : "fault")),
     ...remarks.map((remark) => line(view, remark, "remark")),
   );
 }
 
-/** @param {string} insert */
-const mendWords = (insert) => say("mend_to", { text: insert.trim() || say("nothing") });
+/** A section is begun, anything else is written otherwise.
+ * @param {string} insert */
+const mendWords = (insert) => {
+  const head = /^\s*(\[.*\])\n/.exec(insert)?.[1];
+  return head ? say("begin_with", { text: head }) : say("mend_to", { text: insert.trim() || say("nothing") });
+};
 
 /**
  * @param {EditorView} view
@@ -123,10 +128,6 @@ function line(view, fault, kind) {
   const go = make("button", { type: "button", className: "go", onclick: () => goTo(view, fault) }, ...place, fault.sentence);
   const mend =
     fault.mend &&
-    make(
-      "button",
-      { type: "button", className: "mend", onclick: () => mendIt(view, fault) },
-      fault.missing ? say("begin_with", { text: fault.mend.insert.trim().split("\n")[0] }) : mendWords(fault.mend.insert),
-    );
+    make("button", { type: "button", className: "mend", onclick: () => mendIt(view, fault) }, mendWords(fault.mend.insert));
   return make("li", { className: kind, "data-line": fault.line, "data-column": fault.column }, go, mend);
 }

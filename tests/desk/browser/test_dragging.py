@@ -26,7 +26,8 @@ def test_a_joint_is_dragged_and_the_text_follows(desk: Callable[..., Any]) -> No
     page, before = one.page, one.text
     ring = page.frame_locator("#desk-page").locator("[data-joint=M]")
     ring.evaluate("one => one.scrollIntoView({ block: 'center' })")
-    box = ring.bounding_box()
+    box, frame = ring.bounding_box(), page.frame_locator("#desk-page").locator("[data-joint=D]")
+    fixed = frame.bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(x, y)
     page.mouse.down()
@@ -35,6 +36,8 @@ def test_a_joint_is_dragged_and_the_text_follows(desk: Callable[..., Any]) -> No
     page.mouse.up()
     one.until(lambda: moved(before, one.text) == {"phi1", "phi2", "phi3"})
     one.rest("changed")
+    assert ring.get_attribute("transform") is None  # it is where the drawing has it, not where the hand was
+    assert all(abs(frame.bounding_box()[side] - fixed[side]) < 1 for side in "xy")  # the drawing does not jump
     page.focus("#desk-text .cm-content")
     page.keyboard.press("Control+z")
     one.rest("changed")
