@@ -1,6 +1,6 @@
 """The velocity equations that the geometry of a text gives, written into it with their reasons; and what it says of written ones.
 
-Enters: a `Desk`.  Leaves: the text with them; a verdict an equation.  Used by `bench.py`, `variant_page.py` and `contradicted.py`.
+Enters: a `Desk`.  Leaves: the text with them; a verdict an equation.  Used by `bench.py`, `contradicted.py`, `variant_page.py`.
 """
 
 from __future__ import annotations
