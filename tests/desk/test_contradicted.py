@@ -36,6 +36,7 @@ def asked(client, text: str, language: str = "en") -> dict:
         ("31", "2*r3*w3*cos", "2*r3*w3*sin", "sine and cosine are exchanged in sin(phi3)", "sin(phi3) - r3"),
         ("31", "r1*w1*sin(phi1)", "r2*w1*sin(phi1)", "another name belongs in the place of r2", "r2*w1"),
         ("31", "+ 0.5*r3*w4", "+ r3*w4", "the factor of r3*w4 differs", "r3*w4"),
+        ("31", "r1*w1*sin", "0.95*w1*sin", "the factor of 0.95*w1*sin(phi1) differs", "0.95"),
         ("31", "- r1*w1*cos", "- 3*r1*w1*cos", "the factor of 3*r1*w1*cos(phi1) differs", "3*r1"),
         ("31", " + 0.5*r3*w4", "", "a term with w4 is missing", '"2*r3'),
         ("31", " - r3*w3*cos(phi3)", "", "a term with w3 is missing", '"2*r3'),
@@ -62,6 +63,21 @@ def test_the_term_that_differs_is_told_at_its_place_and_the_others_stay_right(cl
     told = {one["line"]: (one["right"], one["sentence"]) for one in found["equations"]}
     assert told.pop(fault["line"]) == (False, how)
     assert {right for right, _ in told.values()} <= {True}
+
+
+@pytest.mark.parametrize(
+    ("written", "line", "at"),
+    [
+        ('"-0.5*r3*ω4 + r3*ω3*cos(φ3) + r2·ω2·sin(φ1) + r1*ω1*sin(φ1) = 0"', 51, "φ1) + r1"),
+        ('"""\n  -0.5*r3*w4 + r3*w3*cos(phi3)\n + r2*w2*sin(phi1) + r1*w1*sin(phi1) = 0"""', 53, "phi1) + r1"),
+        (r'"-0.5*r3*w4 + r3*w3*cos(phi3) \u002b r2*w2*sin(phi1) + r1*w1*sin(phi1) = 0"', 51, "equation"),
+    ],
+)
+def test_the_place_is_that_of_the_text_as_it_is_written(client, written, line, at):
+    text = TEXT.replace('"-0.5*r3*w4 + r3*w3*cos(phi3) + r2*w2*sin(phi2) + r1*w1*sin(phi1) = 0"', written)
+    (fault,) = asked(client, text)["faults"]
+    assert (fault["line"], text.split("\n")[line - 1][fault["column"] - 1 :].startswith(at)) == (line, True)
+    assert "another name belongs in the place of phi1." in fault["sentence"]
 
 
 def test_two_wrong_ones_are_told_each(client):

@@ -6,7 +6,7 @@ The search is that of the grading, with the velocities that the geometry gives. 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -22,8 +22,8 @@ from coursework.equations.reduction.equations import differentiate
 from coursework.grading.marking.equations.columns import column_as_handed_in
 from coursework.grading.marking.equations.differing import difference_of
 from coursework.grading.marking.equations.edits import Edit, applied
-from coursework.grading.marking.equations.equations import Judge
-from coursework.grading.marking.equations.linear import is_same, linear
+from coursework.grading.marking.equations.equations import RIGHT, Judge
+from coursework.grading.marking.equations.linear import NOTHING, is_same, linear
 from coursework.grading.marking.equations.numbers import value_of
 from coursework.grading.marking.key import key_of
 from coursework.mechanism.mechanism import build
@@ -39,6 +39,7 @@ from coursework.words.sentences import say
 CONTRADICTS = "V302"
 _OTHER_WAY = "fault.bound.other_way"
 _LONGEST = 60  # letters of a term within a sentence
+_MOST = 10  # wrong equations that are looked into, each for a tenth of a second at most
 Slip = tuple[Sentence, int]  # which term differs and how, and where it begins in the equation: 0 where none stands
 Answering = Callable[[Desk], dict[str, Any] | Answer]
 
@@ -58,32 +59,33 @@ def naming_terms(kind: str, made: Answering) -> Answering:
 
 
 def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
-    wrong = {fault.line: fault for fault in error.faults}
-    agreed, slips = tuple[str, ...](), dict[int, Slip]()
+    wrong = {str(fault.message.values["name"]): fault for fault in error.faults}
+    written = [one for one in desk.variant.constraints if not one.is_closure]
+    agreed, slips = tuple[str, ...](), dict[str, Slip]()
     with suppress(CourseworkError):  # what is left may be no mechanism
         right = _without(wrong, desk.variant)
         closure = make_run(right, quantities=[TABLE.name]).scene.closure
         agreed = closure.agreed if closure is not None else ()
-        judge, others = Judge(key_of(right)), [one for one in right.constraints if one.name in agreed and one.line]
-        found = ((one.line, _slip(one, judge, others, desk)) for one in desk.variant.constraints if one.line in wrong)
-        slips = {line: slip for line, slip in found if slip is not None}
+        judge, others = Judge(key_of(right)), [one for one in written if one.name in agreed and one.name not in wrong]
+        searched = [one for one in written if one.name in wrong][:_MOST]
+        found = {one.name: _slip(one, judge, others, desk) for one in searched}
+        slips = {name: slip for name, slip in found.items() if slip is not None}
     entries = [
-        _entry(wrong[entry["line"]], slips[entry["line"]], desk) if entry["line"] in slips else entry
-        for entry in faults_of(error, desk)
+        _entry(fault, slips[name], desk) if name in slips else entry
+        for (name, fault), entry in zip(wrong.items(), faults_of(error, desk), strict=False)
     ]
     verdicts = [
-        verdict(desk, one, False, slips[one.line][0] if one.line in slips else "")
-        if one.line in wrong
+        verdict(desk, one, False, slips[one.name][0] if one.name in slips else "")
+        if one.name in wrong
         else verdict(desk, one, one.name in agreed or None)
-        for one in desk.variant.constraints
-        if not one.is_closure
+        for one in written
     ]
     return faulty(kind, entries, equations=verdicts)
 
 
-def _without(lines: dict[int, Fault], variant: Variant) -> Variant:
-    """Return the variant with what the geometry says in the place of its equations on some lines."""
-    rest = replace(variant, constraints=tuple(one for one in variant.constraints if one.line not in lines))
+def _without(names: Collection[str], variant: Variant) -> Variant:
+    """Return the variant with what the geometry says in the place of some of its equations."""
+    rest = replace(variant, constraints=tuple(one for one in variant.constraints if one.name not in names))
     found = differentiate(build(rest))
     more = tuple(Constraint(one.name, one.because, *one.shown(found.order)) for one in lacking(found))
     return replace(rest, constraints=(*rest.constraints, *more))
@@ -95,9 +97,10 @@ def _slip(one: Constraint, judge: Judge, others: Sequence[Constraint], desk: Des
     text, probe = _text(one, desk)[1], judge.off_closure
     known = [linear(Formula("-", other.sides), probe) for other in others]
     for edit in judge.slips(tree, text):
-        # A name that is zero in the place of another, or before it, says that nothing belongs there.
-        is_there = np.any(value_of(edit.replacement, probe.names))
-        if is_there and not any(is_same(linear(applied(tree, edit), probe), other) for other in known):
+        mended = linear(applied(tree, edit), probe)
+        # A name that is zero in the place of another, or sin(pi) before it, says that nothing belongs there.
+        is_nothing = edit.kind in {"name", "factor"} and np.all(np.abs(value_of(edit.replacement, probe.names)) < NOTHING)
+        if mended.residual <= RIGHT and not is_nothing and not any(is_same(mended, other) for other in known):
             column = column_as_handed_in(text, text, edit.column, is_sign=True) if edit.kind == "sign" else edit.column
             return say(f"desk.slip.{edit.kind}", term=_shown(_edited(tree, edit))), column
     differs = difference_of(tree, judge.key.variant, probe, known)
@@ -128,7 +131,7 @@ def _entry(fault: Fault, slip: Slip, desk: Desk) -> dict[str, Any]:
     name, sections, about = (fault.message.values[name] for name in ("name", "sections", "about"))
     about = about if isinstance(about, Sentence) and about.key == _OTHER_WAY else ""
     sentence = desk.words.written(say("desk.equation_differs", name=name, sections=sections, how=how, about=about))
-    own = next(one for one in desk.variant.constraints if one.line == fault.line)
+    own = next(one for one in desk.variant.constraints if one.name == name)
     begin, text = _text(own, desk)
     # What is missing is so between the quotes.
     line, place = line_and_column(desk.text, begin + column - 1) if text else (fault.line, 0)
@@ -139,5 +142,6 @@ def _text(one: Constraint, desk: Desk) -> tuple[int, str]:
     """Return where the text of an equation begins (letters from 0) and the text, "" where escapes stand in it."""
     place = desk.variant.constraints.index(one)
     begin, end = place_of(desk.text, ("constraint", place, one.key)) or (0, 0)
+    begin += desk.text.startswith("\n", begin)  # behind three quotes, where it is no part of the value
     text = desk.text[begin:end]
     return (begin, text) if "\\" not in text else (0, "")
