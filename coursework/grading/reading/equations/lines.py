@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
@@ -43,6 +43,7 @@ _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _MEASURED = re.compile(r"\d[.,]\d\d")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
+_FUNCTION = re.compile(r"(?:sin|cos|tan|sqrt)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
 _DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a function of Python, and what it returns
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
@@ -64,12 +65,16 @@ class Lines:
     unread: int = 0
 
 
-def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None) -> Lines:
+_Kept = Callable[[EquationLine], EquationLine | None]
+
+
+def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None, kept: _Kept | None = None) -> Lines:
     """Return the equations and answers in a text; `#` begins a remark, prose without "=" is passed over.
 
     `beside` is the table in the same text.  Its rows are passed over and do not count among the lines that are tried.  Its titles
     may hold "=" too (`h = 0.02 s`, `w1 = 13.08`): there an equation is what names a sought velocity and something it depends on,
-    and lines that cannot be read are told only where others can.
+    and lines that cannot be read are told only where others can.  `kept` says of a line of a document, which is full of "=", what
+    is left of it, None where it is no equation; it does not count among them then.
     """
     most = most_lines(expected)
     names = names_for(expected)
@@ -88,14 +93,17 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names)):
             continue
         elif beside is None and _is_equation(line, names):
-            found.equations.append(read_line(line, name, number, with_own))
+            read = read_line(line, name, number, with_own)
+            found.equations += [read] if kept is None else [one for one in [kept(read)] if one]
         elif beside is not None and relates(read := read_line(line, name, number, names), names):
             found.equations.append(read)
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     checks = [_is_of_one_row(line, names) for line in found.equations]
     if not all(checks):  # beside equations
-        found.equations = [replace(line, may_be_datum=one) for line, one in zip(found.equations, checks, strict=True)]
+        found.equations = [
+            replace(line, may_be_datum=line.may_be_datum or one) for line, one in zip(found.equations, checks, strict=True)
+        ]
     found.answers = [*answers.values()]
     return found
 
@@ -184,7 +192,8 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
 
 def _defines(line: str, own: Mapping[str, Formula], names: Names) -> bool:
     name, formula = own_name(line, names.spellings) if own else ("", "")
-    return key(name) in own and "=" not in formula  # V_Cy = … = 0 is an equation, too
+    # V_Cy = … = 0 is an equation, too; V_Cy = 0.3*4.1 = 1.23 is its value at some row.
+    return key(name) in own and ("=" not in formula or not _WORD.search(_FUNCTION.sub("", formula)))
 
 
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:
