@@ -149,3 +149,8 @@ def test_remarks_stand_in_the_record_on_the_console_and_on_the_first_page(tmp_pa
     checked = CliRunner().invoke(main, ["check", "mine.toml"])
     assert checked.exit_code == 0
     assert f"ANGLE: Remark on line {line} of the file: {sentence}" in checked.output
+
+
+def test_lengths_whose_quotient_is_no_number_are_told():
+    told = remarks(('"0.953 m"', '"1e-312 m"'), ('"0.847 m"', '"1e11 m"'), ('"0.457 m"', '"2e11 m"'))
+    assert [code for code, _, _ in told] == ["LENGTH"]

@@ -9,9 +9,7 @@ import cmath
 from collections.abc import Iterator
 
 from coursework.system.frozen import frozen
-from coursework.takeaway.foreign.scheme import Scheme, Slider
-
-SHORTEST = 1e-12  # m: joints nearer than that are one, and no link joins them
+from coursework.takeaway.foreign.scheme import SHORTEST, Scheme, Slider, arm_of
 
 
 @frozen
@@ -47,11 +45,11 @@ class Chain:
         self.known = set(scheme.fixed)
         self.placed: set[int] = set()
         self.steps: list[Group | Carried] = []
-        pin = next(name for name in scheme.links[scheme.crank] if name not in self.known)
+        pin = arm_of(scheme.joints, self.known, scheme.links[scheme.crank], scheme.pivot)[0]  # there is one: see `Reading.scheme`
         self.lines: dict[int, tuple[str, complex]] = {}  # from which joint the angle of a link is counted, and which way it goes
         self._add(Group("crank", (scheme.pivot,), pin, (scheme.crank,), (self._apart(scheme.pivot, pin),), 0))
         for one in scheme.turned:
-            pins = [name for name in scheme.links[one.link] if name not in self.known]
+            pins = arm_of(scheme.joints, self.known, scheme.links[one.link], one.pivot)
             if pins and one.link not in self.placed:
                 lengths = (self._apart(one.pivot, pins[0]),)
                 self._add(Group("crank", (one.pivot,), pins[0], (one.link,), lengths, 0, ratio=one.ratio))

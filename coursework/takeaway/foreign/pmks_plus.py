@@ -102,4 +102,7 @@ class _Shared(Reading):
             else:
                 self.sliders[pins[0]] = Slider(self.places[pins[0]], angle)
         elif is_root:
-            self.links.append(joints)
+            self.links.append(tuple(one for one in joints if one not in self.slides))
+            for one in joints:
+                if one in self.slides:
+                    self.leave_out(f"slide {one}")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -28,7 +28,7 @@ def read(content: bytes) -> Scheme:
     joints = found.listed("joints")
     if not joints or len(joints) > MOST_JOINTS:
         raise found.refused("joints")
-    is_older = any(joint.get("type") in OLDER for joint in joints)
+    is_older = any(str(joint.get("type")) in OLDER for joint in joints)
     return _Older(told).made(joints) if is_older else _Mechanism(told).made(joints)
 
 
@@ -51,7 +51,7 @@ class _Joints(Reading):
         """Put a joint somewhere."""
         self.places[name] = complex(self.number(x, name), self.number(y, name))
 
-    def finished(self, links: Links, pivot: str, crank: int, speed: float, turned: Iterable[Turned]) -> Scheme:
+    def finished(self, links: Links, pivot: str, crank: int, speed: float, turned: Sequence[Turned]) -> Scheme:
         """Return the mechanism with what every file of pylinkage has: a title or none, no step."""
         self.remarks.append(say("foreign.step"))
         return self.scheme(links, pivot, crank, speed, turned, str(self.told.get("name") or ""))

@@ -16,7 +16,8 @@ from coursework.words.sentences import say
 
 MOST_BYTES = 1_000_000
 MOST_JOINTS = 100  # more has no page a student could read
-LARGEST = 1e9  # of a coordinate
+LARGEST = 1e9  # of a coordinate, and of a number of turns to one of the crank
+SHORTEST = 1e-12  # m: joints nearer than that are one, and no link joins them
 Links = tuple[tuple[str, ...], ...]  # the joints of each
 
 
@@ -102,11 +103,24 @@ class Reading:
         return crank
 
     def scheme(
-        self, links: Links, pivot: str, crank: int, speed: float | None, turned: Iterable[Turned] = (), title: str = ""
+        self, links: Links, pivot: str, crank: int, speed: float | None, turned: Sequence[Turned] = (), title: str = ""
     ) -> Scheme:
-        """Return the mechanism."""
+        """Return the mechanism.  Raises `InputError` where the crank has no length."""
+        kept = [
+            one for one in turned if abs(one.ratio) <= LARGEST and arm_of(self.places, self.fixed, links[one.link], one.pivot)
+        ]
+        for one in turned:
+            if one not in kept:
+                self.leave_out(f"input ({one.pivot})")
+        if not arm_of(self.places, self.fixed, links[crank], pivot):
+            raise self.no_crank()
         fixed, remarks = frozenset(self.fixed), tuple(self.remarks)
-        return Scheme(self.program, title, self.places, fixed, links, self.sliders, pivot, crank, speed, remarks, tuple(turned))
+        return Scheme(self.program, title, self.places, fixed, links, self.sliders, pivot, crank, speed, remarks, tuple(kept))
+
+
+def arm_of(at: Mapping[str, complex], known: Collection[str], link: Iterable[str], pivot: str) -> list[str]:
+    """Return the joints of a link that go round a pivot and that nothing else places."""
+    return [name for name in link if name not in known and abs(at[name] - at[pivot]) > SHORTEST]
 
 
 def link_of(links: Sequence[Sequence[str]], *joints: str) -> int | None:

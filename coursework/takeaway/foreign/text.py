@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from string import ascii_uppercase
 
-from coursework.takeaway.foreign.groups import SHORTEST, Carried, Chain, Group
-from coursework.takeaway.foreign.scheme import Scheme
+from coursework.takeaway.foreign.groups import Carried, Chain, Group
+from coursework.takeaway.foreign.scheme import SHORTEST, Scheme
 from coursework.words.sentences import say
 from coursework.words.templates import clean
 

@@ -108,8 +108,8 @@ def _written(given: Given) -> str:
 def _nearer(given: Given, neighbour: Given) -> str:
     """Return the unit with which the same number would stand nearest to its neighbour, "" where none would be near."""
     units = _LENGTHS[any("а" <= letter <= "я" for letter in given.unit)]
-    number = abs(float(given.text.replace("−", "-")))
-    far, unit = min((abs(math.log(number * float(UNITS[unit][0]) / _size(neighbour))), unit) for unit in units)
+    apart = math.log(abs(float(given.text.replace("−", "-")))) - math.log(_size(neighbour))  # a quotient may be 0 or infinite
+    far, unit = min((abs(apart + math.log(float(UNITS[unit][0]))), unit) for unit in units)
     return unit if far < math.log(_FAR) and unit != (given.unit or "m") else ""
 
 

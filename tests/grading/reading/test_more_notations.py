@@ -139,3 +139,34 @@ def test_the_speed_of_a_slider_may_be_called_by_its_point(name):
 def test_words_before_an_equation_are_no_factors_of_it(text, equation):
     """B is a length and w3 a rate; a capital among words is a point, and up to three capitals are names."""
     assert without_words(text, lambda word: word in {"B", "w3", "omega"}).strip() == equation
+
+
+PROGRAM = """\
+function [w1, w2, w3, w4] = rates(t, phi1, phi2, phi3)
+    k1 = cos(phi3); k2 = sin(phi3); k3 = sin(phi1 - phi2);
+    VMy = V1*sin(p*t + alpha);
+    if k1 == 0.0
+        error("D1 = 0");
+    end
+    w3 = VMy/(c0*k1 + r3*k2);
+    D2 = c3;
+    w4 = (r3*w3*k1 - c0*w3*k2)/D2;
+    w1 = -r3*w3*k2*(2*cos(phi2) + sin(phi2))/(r1*k3);
+    w2 = r3*w3*k2*(2*cos(phi1) + sin(phi1))/(r2*k3);
+end
+n = 24;
+r1: double = 0.953;  // m
+const c0 = 2.0*r3;
+c3 = 0.5*r3;
+for (let k = 0; k <= n; k++) {
+t = k*h;
+[w1, w2, w3, w4] = rates(t, phi1, phi2, phi3);
+console.log([t, phi1].map((x) => x + 1).join(","));
+phi1 = phi1 + h*w1; phi2 = phi2 + h*w2; phi3 = phi3 + h*w3;
+}
+"""
+
+
+def test_a_program_is_its_equations_whatever_stands_first() -> None:
+    found = marked(PROGRAM, "31")
+    assert ({mark.verdict for mark in found.marks}, found.share) == ({"right"}, 1.0)

@@ -1,7 +1,10 @@
 """Files of other programs: the mechanism is theirs, its velocities too, and what has no counterpart is listed in the file."""
 
+import contextlib
 import json
 import math
+import random
+import re
 
 import numpy as np
 import pytest
@@ -9,6 +12,7 @@ import pytest
 import coursework
 from coursework.takeaway.foreign import linkage, pmks, pmks_plus, pylinkage
 from coursework.takeaway.foreign.scheme import MOST_BYTES, Slider
+from coursework.takeaway.foreign.text import text_of
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 from tests.command import call
@@ -189,6 +193,9 @@ HOSTILE = {
     "far": (linkage.read, linkage2([('id="1" x="1e300" y="0"', "")], [])),
     "nowhere": (linkage.read, linkage2([('id="1" x="1" y="0"', "")], [((1, 2), "")])),
     "undriven": (linkage.read, linkage2([('id="1" x="1" y="0"', "")], [])),
+    "no length": (linkage.read, ROCKER.replace(b'x="0" y="96"', b'x="0" y="0"')),
+    "fixed crank": (pylinkage.read, MECHANISM.replace('"type": "revolute"', '"type": "ground"').encode()),
+    "slide alone": (pmks_plus.read, SHARED.replace("0B,B", "5B,B").encode()),
     "nested": (pylinkage.read, b"[" * 100_000),
     "text": (pylinkage.read, b'{"joints": "B"}'),
     "nan": (pylinkage.read, MECHANISM.replace("1.0", "NaN").encode()),
@@ -226,6 +233,36 @@ def test_what_cannot_be_read_is_told_in_a_sentence(case):
     with pytest.raises(InputError) as refused:
         read(content)
     assert refused.value.faults[0].code in ("C094", "C095")
+
+
+SPOILT = re.compile(rb"-?[0-9][0-9.]*|[A-Za-z]+")
+PUT = (b"", b"0", b"1e308", b"1e-320", b"nan", b"1e400", b"[]", b"{}", b"x")
+
+
+@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(1, 40))])
+def test_a_spoilt_file_is_read_or_refused(seed):
+    chance = random.Random(seed)
+    seeds = [
+        (pmks.read, FOUR_BAR.encode()), (pmks.read, GEARED.encode()), (pmks_plus.read, SHARED.encode()),
+        (pmks_plus.read, SHARED_SLIDER.encode()), (pylinkage.read, MECHANISM.encode()), (pylinkage.read, MOVING_LINE.encode()),
+        (linkage.read, ROCKER), (linkage.read, PISTON), (linkage.read, SLOTTED),
+    ]  # fmt: skip
+    for _ in range(100):
+        read, content = chance.choice(seeds)
+        words = [*SPOILT.finditer(content)]
+        for word in sorted(chance.sample(words, chance.choice((1, 1, 2))), key=lambda word: -word.start()):
+            content = (
+                content[: word.start()] + chance.choice((*PUT, chance.choice(words)[0], 2 * word[0])) + content[word.end() :]
+            )
+        with contextlib.suppress(InputError):
+            written = text_of(read(content), "own", str)
+            assert not re.search(r'"-?(?:nan|inf)', written.partition("[given]")[2])
+
+
+@pytest.mark.parametrize("rate", ["1e-320", "1e-12"])
+def test_a_second_crank_too_fast_for_a_number_is_left_out(rate):
+    scheme = linkage.read(SLOTTED.replace(b'rpm="10.000000"', f'rpm="{rate}"'.encode()))
+    assert not scheme.turned and "input (5)" in str(scheme.remarks)
 
 
 JOINTS = json.loads(MECHANISM)["joints"]

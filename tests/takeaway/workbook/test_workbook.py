@@ -14,6 +14,7 @@ from coursework.takeaway.workbook.book import workbook_of
 from coursework.variant.catalogue import names
 from tests.command import call
 from tests.equations.reduction.test_long_formulas import two_by_two
+from tests.grading.reading.documents.test_right_work import graded
 from tests.hard.scenes import scene, solve
 from tests.sample import sampled
 from tests.solved import solved
@@ -48,6 +49,14 @@ def test_cached_cells_and_formulas_are_eulers_table(name):
     assert off(cached(content, "Euler", *rows.shape), rows) < 1e-12
     assert off(computed.rows("Euler", *rows.shape), rows) < 1e-9
     assert all(cell.data_type == "f" for row in computed.book["Euler"].iter_rows(2, len(rows) + 1, 1, len(heads)) for cell in row)
+
+
+def test_handed_in_it_is_the_table_of_the_task():
+    grade = graded({"report.xlsx": book("31")})
+    assert (grade.plain()["table"]["score"], [entry.code for entry in grade.work.notes]) == (
+        60.0,
+        ["ignored_file", "bit_identical"],
+    )
 
 
 def test_cells_show_seven_digits_and_hold_all():

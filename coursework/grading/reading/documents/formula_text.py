@@ -14,7 +14,7 @@ from coursework.grading.reading.documents.signs import plain_signs
 
 DOT = "\u0307"
 _DOTS = {DOT, "˙", ".", "dot"}
-_FUNCTIONS = {"sin", "cos", "tan", "tg", "ctg", "cot", "arcsin", "arccos", "arctan", "arctg", "asin", "acos", "atan", "ln",
+FUNCTIONS = {"sin", "cos", "tan", "tg", "ctg", "cot", "arcsin", "arccos", "arctan", "arctg", "asin", "acos", "atan", "ln",
               "log", "exp", "sqrt", "abs", "sgn"}  # fmt: skip
 _PRIMES = {"'", "′", "’"}
 
@@ -46,7 +46,7 @@ def power(body: str, exponent: str) -> str:
         return f" {body}' "
     if exponent in {"°", "∘", "o", "º"}:
         return f" {body}° "
-    if body.lower() in _FUNCTIONS:
+    if body.lower() in FUNCTIONS:
         return f" {body}^{exponent} "
     whole = body if re.fullmatch(r"[\w{}]+|\(.*\)", body) else f"({body})"
     return f" {whole}^{exponent} " if re.fullmatch(r"\d+", exponent) else f" {whole}^({exponent}) "

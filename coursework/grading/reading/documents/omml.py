@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from coursework.grading.reading.documents.formula_text import (
+    FUNCTIONS,
     accented,
     applied,
     enclosed,
@@ -56,6 +57,12 @@ def _delimited(node: FormulaNode) -> str:
     return enclosed(_property(node, "dPr", "begChr", "("), ", ".join(parts), _property(node, "dPr", "endChr", ")"))
 
 
+def _run(node: FormulaNode) -> str:
+    """Return what stands in one run; the name of a function that has a run of its own is no part of the name before it."""
+    text = _inside(node)
+    return f" {text.strip()} " if text.strip() in FUNCTIONS else text
+
+
 def _matrix(node: FormulaNode) -> str:
     return rows_of([" ".join(_inside(part) for part in row.children) for row in node.children if row.name == "mr"])
 
@@ -73,6 +80,7 @@ _WAYS: dict[str, Callable[[FormulaNode], str]] = {
     "nary": lambda node: f" ∑({_inside(node)}) ",
     "eqArr": lambda node: rows_of([_inside(part) for part in node.children if part.name == "e"]),
     "m": _matrix,
+    "r": _run,
     "br": lambda node: "\n",
     "dPr": lambda node: "",
     "accPr": lambda node: "",

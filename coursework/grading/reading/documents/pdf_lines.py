@@ -13,13 +13,14 @@ from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import NamedTuple
 
 from coursework.grading.reading.documents.signs import plain_signs
 from coursework.grading.reading.numbers import looks_numeric
 
 _SAME_LINE, _ATTACHED, _SMALLER = 0.12, 0.6, 0.88  # of the size of letters: base lines alike, an index's, its size
-_WORD_GAP, _CELL_GAP = 0.17, 0.62  # of the size: between words, between cells
+_WORD_GAP, _CELL_GAP, _WIDE_GAP = 0.17, 0.62, 1.2  # of the size: between words, between cells, between equations in a line
 MOST_BARS = 3000
 # Of the size of letters: how far base lines of the parts are from the bar, the equation's own below it, how much longer than
 # its parts a bar is, how near the equation goes on.
@@ -54,8 +55,11 @@ class PageLine:
 
     @property
     def text(self) -> str:
-        """Return the words with blanks between them."""
-        return " ".join(word.text for word in self.words)
+        """Return the words with a blank between them, three where a gap as between two equations stands."""
+        gaps = [word.left - before.right > _WIDE_GAP * self.size for before, word in pairwise(self.words)]
+        return "".join(
+            f"{word.text}{'   ' if wide else ' '}" for word, wide in zip(self.words, [*gaps, False], strict=True)
+        ).rstrip()
 
     @property
     def is_numbers(self) -> bool:

@@ -7,7 +7,7 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from statistics import median
@@ -19,6 +19,7 @@ from coursework.grading.reading.documents.json_text import is_json
 from coursework.grading.reading.documents.markdown import document_of_markdown, is_markdown
 from coursework.grading.reading.documents.notebook import document_of_notebook, is_notebook
 from coursework.grading.reading.documents.odt import document_of_odt, is_odt
+from coursework.grading.reading.documents.page import document_of_latex, document_of_page, has_tables
 from coursework.grading.reading.documents.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.documents.rtf import document_of_rtf, is_rtf
 from coursework.grading.reading.equations.equations import Names, names_for, names_of, read_line
@@ -28,6 +29,7 @@ from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded
+from coursework.grading.reading.files.kinds import is_html
 from coursework.grading.reading.limits import Refused, bounds
 from coursework.grading.reading.numbers import looks_numeric, plain_text
 from coursework.grading.reading.student_work import EquationLine, EquationReading, Table
@@ -37,6 +39,10 @@ from coursework.grading.reading.table.tables_of_file import table_of_text
 
 _MOST_TEXTS = 200
 _TRIED = re.compile("[=:≈]")  # equations and answers
+_OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
+_WORD = re.compile(r"[^\W\d_]{3,}")
+_FEWEST_WORDS = 4  # that are no names
+_DOTTED = re.compile("([^\\W\\d_])\u0307_?([0-9₀-₉]{0,2})")
 _Row = tuple[Cell, ...]
 _LOOKED_AT = 8  # rows in which heads are looked for, and how the time goes on
 _STEP = 0.3  # of a step that rounding may take
@@ -62,11 +68,14 @@ def is_document(archive: Archive) -> bool:
 
 
 def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
-    """Return the document of a notebook, of JSON or of Markdown, None for any other text."""
+    """Return the document of a notebook, of JSON, of a page or a LaTeX file with tables, of Markdown, None for any other text."""
     if is_notebook(decoded.text):
         return document_of_notebook(decoded.text, decoded.encoding)
     if is_json(decoded.text):
         return document_of_json(decoded.text, decoded.encoding, *bounds(grid.rows))
+    if has_tables(decoded.text):
+        kind = document_of_page if is_html(decoded.text) else document_of_latex
+        return kind(decoded.text, decoded.encoding, *bounds(grid.rows))
     return document_of_markdown(decoded.text, decoded.encoding) if is_markdown(decoded.text) else None
 
 
@@ -115,14 +124,24 @@ def lines_of_document(document: Document, name: str, expected: Expected) -> Line
     Lines are numbered as they were taken out.  A report is full of "=": an equation is what names a velocity that is sought, or
     what cannot be read and names two symbols of the variant; where it names nothing else it may be a datum.
     """
-    has_blocks = any("\\begin" in line.text for line in document.lines)
-    tried = (line.text if has_blocks or line.is_formula or _TRIED.search(line.text) else "" for line in document.lines)
-    lines = read_lines("\n".join(tried), name, expected)
     names = names_for(expected)
-    found = ((_with_bullet(line, names), document.lines[line.line - 1]) for line in lines.equations)
-    placed = [one for line, at in found if (one := _placed(line, at, names))]
-    lines.equations = [] if all(line.may_be_datum for line in placed) else placed  # data alone, as of a program, are no work
+
+    def placed(line: EquationLine) -> EquationLine | None:
+        return _placed(_with_bullet(line, names), document.lines[line.line - 1], names)
+
+    lines = read_lines("\n".join(_tried(document.lines)), name, expected, kept=placed)
+    if all(line.may_be_datum for line in lines.equations):
+        lines.equations = []  # data alone, as of a program, are no work
     return lines
+
+
+def _tried(lines: Sequence[DocumentLine]) -> Iterator[str]:
+    r"""Give the lines in which an equation may stand, "" for the others; between \begin and \end all are part of one."""
+    depth = 0
+    for line in lines:
+        begun = depth + line.text.count("\\begin")
+        yield line.text if begun > 0 or line.is_formula or _TRIED.search(line.text) else ""
+        depth = max(0, begun - line.text.count("\\end"))
 
 
 def _with_bullet(line: EquationLine, names: Names) -> EquationLine:
@@ -140,9 +159,24 @@ def _placed(line: EquationLine, at: DocumentLine, names: Names) -> EquationLine 
     """Return an equation with its place, None for a line that is none."""
     named, sought = names_of(line, names) - {*BUILT_IN}, {*names.expected.variant.sought}
     if line.tree is None:
+        if _is_told(line.text, at, names) or _is_of_accelerations(line.text, names):
+            return None
         is_one = line.relates and (at.is_formula or bool(named & sought))
         return replace(line, place=at.place) if is_one else None
     return replace(line, place=at.place, may_be_datum=line.may_be_datum or len(named) < 2) if named & sought else None
+
+
+def _is_told(text: str, at: DocumentLine, names: Names) -> bool:
+    """Return whether a line that cannot be read is a sentence with a number in it: "Find w2 and w3 from t = 0 to 0.6 s"."""
+    if at.is_formula or _OPERATION.search(text):
+        return False
+    return sum(not names.is_name(word) for word in _WORD.findall(text)) >= _FEWEST_WORDS
+
+
+def _is_of_accelerations(text: str, names: Names) -> bool:
+    """Return whether a line has a dot over a velocity: the equations differentiated once more."""
+    dotted = (names.spellings.canonical(found[1] + found[2]) for found in _DOTTED.finditer(text))
+    return any(name in names.expected.variant.sought for name in dotted)
 
 
 def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) -> list[DocumentTable]:

@@ -95,6 +95,7 @@ def is_step(text: str, names: Names) -> bool:
     moved = names_in(left, names.spellings)
     begun = moved if left.rstrip().endswith("+") else set[str]()  # phi3 += h*w3
     used = names_in(right, names.spellings) | begun
+    used -= {"h"}  # which may be a length of the task, too
     return any(moved == {one.name} and used == {one.name, one.rate} for one in names.expected.variant.coordinates)
 
 

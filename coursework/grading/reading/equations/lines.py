@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
@@ -43,6 +43,15 @@ _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _MEASURED = re.compile(r"\d[.,]\d\d")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
+# What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
+_STATEMENT = re.compile(
+    r"(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|begin)\b[^=]*(?:[=(\[{].*)?$"
+    r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{2,40}\(.*\);?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
+    r"|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
+)
+_TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
+_DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+_FUNCTION = re.compile(r"(?:sin|cos|tan|sqrt)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
 _DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a function of Python, and what it returns
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
@@ -52,7 +61,7 @@ _REMARK = re.compile(
 )
 # So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
 _TRIED, _CHARACTERS = 10, 60_000
-_MOST_LINES, _MOST_DEFINITIONS = 20_000, 100
+_MOST_LINES, _MOST_DEFINITIONS, _PASSES = 20_000, 100, 3
 
 
 @dataclass(slots=True)
@@ -64,12 +73,16 @@ class Lines:
     unread: int = 0
 
 
-def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None) -> Lines:
+_Kept = Callable[[EquationLine], EquationLine | None]
+
+
+def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None, kept: _Kept | None = None) -> Lines:
     """Return the equations and answers in a text; `#` begins a remark, prose without "=" is passed over.
 
     `beside` is the table in the same text.  Its rows are passed over and do not count among the lines that are tried.  Its titles
     may hold "=" too (`h = 0.02 s`, `w1 = 13.08`): there an equation is what names a sought velocity and something it depends on,
-    and lines that cannot be read are told only where others can.
+    and lines that cannot be read are told only where others can.  `kept` says of a line of a document, which is full of "=", what
+    is left of it, None where it is no equation; it does not count among them then.
     """
     most = most_lines(expected)
     names = names_for(expected)
@@ -88,14 +101,17 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names)):
             continue
         elif beside is None and _is_equation(line, names):
-            found.equations.append(read_line(line, name, number, with_own))
+            read = read_line(line, name, number, with_own)
+            found.equations += [read] if kept is None else [one for one in [kept(read)] if one]
         elif beside is not None and relates(read := read_line(line, name, number, names), names):
             found.equations.append(read)
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     checks = [_is_of_one_row(line, names) for line in found.equations]
     if not all(checks):  # beside equations
-        found.equations = [replace(line, may_be_datum=one) for line, one in zip(found.equations, checks, strict=True)]
+        found.equations = [
+            replace(line, may_be_datum=line.may_be_datum or one) for line, one in zip(found.equations, checks, strict=True)
+        ]
     found.answers = [*answers.values()]
     return found
 
@@ -108,6 +124,9 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
             function = f"{defined[1]} = "
             continue
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip().strip(_QUOTES)
+        bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
+        if _STATEMENT.match(bare):
+            continue
         bare = bare.strip("'") if bare.startswith("'") else bare
         bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
         if returned := _RETURNED.match(bare):
@@ -169,22 +188,32 @@ def _is_equation(line: str, names: Names) -> bool:
 
 
 def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Formula]:
-    """Return the student's own names that other lines use, with their formulas; a later one may use those before it."""
+    """Return the student's own names that other lines use, with their formulas; one may use others."""
     own: dict[str, Formula] = {}
     with_own = replace(names, own=own)
     spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
+    names_left = {key(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
     labels: set[str] = set()  # before more than one line: V_D = … = 0 along x, and again along y
-    for _, line in lines[:_MOST_DEFINITIONS]:
-        if (found := definition(line, with_own)) and words[found[0]] > 1:
-            labels |= {found[0]} if found[0] in own and _VANISHED.search(line) else set()
-            own.setdefault(*found)
+    for turn in range(_PASSES):  # of a program the data may stand below what uses them
+        waiting = 0
+        for _, line in lines[:_MOST_DEFINITIONS]:
+            waits = {*map(key, _WORD.findall(line.partition("=")[2]))} & names_left - own.keys()
+            waiting += bool(waits)
+            if waits and turn < _PASSES - 1:
+                continue
+            if (found := definition(line, with_own)) and words[found[0]] > 1:
+                labels |= {found[0]} if not turn and found[0] in own and _VANISHED.search(line) else set()
+                own.setdefault(*found)
+        if not waiting:
+            break
     return {name: formula for name, formula in own.items() if name not in labels}
 
 
 def _defines(line: str, own: Mapping[str, Formula], names: Names) -> bool:
     name, formula = own_name(line, names.spellings) if own else ("", "")
-    return key(name) in own and "=" not in formula  # V_Cy = … = 0 is an equation, too
+    # V_Cy = … = 0 is an equation, too; V_Cy = 0.3*4.1 = 1.23 is its value at some row.
+    return key(name) in own and ("=" not in formula or not _WORD.search(_FUNCTION.sub("", formula)))
 
 
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:

@@ -201,6 +201,24 @@ def _typst(latex: str) -> str:
     return latex
 
 
+def page(heads: Sequence[str], rows: Rows, equations: Sequence[str]) -> bytes:
+    """A page with its table inside another, its formulas drawn with a label for who cannot see them."""
+    cells = "".join(f"<tr>{''.join(f'<td><p>{text}</p></td>' for text in row)}</tr>\n" for row in (heads, *rows))
+    drawn = "".join(f'<div class="f" role="math" aria-label="{text}"><svg><path d="M0 0"/></svg></div>' for text in equations)
+    return f"<!doctype html><h1>Курсова: t = 0.02 k</h1>{drawn}<table><tr><td>1<table>{cells}</table></td></tr></table>".encode()
+
+
+def latex(heads: Sequence[str], rows: Rows, equations: Sequence[str]) -> bytes:
+    """A file of LaTeX with more signs of equality before its equations than are read."""
+    told = "\n".join(f"Тут $x_{{{k}}} = {k}$ і $V_{{{k}}} = 0$." for k in range(60))
+    shown = "\n".join(f"\\begin{{equation}}\\label{{e{k}}}\n{text}\n\\end{{equation}}" for k, text in enumerate(equations))
+    lines = " \\\\ \\hline\n".join(" & ".join(row) for row in (heads, *rows))
+    types = "@{}" + "|c" * len(heads) + "|p{2cm}@{}"
+    table = f"\\begin{{longtable}}[h]{{{types}}}\n\\toprule\n{lines} \\\\\n\\end{{longtable}}"
+    begin, end = "\\documentclass{article}\n\\def\\x{w_1 = 2}\n\\begin{document}", "\\end{document}"
+    return "\n".join([begin, told, shown, table, end]).encode()
+
+
 MAKERS: dict[str, tuple[str, Maker]] = {
     "markdown": ("report.md", markdown),
     "word by pandoc": ("report.docx", pandoc("docx")),
@@ -215,6 +233,8 @@ MAKERS: dict[str, tuple[str, Maker]] = {
     "notebook of markdown": ("work.ipynb", pandoc("ipynb")),
     **{f"json, {orient}": ("data.json", json_of(orient)) for orient in ("columns", "records", "index", "split")},
     "json, texts": ("data.json", json_texts),
+    "page": ("report.html", page),
+    "latex": ("report.tex", latex),
     "pdf, ruled": ("report.pdf", typst_pdf("0.5pt")),
     "pdf, bare": ("report.pdf", typst_pdf("none")),
     "pdf, low pages": ("report.pdf", typst_pdf("0.5pt", "9cm")),

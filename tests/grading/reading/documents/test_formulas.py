@@ -110,6 +110,16 @@ def test_each_equation_as_word_stores_it(equation: str) -> None:
     assert str(word(text, text + math(equation)).equations[0].where) == "paragraph 2"  # type: ignore[index]
 
 
+def test_a_run_of_its_own_is_a_function_and_told_things_are_no_equations() -> None:
+    runs = R3 + W3 + r("2") + r("sin") + P3 + r("=") + r("2") + R3 + W3 + r("sin") + d(P3)
+    (line,) = word(math(SECOND), math(runs)).equations[1:]  # type: ignore[index]
+    assert line.text.count(" sin ") == 2
+    told = "Знайти ω1, ω2 та ω3 починаючи з моменту часу t = 0 до кінця"
+    assert verdicts(word(math(SECOND), f"<w:r><w:t>{told}</w:t></w:r>", math(sub(dot(r("ω")), r("3")) + r("=") + W3 + R3))) == [
+        "right"
+    ]
+
+
 def test_a_system_under_a_brace_and_equations_typed_in_part() -> None:
     assert verdicts(word(math(SYSTEM))) == ["right"] * 3
     assert verdicts(word(f"<m:oMath>{FOURTH}</m:oMath><w:r><w:t> = 0,   (18)</w:t></w:r>")) == ["right"]

@@ -10,8 +10,10 @@ from coursework.grading.reading.documents.formula_tree import FormulaNode, Formu
 from coursework.grading.reading.documents.mathml import text_of_mathml
 from coursework.grading.reading.documents.odt import document_of_odt
 from coursework.grading.reading.documents.omml import text_of_omml
+from coursework.grading.reading.documents.pdf_lines import PageLine, Word
 from coursework.grading.reading.documents.rtf import document_of_rtf
 from coursework.grading.reading.documents.starmath import text_of_starmath
+from coursework.grading.reading.equations.parts import parts_of
 from coursework.grading.reading.files.archive import Archive
 from tests.grading.reading.dialects import archive
 
@@ -167,3 +169,15 @@ def test_letters_formulas_and_cells_of_opendocument(body: str, lines: list[str],
     document = document_of_odt(Archive(packed), 10, 10)
     assert [line.text for line in document.lines] == lines
     assert [[[cell.text for cell in row] for row in table.rows] for table in document.tables] == tables
+
+
+def test_two_equations_beside_each_other_on_a_page_of_a_pdf_stay_two() -> None:
+    words = [
+        Word("r1*w1", 0, 40),
+        Word("=", 44, 50),
+        Word("r2*w2", 54, 94),
+        Word("w3", 120, 130),
+        Word("=", 134, 140),
+        Word("2*w1", 144, 170),
+    ]
+    assert parts_of(PageLine(words, 10).text) == ["r1*w1 = r2*w2", "w3 = 2*w1"]

@@ -14,6 +14,7 @@ from coursework.grading.marking.grade import Grade
 from coursework.grading.reading.submission import Submission, submitted_file
 from tests.grading.marking import students
 from tests.grading.reading.documents.papers import MAKERS, Rows
+from tests.takeaway.taken import taken
 
 LATEX = (
     r"V_{My} - 2 r_3 \omega_3 \cos\varphi_3 - r_3 \omega_3 \sin\varphi_3 = 0",
@@ -84,3 +85,18 @@ def test_a_report_beside_the_table_repeats_it() -> None:
     other = made(GREEK, rows(students.table(students.heun), 3, ","), LATEX)
     doubtful = graded({name: other, "table.csv": exact})
     assert doubtful.status == "needs-review" and "table 1" in str(doubtful.reason)
+
+
+OWN = [
+    *((name, kind) for name in ("31", "v102") for kind in ("docx", "odt", "tex", "html", "xlsx")),
+    *((name, "xlsx") for name in ("example-1", "example-2", "jansen")),
+]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("name", "kind"), OWN)
+def test_what_the_tool_itself_writes_is_read_whole(name: str, kind: str) -> None:
+    grade = graded({file: content for file, content in taken(name, kind).items() if file.endswith(kind)}, name)
+    assert grade.table is not None and grade.work.table is not None
+    assert (grade.plain()["table"]["score"], all(grade.work.table.rows_present)) == (60.0, True)
+    assert kind == "xlsx" or grade.total == 100.0

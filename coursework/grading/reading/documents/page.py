@@ -1,0 +1,88 @@
+"""A page of HTML or a LaTeX file with tables -> its tables, the labels of its formulas, lines of text.
+
+Enters: text.  Leaves: `Document`; nothing of a page is run or fetched.  Takes time in proportion to the text.
+Used by `read_document.py`.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+
+from coursework.grading.reading.documents.document import MOST_TABLES, Document, place_of
+from coursework.grading.reading.files.cells import Cell
+from coursework.grading.reading.files.html_text import text_of
+from coursework.grading.reading.limits import CELL_CHARACTERS
+
+_TABLE = re.compile(r"<(/?)table\b[^<>]{0,2000}>", re.IGNORECASE)
+# A formula that is drawn says what it is to who cannot see it; the mark tells its line below.
+_DRAWN = re.compile(r'<[a-z]{1,10}(?= )(?=[^<>]{0,2000} role="math")[^<>]{0,2000} aria-label="([^"<>]{1,2000})"[^<>]{0,2000}>')
+_MARK = "\ue000"
+_TABULAR = re.compile(r"\\(begin|end)\s{0,9}\{(?:longtable|tabular[xy]?|supertabular|tblr)\*?\}")
+_BODY = "\\begin{document}"
+_TYPES = re.compile(r"\s*(?:\[[^\]]{0,20}\]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})")  # place, width and columns of a table
+_ROW_END = re.compile(r"\\\\(?:\s{0,9}\[[^\]]{0,20}\])?|\\tabularnewline\b")
+_MOST_TYPES, _TYPES_WITHIN = 3, 2000
+_CELL_END = re.compile(r"(?<!\\)&")
+_RULES = re.compile(
+    r"\\(?:(?:top|mid|bottom|h)(?:rule|line)|c(?:mid)?rule|noalign|end(?:first|last)?(?:head|foot))\b(?:\{[^{}]{0,40}\})?"
+)
+_MARKUP = re.compile(r"\\[()]|\$|\\(?:textbf|textit|emph|mathbf|mathrm|text|bm)\b|[{}]|\\(?=[A-Za-z]{2,9}\b)|\\[,;:! ]|~")
+
+
+def has_tables(text: str) -> bool:
+    """Return whether a page of HTML or a LaTeX file has tables of its own."""
+    return bool(_TABLE.search(text) or _TABULAR.search(text))
+
+
+def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
+    """Return what stands in a page of HTML: a table inside another is a table of its own."""
+    document = Document(kind, is_whole=False)
+    marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1]}</p>", text)
+    depth = end = 0
+    for found in _TABLE.finditer(marked):
+        _add_piece(document, marked[end : found.start()], depth > 0, most_rows, most_columns)
+        depth, end = max(0, depth - 1) if found[1] else depth + 1, found.end()
+    _add_piece(document, marked[end:], False, most_rows, most_columns)
+    return document
+
+
+def _add_piece(document: Document, piece: str, is_table: bool, most_rows: int, most_columns: int) -> None:
+    lines = text_of(piece).split("\n")
+    if is_table:
+        rows = [line.split("\t")[:most_columns] for line in lines if line.strip()][:most_rows]
+        cells = [[Cell(text.strip()[:CELL_CHARACTERS]) for text in row] for row in rows]
+        document.add_table(cells, place_of("table", number=min(len(document.tables) + 1, MOST_TABLES)))
+        return
+    for line in lines:
+        plain = html.unescape(line).strip()
+        document.add_line(plain.replace(_MARK, ""), place_of("line", line=len(document.lines) + 1), plain.startswith(_MARK))
+
+
+def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
+    """Return the tables of a LaTeX file and its lines, those of the tables and of the preamble left out."""
+    document = Document(kind, is_whole=False)
+    end = text.find(_BODY) + len(_BODY) if _BODY in text else 0
+    number, is_table = text.count("\n", 0, end) + 1, False
+    for found in (*_TABULAR.finditer(text, end), None):
+        piece = text[end : found.start() if found else len(text)].replace("\\end{document}", "")
+        if is_table:
+            document.add_table(_rows(piece, most_rows, most_columns), place_of("line", line=number))
+        else:
+            for line, content in enumerate(piece.split("\n"), start=number):
+                document.add_line(content, place_of("line", line=line))
+        number += piece.count("\n")
+        if found:
+            is_table, end = found[1] == "begin", found.end()
+    return document
+
+
+def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:
+    """Return the rows between the two ends of a table."""
+    for _ in range(_MOST_TYPES):
+        body = (
+            _TYPES.sub("", body[:_TYPES_WITHIN], count=1) + body[_TYPES_WITHIN:] if _TYPES.match(body[:_TYPES_WITHIN]) else body
+        )
+    lines = [_RULES.sub(" ", line) for line in _ROW_END.split(body, maxsplit=most_rows)[:most_rows]]
+    cut = [_CELL_END.split(line, maxsplit=most_columns)[:most_columns] for line in lines]
+    return [[Cell(" ".join(_MARKUP.sub("", cell).split())[:CELL_CHARACTERS]) for cell in row] for row in cut if len(row) > 1]
