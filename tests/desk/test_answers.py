@@ -168,7 +168,8 @@ def mended(client, text: str, key: str = "faults") -> str:
 
 
 def test_an_empty_text_begins_as_a_task_sheet_does(client):
-    text = client.post("/api/check", json={"text": ""}).json()["faults"][0]["mend"]["text"]
+    text, time = (fault["mend"]["text"] for fault in client.post("/api/check", json={"text": ""}).json()["faults"])
+    assert time.startswith("[time]")
     text = mended(client, text)
     assert [line for line in text.split("\n") if line.startswith("[")] == ["[given]", "[drive]", "[coordinates]", "[time]"]
     assert client.post("/api/check", json={"text": text}).json()["faults"][0]["code"] == "V072"  # no other fault in it
