@@ -76,4 +76,12 @@ def test_a_variant_is_changed_saved_and_taken_by_keyboard_alone(desk: Callable[.
     press("F6")
     press("F6")
     assert page.evaluate(WHERE) == "desk-bar"
+    # Of the sections those that are not begun yet are offered, in the order of a file.
+    page.focus("#desk-text .cm-content")
+    press("Control+End")
+    page.keyboard.type("\n[")
+    page.wait_for_selector(".cm-completionLabel")
+    offered = page.eval_on_selector_all(".cm-completionLabel", "all => all.map(one => one.textContent)")
+    assert offered[0] == "[functions]"
+    assert "[given]" not in offered
     assert one.said == []
