@@ -85,7 +85,7 @@ export function commandsIn(desk) {
         part === view.contentDOM || part instanceof HTMLIFrameElement
           ? part
           : part?.querySelector(/** @type {"button"} */ ("button, summary, a, input"));
-      if (!(inside instanceof HTMLElement) || !inside.checkVisibility()) continue;
+      if (!(inside instanceof HTMLElement) || !inside.checkVisibility({ visibilityProperty: true })) continue;
       inside.focus();
       return;
     }

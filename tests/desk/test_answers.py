@@ -10,13 +10,15 @@ import pytest
 from coursework.api import solve
 from coursework.desk.answering import variant_page
 from coursework.desk.answering.mends import mends_of
-from coursework.desk.job import Policy
+from coursework.desk.answering.typed import Desk, faults_of
+from coursework.desk.job import Bounds, Policy, Setup
 from coursework.equations.reduction import structure
 from coursework.equations.reduction.equations import differentiate
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
 from coursework.variant.reading.reader import parse_variant
-from coursework.words.errors import InputError
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 from tests.command import call
 from tests.desk.desks import TEXT, VARIANTS, desk
 from tests.equations.test_nearly_dependent import two
@@ -153,13 +155,21 @@ def test_a_section_that_is_missing_is_begun_at_the_end_of_the_text(client):
     assert [(fault["code"], fault["mend"]["text"].split()[0]) for fault in told] == [("V072", "[[constraint]]")]
 
 
+@pytest.mark.parametrize(("folder", "advice"), [("", "[ask]"), (".", "--budget 5")])
+def test_what_costs_too_much_is_told_with_what_helps_on_this_desk(folder, advice):
+    fault = Fault(say("fault.E001", limit="5", stage="x"), "own")
+    (told,) = faults_of(InputError([fault]), Desk({}, "en", Setup(Bounds(5, 512), folder=folder)))
+    assert (told["code"], advice in told["sentence"]) == ("E001", True)
+
+
 def mended(client, text: str, key: str = "faults") -> str:
     (mend,) = [one["mend"] for one in client.post("/api/check", json={"text": text}).json()[key]]
     return text + mend["text"]
 
 
 def test_an_empty_text_begins_as_a_task_sheet_does(client):
-    text = client.post("/api/check", json={"text": ""}).json()["faults"][0]["mend"]["text"]
+    text, time = (fault["mend"]["text"] for fault in client.post("/api/check", json={"text": ""}).json()["faults"])
+    assert time.startswith("[time]")
     text = mended(client, text)
     assert [line for line in text.split("\n") if line.startswith("[")] == ["[given]", "[drive]", "[coordinates]", "[time]"]
     assert client.post("/api/check", json={"text": text}).json()["faults"][0]["code"] == "V072"  # no other fault in it

@@ -30,6 +30,7 @@ def test_each_kind_is_shown_with_what_it_asks(client):
 
 def test_from_an_empty_text_to_a_chain_of_every_kind(client):
     text = put(client, "", "crank")["text"]
+    assert "coursework run" not in text  # nor of what it is a chain, which it is not for long
     for kind, point in (("RRR", "B"), ("RRP", "D"), ("RPR", "D"), ("PRP", "D"), ("crank", ""), ("RPP", "B")):
         before, found = text, put(client, text, kind, *([point] if point else []))
         text = found["text"]

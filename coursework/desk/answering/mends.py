@@ -52,7 +52,7 @@ def _beginning(fault: Fault, lines: Sequence[str], meant: Sequence[str | None]) 
     name = str(fault.message.values["name"]) if fault.code == _MISSING else "constraint"
     if name in meant or name not in _BEGUN:
         return None
-    first = "" if any(lines) else f"{_BEGUN['given']}\n\n"
+    first = "" if any(lines) or name != "coordinates" else f"{_BEGUN['given']}\n\n"
     return appended(first + _BEGUN[name], lines)
 
 

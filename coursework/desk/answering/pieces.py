@@ -70,7 +70,8 @@ def _alone(kind: str, desk: Desk) -> str:
     if kind in ASKS:
         return led(desk.name, desk.words.written, [one.name for one in ASKED])
     draft = draft_of([DRIVEN] if kind == DRIVEN else [DRIVEN, kind])
-    return text_of(draft, desk.name, desk.words.written, [one.name for one in ASKED])
+    # Above it stands how a terminal runs it, and of what it is a chain: the one is not needed here, the other not for long.
+    return text_of(draft, desk.name, desk.words.written, [one.name for one in ASKED]).partition("\n")[2]
 
 
 def piece(desk: Desk) -> dict[str, Any]:

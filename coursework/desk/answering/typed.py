@@ -21,10 +21,11 @@ from coursework.variant.reading.tables import MAX_TABLE_BYTES
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.data_folders import folder
-from coursework.words.errors import MOST_SHOWN, CourseworkError, InputError
+from coursework.words.errors import MOST_SHOWN, CourseworkError, Fault, InputError
 from coursework.words.sentences import Phrases, load_phrases, say
 
 UNNAMED = "variant"
+DEAR = {"E001": "desk.over_time", "E002": "desk.over_memory"}
 
 
 class Desk:
@@ -70,13 +71,19 @@ class Desk:
 
 def faults_of(error: CourseworkError, desk: Desk) -> list[dict[str, Any]]:
     """Return the faults of a text, each with its place in it (None for what is wrong elsewhere) and what would mend it."""
-    lines, written = desk.text.split("\n"), desk.words.written
+    lines = desk.text.split("\n")
     faults = error.faults[:MOST_SHOWN]
     mends = mends_of(faults, lines)
     return [
-        fault_entry(fault.code, fault.said(written), fault.line, fault.column, mend)
+        fault_entry(fault.code, _said(fault, desk), fault.line, fault.column, mend)
         for fault, mend in zip(faults, mends, strict=True)
     ]
+
+
+def _said(fault: Fault, desk: Desk) -> str:
+    """Return a fault as `check` says it; who has the desk from others cannot give a text more than they do."""
+    dear = DEAR.get(fault.code) if not desk.setup.folder else None
+    return desk.words.written(say(dear, limit=fault.message.values["limit"])) if dear else fault.said(desk.words.written)
 
 
 def remarks_of(desk: Desk) -> list[dict[str, Any]]:

@@ -53,7 +53,8 @@ class Renderers:
         def unanswered(job: Job, is_spent: bool) -> Answer:
             if not is_spent:
                 return told(BUSY, job.language, "desk.process_ended")
-            return faulty(job.kind, [fault_entry("E001", load_phrases(job.language).written(out_of_time(seconds)))])
+            spent = out_of_time(seconds) if setup.folder else say("desk.over_time", limit=f"{seconds:g}")
+            return faulty(job.kind, [fault_entry("E001", load_phrases(job.language).written(spent))])
 
         place = "coursework.desk.answering.bench:opened"
         trade = Trade(place, plain_of(setup), Answer, unanswered, seconds * _SLOWER + PACE, quiet=False)

@@ -14,7 +14,9 @@ import { hangPiece, pieceCard } from "./pieces.js";
  * @param {Desk} desk
  */
 export async function openNew(host, desk) {
-  const search = make("input", { type: "search", placeholder: say("search"), "aria-label": say("search") });
+  // Who has keys types at once what is looked for; on a phone they would cover the pictures.
+  const autofocus = matchMedia("(hover: hover)").matches;
+  const search = make("input", { type: "search", placeholder: say("search"), "aria-label": say("search"), autofocus });
   const cards = make("div", { className: "cards", role: "list" }, say("waiting"));
   const pieces = make("div", { className: "cards pieces" });
   const count = make("output", { className: "count" });

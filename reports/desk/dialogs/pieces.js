@@ -33,7 +33,9 @@ export function hangPiece(piece, desk) {
   const { doc } = desk.view.state,
     text = doc.toString(),
     points = [...declaredIn(text).points];
-  const fields = piece.asks.map(({ key, means }) => {
+  // A text without points begins with the piece, and with the crank that moves it.
+  const asks = points.length ? piece.asks : [];
+  const fields = asks.map(({ key, means }) => {
     const select = make("select", { id: `desk-on-${key}` }, ...points.map((name) => make("option", {}, name)));
     return { label: make("label", { for: select.id }, means), select };
   });

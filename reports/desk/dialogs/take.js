@@ -68,7 +68,7 @@ export function openTake(host, { config, works, view, given, saving }) {
         const { written, skipped } = await works.unzip(packed);
         const lines = [
           say("opened", { names: written.join(", ") || "–" }),
-          ...skipped.map((each) => `${each.name}: ${each.sentence}`),
+          ...skipped.map(({ name, sentence }) => (sentence.includes(name) ? sentence : `${name}: ${sentence}`)),
         ];
         told.replaceChildren(...lines.map((line) => make("p", {}, line)));
         // Who opens one text wants to see it.

@@ -69,11 +69,13 @@ const told = ({ name, means }) => ({
  */
 function sections(known, context, open, typed) {
   const behind = /^\]*/.exec(context.state.sliceDoc(context.pos, context.pos + 2))?.[0].length ?? 0;
+  const begun = new Set(context.state.doc.toString().match(/^\[\w+\]/gm));
   const options = known.sections
-    .filter((one) => isTable(one) && (one.many || open === "["))
-    .map((one) => {
+    .filter((one) => isTable(one) && (one.many || (open === "[" && !begun.has(`[${one.name}]`))))
+    .map((one, at) => {
       const label = one.many ? `[[${one.name}]]` : `[${one.name}]`;
-      return { ...told(one), label };
+      // In the order of a file; what remarks quote is thought of last.
+      return { ...told(one), label, boost: one.name === "quote" ? -99 : -at };
     });
   const from = context.pos - typed.length - open.length;
   return { from, to: context.pos + behind, options, validFor: /^\[{1,2}[\w.]*$/ };

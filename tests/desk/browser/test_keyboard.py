@@ -62,4 +62,26 @@ def test_a_variant_is_changed_saved_and_taken_by_keyboard_alone(desk: Callable[.
     assert taken.value.suggested_filename == "31.toml"
     press("Escape")
     assert page.evaluate("document.activeElement.parentElement.id") == "desk-take"
+    # What is looked for is typed at once.
+    page.focus("#desk-new button")
+    press("Enter")
+    page.wait_for_selector("[data-variant=watt]")
+    page.keyboard.type("watt")
+    one.until(lambda: page.eval_on_selector_all(".cards:not(.pieces) > :not([hidden])", "all => all.length") < 5)
+    press("Escape")  # the word, then the dialog
+    press("Escape")
+    # Where there is no page yet F6 goes past it.
+    page.evaluate("document.getElementById('desk-page').classList.add('empty')")
+    page.focus("#desk-text .cm-content")
+    press("F6")
+    press("F6")
+    assert page.evaluate(WHERE) == "desk-bar"
+    # Of the sections those that are not begun yet are offered, in the order of a file.
+    page.focus("#desk-text .cm-content")
+    press("Control+End")
+    page.keyboard.type("\n[")
+    page.wait_for_selector(".cm-completionLabel")
+    offered = page.eval_on_selector_all(".cm-completionLabel", "all => all.map(one => one.textContent)")
+    assert offered[0] == "[functions]"
+    assert "[given]" not in offered
     assert one.said == []
