@@ -138,7 +138,7 @@ const watch = /** @type {Watch} */ ({
       const told = svg("title", {}, mark);
       const name = data.words["scheme_" + one.scheme];
       // Named where its name has room.
-      const px = x(one.time), py = y(one.error), long = 7.5 * name.length + 8, way = px + long > 358 ? -8 : 8;
+      const px = x(one.time), py = y(one.error), long = 8.5 * name.length + 8, way = px + long > 358 ? -8 : 8;
       if ((way > 0 || px > left + long) && !taken.some((at) => Math.abs(at[0] - px) < 130 && Math.abs(at[1] - py) < 15)) {
         taken.push([px, py]);
         svg("text", { x: f1(px + way), y: f1(py + 4), "text-anchor": way < 0 ? "end" : "start" }, field).textContent = name;
