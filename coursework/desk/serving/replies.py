@@ -53,7 +53,8 @@ async def refusal(request: Request, error: Exception) -> Response:
     """Return what is told of a request that cannot be answered."""
     written = load_phrases(language_of(request)).written
     if isinstance(error, CourseworkError):
-        return reply(plain(NOT_WRITTEN, {"sentence": " ".join(fault.said(written) for fault in error.faults)}))
+        # Its own sentence advises an option that the desk does not have.
+        return reply(plain(NOT_WRITTEN, {"sentence": written(say("desk.no_room"))}))
     assert isinstance(error, HTTPException)
     sentence = error.sentence if isinstance(error, Refused) else say("desk.no_route")
     headers = {**(error.headers or {}), **({"Connection": "close"} if error.status_code in _CLOSED else {})}

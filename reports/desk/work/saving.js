@@ -52,6 +52,7 @@ export function savingIn({ works, view, state, notices, named, began, again, sur
   function collide(theirs) {
     conflict = theirs;
     tell();
+    notices.drop("outside");
     notices.show("conflict", say("conflict", { name }), { [say("compare")]: () => void save() });
   }
 

@@ -32,10 +32,13 @@ def test_a_change_from_outside_is_taken_over_at_once(desk: Callable[..., Any]) -
 @pytest.mark.parametrize("choice", ["mine", "theirs"])
 def test_two_changes_are_shown_side_by_side(choice: str, desk: Callable[..., Any]) -> None:
     one, path = saved(desk)
+    path.write_text(f"{one.text}\n", encoding="utf-8")
+    one.page.wait_for_selector("[data-notice=outside]")
     first = one.text
     one.replace(*OWN)
     path.write_text(first.replace(*OTHER), encoding="utf-8")
     one.page.wait_for_selector("#desk-state[data-file=conflict]")
+    assert one.page.locator("[data-notice=outside]").count() == 0  # what was taken over is the past
     one.page.keyboard.press("Control+s")
     assert one.page.locator(".merge .cm-changedLine").count() == 2
     assert path.read_text(encoding="utf-8") == first.replace(*OTHER)
