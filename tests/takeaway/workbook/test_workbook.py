@@ -53,10 +53,7 @@ def test_cached_cells_and_formulas_are_eulers_table(name):
 
 def test_handed_in_it_is_the_table_of_the_task():
     grade = graded({"report.xlsx": book("31")})
-    assert (grade.plain()["table"]["score"], [entry.code for entry in grade.work.notes]) == (
-        60.0,
-        ["ignored_file", "bit_identical"],
-    )
+    assert (grade.plain()["table"]["score"], [entry.code for entry in grade.work.notes]) == (60.0, ["ignored_file"])
 
 
 def test_cells_show_seven_digits_and_hold_all():

@@ -8,16 +8,18 @@ from __future__ import annotations
 
 import html
 import re
+from itertools import islice
 
-from coursework.grading.reading.documents.document import MOST_TABLES, Document, place_of
+from coursework.grading.reading.documents.document import MOST_LINES, MOST_TABLES, Document, place_of
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.limits import CELL_CHARACTERS
 
 _TABLE = re.compile(r"<(/?)table\b[^<>]{0,2000}>", re.IGNORECASE)
 # A formula that is drawn says what it is to who cannot see it; the mark tells its line below.
-_DRAWN = re.compile(r'<[a-z]{1,10}(?= )(?=[^<>]{0,2000} role="math")[^<>]{0,2000} aria-label="([^"<>]{1,2000})"[^<>]{0,2000}>')
+_DRAWN = re.compile(r'<[a-z]{1,10}(?= )(?=[^<>]{0,500} role="math")[^<>]{0,500} aria-label="([^"<>]{1,2000})"[^"<>]{0,100}>')
 _MARK = "\ue000"
+_MOST_ENDS = 4 * MOST_TABLES  # of tables
 _TABULAR = re.compile(r"\\(begin|end)\s{0,9}\{(?:longtable|tabular[xy]?|supertabular|tblr)\*?\}")
 _BODY = "\\begin{document}"
 _TYPES = re.compile(r"\s*(?:\[[^\]]{0,20}\]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})")  # place, width and columns of a table
@@ -40,7 +42,7 @@ def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) ->
     document = Document(kind, is_whole=False)
     marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1]}</p>", text)
     depth = end = 0
-    for found in _TABLE.finditer(marked):
+    for found in islice(_TABLE.finditer(marked), _MOST_ENDS):
         _add_piece(document, marked[end : found.start()], depth > 0, most_rows, most_columns)
         depth, end = max(0, depth - 1) if found[1] else depth + 1, found.end()
     _add_piece(document, marked[end:], False, most_rows, most_columns)
@@ -64,12 +66,12 @@ def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -
     document = Document(kind, is_whole=False)
     end = text.find(_BODY) + len(_BODY) if _BODY in text else 0
     number, is_table = text.count("\n", 0, end) + 1, False
-    for found in (*_TABULAR.finditer(text, end), None):
+    for found in (*islice(_TABULAR.finditer(text, end), _MOST_ENDS), None):
         piece = text[end : found.start() if found else len(text)].replace("\\end{document}", "")
         if is_table:
             document.add_table(_rows(piece, most_rows, most_columns), place_of("line", line=number))
         else:
-            for line, content in enumerate(piece.split("\n"), start=number):
+            for line, content in enumerate(piece.split("\n", MOST_LINES)[:MOST_LINES], start=number):
                 document.add_line(content, place_of("line", line=line))
         number += piece.count("\n")
         if found:

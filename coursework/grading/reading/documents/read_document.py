@@ -42,7 +42,7 @@ _TRIED = re.compile("[=:≈]")  # equations and answers
 _OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
 _WORD = re.compile(r"[^\W\d_]{3,}")
 _FEWEST_WORDS = 4  # that are no names
-_DOTTED = re.compile("([^\\W\\d_])\u0307_?([0-9₀-₉]{0,2})")
+_DOTTED = re.compile(r"([^\W\d_])\u0307_?([0-9₀-₉]{0,2})|\\dot\s?\{?\s?\\?([A-Za-z]{1,9})\s?\}{0,2}_?\{?(\d{0,2})")
 _Row = tuple[Cell, ...]
 _LOOKED_AT = 8  # rows in which heads are looked for, and how the time goes on
 _STEP = 0.3  # of a step that rounding may take
@@ -175,7 +175,7 @@ def _is_told(text: str, at: DocumentLine, names: Names) -> bool:
 
 def _is_of_accelerations(text: str, names: Names) -> bool:
     """Return whether a line has a dot over a velocity: the equations differentiated once more."""
-    dotted = (names.spellings.canonical(found[1] + found[2]) for found in _DOTTED.finditer(text))
+    dotted = (names.spellings.canonical("".join(part or "" for part in found.groups())) for found in _DOTTED.finditer(text))
     return any(name in names.expected.variant.sought for name in dotted)
 
 

@@ -51,7 +51,8 @@ _STATEMENT = re.compile(
 )
 _TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
-_FUNCTION = re.compile(r"(?:sin|cos|tan|sqrt)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
+_FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
+_ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
 _DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a function of Python, and what it returns
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
@@ -219,7 +220,10 @@ def _defines(line: str, own: Mapping[str, Formula], names: Names) -> bool:
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:
     """Return whether a line names sought velocities and numbers alone, as "w3 = 6.12": a value or a check of some row."""
     named = names_of(read, names) if read.tree is not None else set[str]()
-    return bool(named) and named <= {*names.expected.variant.sought} and _MEASURED.search(read.text) is not None
+    variant = names.expected.variant
+    if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is one velocity by another
+        named -= {one.rate for one in variant.coordinates} - {*variant.sought}
+    return bool(named) and named <= {*variant.sought} and _MEASURED.search(read.text) is not None
 
 
 def relates(read: EquationLine, names: Names) -> bool:

@@ -26,7 +26,7 @@ TOKENS = [
     b"<table:table>", b'<draw:object xlink:href="./A"/>', b"$$", b"|---|", b"{\\*\\moMath", b"\\cell ", b"\\row", b"\\u-1?",
     b"\\'d0", b"\\bin9 ", b"\\itap3 ", b'"cells"', b'"data": {', b"NaN", b"[[[[[[[", b"\\frac{", b"\\begin{align}", b"\\\\",
     b"stream", b"endobj", b"/FlateDecode", b"%PDF-", b"<</Kids[1 0 R]>>", b"&#x0;", b"<![CDATA[", b"xmlns:w='v'", b"\xff\xfe",
-    b"\x00",
+    b"\x00", b"<table>", b"</td>", b" role=\"math\" aria-label=\"", b"\\begin{tabular}{", b"\\end{longtable}", b"& &",
 ]  # fmt: skip
 
 
