@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from coursework.api import make_run
-from coursework.desk.answering.derived import lacking, verdict
+from coursework.desk.answering.derived import agreed_of, judged, lacking
 from coursework.desk.answering.edits import line_and_column
 from coursework.desk.answering.typed import Desk, faults_of
 from coursework.desk.job import Answer, fault_entry, faulty
@@ -23,7 +23,7 @@ from coursework.grading.marking.equations.columns import column_as_handed_in
 from coursework.grading.marking.equations.differing import difference_of
 from coursework.grading.marking.equations.edits import Edit, applied
 from coursework.grading.marking.equations.equations import RIGHT, Judge
-from coursework.grading.marking.equations.linear import NOTHING, is_same, linear
+from coursework.grading.marking.equations.linear import NOTHING, Linear, is_same, linear
 from coursework.grading.marking.equations.numbers import value_of
 from coursework.grading.marking.key import key_of
 from coursework.mechanism.mechanism import build
@@ -60,27 +60,22 @@ def naming_terms(kind: str, made: Answering) -> Answering:
 
 def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
     wrong = {str(fault.message.values["name"]): fault for fault in error.faults}
-    written = [one for one in desk.variant.constraints if not one.is_closure]
     agreed, slips = tuple[str, ...](), dict[str, Slip]()
     with suppress(CourseworkError):  # what is left may be no mechanism
         right = _without(wrong, desk.variant)
-        closure = make_run(right, quantities=[TABLE.name]).scene.closure
-        agreed = closure.agreed if closure is not None else ()
-        judge, others = Judge(key_of(right)), [one for one in written if one.name in agreed and one.name not in wrong]
+        agreed = agreed_of(make_run(right, quantities=[TABLE.name]))
+        judge, written = Judge(key_of(right)), [one for one in desk.variant.constraints if not one.is_closure]
+        others = [
+            linear(Formula("-", one.sides), judge.off_closure) for one in written if one.name in agreed and one.name not in wrong
+        ]
         searched = [one for one in written if one.name in wrong][:_MOST]
-        found = {one.name: _slip(one, judge, others, desk) for one in searched}
-        slips = {name: slip for name, slip in found.items() if slip is not None}
+        slips = {one.name: slip for one in searched if (slip := _slip(one, judge, others, desk))}
     entries = [
         _entry(fault, slips[name], desk) if name in slips else entry
         for (name, fault), entry in zip(wrong.items(), faults_of(error, desk), strict=False)
     ]
-    verdicts = [
-        verdict(desk, one, False, slips[one.name][0] if one.name in slips else "")
-        if one.name in wrong
-        else verdict(desk, one, one.name in agreed or None)
-        for one in written
-    ]
-    return faulty(kind, entries, equations=verdicts)
+    told = {name: slips[name][0] if name in slips else "" for name in wrong}
+    return faulty(kind, entries, equations=judged(desk, agreed, told))
 
 
 def _without(names: Collection[str], variant: Variant) -> Variant:
@@ -91,19 +86,18 @@ def _without(names: Collection[str], variant: Variant) -> Variant:
     return replace(rest, constraints=(*rest.constraints, *more))
 
 
-def _slip(one: Constraint, judge: Judge, others: Sequence[Constraint], desk: Desk) -> Slip | None:
+def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], desk: Desk) -> Slip | None:
     """Return what alone is wrong with an equation; a slip that would make it one of the `others` is none."""
     tree = Formula("-", one.sides)
     text, probe = _text(one, desk)[1], judge.off_closure
-    known = [linear(Formula("-", other.sides), probe) for other in others]
     for edit in judge.slips(tree, text):
         mended = linear(applied(tree, edit), probe)
         # A name that is zero in the place of another, or sin(pi) before it, says that nothing belongs there.
         is_nothing = edit.kind in {"name", "factor"} and np.all(np.abs(value_of(edit.replacement, probe.names)) < NOTHING)
-        if mended.residual <= RIGHT and not is_nothing and not any(is_same(mended, other) for other in known):
+        if mended.residual <= RIGHT and not is_nothing and not any(is_same(mended, other) for other in others):
             column = column_as_handed_in(text, text, edit.column, is_sign=True) if edit.kind == "sign" else edit.column
             return say(f"desk.slip.{edit.kind}", term=_shown(_edited(tree, edit))), column
-    differs = difference_of(tree, judge.key.variant, probe, known)
+    differs = difference_of(tree, judge.key.variant, probe, others)
     return (say(f"desk.slip.{differs.kind}", term=_shown(differs.term)), differs.column) if differs else None
 
 

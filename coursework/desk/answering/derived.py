@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -20,9 +20,10 @@ from coursework.equations.reduction.independent import DEPENDENT
 from coursework.equations.reduction.system import compile_system
 from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.start import start_values
+from coursework.run import Run
 from coursework.variant.formula.reader import MAX_NODES as MOST_PARTS
 from coursework.variant.formula.tree import spelled
-from coursework.variant.record.entries import Constraint
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 ROWS, SPREAD = 4, 0.1  # positions about the start at which equations are compared, and how far (rad, m)
@@ -95,12 +96,22 @@ def _line(desk: Desk) -> int:
 
 def verdicts(desk: Desk) -> list[dict[str, Any]]:
     """Return of each written equation what the geometry says of it: right, or nothing (None)."""
-    closure = desk.run.scene.closure
-    agreed = closure.agreed if closure is not None else ()
-    return [verdict(desk, one, one.name in agreed or None) for one in desk.variant.constraints if not one.is_closure]
+    return judged(desk, agreed_of(desk.run), {})
 
 
-def verdict(desk: Desk, one: Constraint, right: bool | None, how: str = "") -> dict[str, Any]:
-    """Return what is told beside an equation: it is right, nothing judges it (None), or it is wrong and `how`."""
-    told = how if right is False else say("desk.equation_right" if right else "desk.equation_open")
-    return {"name": one.name, "line": one.line, "right": right, "sentence": desk.words.written(told)}
+def agreed_of(run: Run) -> tuple[str, ...]:
+    """Return the names of the equations that the geometry confirms."""
+    closure = run.scene.closure
+    return closure.agreed if closure is not None else ()
+
+
+def judged(desk: Desk, agreed: Collection[str], wrong: Mapping[str, Sentence | str]) -> list[dict[str, Any]]:
+    """Return what is told beside each written equation: it is `agreed` on, nothing judges it, or how it is `wrong`."""
+    found = []
+    for one in desk.variant.constraints:
+        if one.is_closure:
+            continue
+        right = False if one.name in wrong else one.name in agreed or None
+        sentence = wrong[one.name] if right is False else say("desk.equation_right" if right else "desk.equation_open")
+        found.append({"name": one.name, "line": one.line, "right": right, "sentence": desk.words.written(sentence)})
+    return found
