@@ -5,13 +5,13 @@ import { confirmed } from "./dialogs/dialog.js";
 import { openNew } from "./dialogs/new.js";
 import { openTable } from "./dialogs/table.js";
 import { openTake } from "./dialogs/take.js";
-import { EditorView } from "./editor/codemirror.js";
 import { found } from "./elements.js";
 import { post } from "./requests.js";
-import { edited } from "./text/verdicts.js";
+import { written } from "./text/verdicts.js";
 import { say } from "./words.js";
 import { forgetAll } from "./work/store.js";
 
+/** @import { EditorView } from "@codemirror/view" */
 /** @import { Config, Works } from "./types" */
 /**
  * @typedef {{
@@ -50,10 +50,9 @@ export function commandsIn(desk) {
   on("desk-files", () => openFiles(desk));
   on("desk-equations", async () => {
     const { doc } = view.state;
-    const written = await post("/api/equations", { ...desk.given(), text: doc.toString() });
-    const from = written.text ? edited(view, doc, written, "input.desk") : null;
-    if (from === null) return notices.show("refused", written.faults?.[0]?.sentence ?? say("equations_there"));
-    view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "start", yMargin: 60 }) });
+    const made = await post("/api/equations", { ...desk.given(), text: doc.toString() });
+    if (!made.text || !written(view, doc, made))
+      return notices.show("refused", made.faults?.[0]?.sentence ?? say("equations_there"));
     view.focus();
   });
   on("desk-forget", async () => {

@@ -1,10 +1,9 @@
 // A mechanism from pieces: a crank, groups, each with a picture; what is chosen is hung on a point that the text has.
 
-import { EditorView } from "../editor/codemirror.js";
 import { make, moving, picture } from "../elements.js";
 import { post } from "../requests.js";
 import { declaredIn } from "../text/declared.js";
-import { edited } from "../text/verdicts.js";
+import { written } from "../text/verdicts.js";
 import { say } from "../words.js";
 import { openDialog } from "./dialog.js";
 
@@ -65,12 +64,7 @@ export function hangPiece(piece, desk) {
       why.textContent = found.sentence ?? found.faults?.[0]?.sentence ?? "";
       if (why.textContent) return;
       dialog.close();
-      const from = edited(desk.view, doc, found, "input.desk");
-      // Data and faults below may take some of the height at once.
-      if (from !== null) {
-        const effects = EditorView.scrollIntoView(from, { y: "start", yMargin: 60 });
-        desk.view.dispatch({ selection: { anchor: from }, effects });
-      }
+      written(desk.view, doc, found);
       desk.view.focus();
     } catch (error) {
       why.textContent = /** @type {Error} */ (error).message;

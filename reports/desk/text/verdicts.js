@@ -89,3 +89,15 @@ export function edited(view, doc, { text, ranges }, kind) {
   view.dispatch({ effects: marked.of(Decoration.set(moved, true)) });
   return places[0]?.from ?? 0;
 }
+
+/**
+ * As `edited`, and go to where it stands.
+ * @type {(view: EditorView, doc: Parameters<typeof edited>[1], made: Parameters<typeof edited>[2]) => boolean}
+ */
+export function written(view, doc, made) {
+  const from = edited(view, doc, made, "input.desk");
+  // Data and faults below may take some of the height at once.
+  if (from !== null)
+    view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "start", yMargin: 60 }) });
+  return from !== null;
+}
