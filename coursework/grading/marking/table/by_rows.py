@@ -46,7 +46,7 @@ def _mark_rows(key: Key, student: StudentTable) -> Cells:
     given = near(values[:1, :m], key.table[:1, :m], as_printed(key, units)[:1, :m])
     marks, too_coarse = marks_by(key, student, ways, given)
     follows = np.asarray(np.any([way.holds(values) for way in ways[1:]], axis=0))
-    return Cells(student, marks, follows, ways, too_coarse, None, m)
+    return Cells(student, marks, follows, ways, too_coarse, None, m, np.zeros_like(follows))
 
 
 def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:

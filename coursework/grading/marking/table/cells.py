@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,8 +43,8 @@ class Cells:
 
     `follows` (n, m + r) is where a cell is Euler's from the cells before it, whatever the key has; `given` marks the `starts`
     first cells of row 1, the start values, where they are right; `ways` in the order tried; `too_coarse` where digits were too
-    few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not; `before` the
-    table as it was before cells of it were put right, None where none is; `fitted` the wrong cells that tell what it was.
+    few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not; `fitted` the
+    wrong cells that tell what others were; `before` the table as it was before cells of it were put right, None where none is.
     """
 
     student: StudentTable
@@ -55,8 +54,8 @@ class Cells:
     too_coarse: Flags
     computed_to: int | None
     starts: int
+    fitted: Flags
     before: StudentTable | None = None
-    fitted: Flags | Literal[False] = False
 
     @property
     def wrong(self) -> Flags:
@@ -122,4 +121,4 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
             holds[:1, :m] = False
             marks[holds & (marks == WRONG) & ~fitted] = way.name
             follows |= holds
-    return Cells(student, marks, follows, ways, too_coarse, own.computed_to, m, before, fitted)
+    return Cells(student, marks, follows, ways, too_coarse, own.computed_to, m, fitted, before)

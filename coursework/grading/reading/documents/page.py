@@ -82,9 +82,8 @@ def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -
 def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:
     """Return the rows between the two ends of a table."""
     for _ in range(_MOST_TYPES):
-        body = (
-            _TYPES.sub("", body[:_TYPES_WITHIN], count=1) + body[_TYPES_WITHIN:] if _TYPES.match(body[:_TYPES_WITHIN]) else body
-        )
+        found = _TYPES.match(body, 0, _TYPES_WITHIN)
+        body = body[found.end() :] if found else body
     lines = [_RULES.sub(" ", line) for line in _ROW_END.split(body, maxsplit=most_rows)[:most_rows]]
     cut = [_CELL_END.split(line, maxsplit=most_columns)[:most_columns] for line in lines]
     return [[Cell(" ".join(_MARKUP.sub("", cell).split())[:CELL_CHARACTERS]) for cell in row] for row in cut if len(row) > 1]

@@ -60,8 +60,6 @@ _SYMBOLS = {
 }  # fmt: skip
 _TURNING = [*_SYMBOLS["phi"], *_SYMBOLS["theta"]]
 _BY_UNIT = {"rad": _TURNING, "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}
-
-
 _STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega")
 
 
