@@ -69,13 +69,14 @@ export function postAtOnce(path, json) {
 }
 
 /**
- * What came of a text; throws where it has faults instead, with the first of them.
+ * What came of a text; throws where it has faults instead, with the first of them.  One without a line is none of the text.
  * @param {any} answer
  */
 export function faultless(answer) {
-  if (answer.faults?.length)
-    throw new Error(`${say("state_faulty", { n: answer.faults.length })} · ${answer.faults[0].sentence}`);
-  return answer;
+  const [first] = answer.faults ?? [];
+  if (!first) return answer;
+  const many = first.line === null ? "" : `${say("state_faulty", { n: answer.faults.length })} · `;
+  throw new Error(many + first.sentence);
 }
 
 /**
