@@ -45,6 +45,7 @@ const view = editorIn(found("desk-text", HTMLElement), {
   changed(update) {
     since = since.compose(update.changes);
     study = false;
+    data.mind();
     saving.changed();
     state.set({ computing: true });
     // A hand or the desk itself is answered at once; whoever types has the next letter in mind.

@@ -38,8 +38,10 @@ export async function openFiles({ works, saving, view }) {
    * @param {(other: string) => Promise<void>} act
    */
   async function otherName(name, verb, act) {
-    const other = await askLine({ title: `${verb}: ${name}`, label: say("name"), value: name, verb, refuses: refusedName });
-    if (other && other !== name) await done(() => act(other));
+    /** @param {string} text */
+    const refuses = (text) => refusedName(text) || (text === name ? say("name_taken", { name }) : "");
+    const other = await askLine({ title: `${verb}: ${name}`, label: say("name"), value: name, verb, refuses });
+    if (other) await done(() => act(other));
   }
   /** What is open is copied as it stands there, saved or not. @param {string} other */
   async function copy(other) {

@@ -50,6 +50,21 @@ export function dataIn(box, view) {
   /** @type {Map<string, DatumRow>} */
   const rows = new Map();
   let held = "";
+  /** What stood in the text when it was read last, or was written from here.
+   * @type {Map<string, string>} */
+  const told = new Map();
+
+  /** @param {string} name */
+  const textOf = (name) => {
+    const place = placeOf(view, name);
+    return place && view.state.sliceDoc(place.from, place.to);
+  };
+  /** Whether a person has typed over a value since: it is theirs until the text is read again.
+   * @param {string} name */
+  const isTypedOver = (name) => told.has(name) && textOf(name) !== told.get(name);
+  function mind() {
+    for (const [name, { slider, field }] of rows) slider.disabled = field.disabled = isTypedOver(name);
+  }
 
   /**
    * @param {string} name
@@ -57,7 +72,8 @@ export function dataIn(box, view) {
    */
   function put(name, text) {
     const place = placeOf(view, name);
-    if (!place || view.state.sliceDoc(place.from, place.to) === text) return;
+    if (!place || textOf(name) === text || isTypedOver(name)) return;
+    told.set(name, text);
     view.dispatch({ changes: { ...place, insert: text }, userEvent: MOVE });
   }
 
@@ -111,19 +127,27 @@ export function dataIn(box, view) {
   }
 
   return {
+    mind,
     /**
      * @param {Datum[]} data
      * @param {Text} doc The text that was asked about.
      * @param {ChangeDesc} since What was changed in it since.
      */
     show(data, doc, since) {
+      const read = new Map();
       const found = data.flatMap(({ name, place }) => {
         if (!place) return [];
-        const from = since.mapPos(offset(doc, place.line, place.column), 1),
-          to = since.mapPos(offset(doc, place.end_line, place.end_column), -1);
+        const [begin, end] = [offset(doc, place.line, place.column), offset(doc, place.end_line, place.end_column)];
+        const from = since.mapPos(begin, 1),
+          to = since.mapPos(end, -1);
+        read.set(name, doc.sliceString(begin, end));
         return from < to ? [new Place(name).range(from, to)] : [];
       });
       view.dispatch({ effects: placed.of(RangeSet.of(found, true)) });
+      // What a hand has moved since is its own still.
+      for (const name of read.keys()) if (told.has(name) && !isTypedOver(name)) read.delete(name);
+      for (const name of told.keys()) if (!data.some((one) => one.name === name && one.place)) told.delete(name);
+      for (const [name, text] of read) told.set(name, text);
       const names = new Set(data.map((datum) => datum.name));
       for (const [name, { row }] of rows) if (!names.has(name)) row.remove(), rows.delete(name);
       for (const kind of ["given", "start"]) {
@@ -137,6 +161,7 @@ export function dataIn(box, view) {
         });
         group.hidden = !own.length;
       }
+      mind();
     },
   };
 }

@@ -23,6 +23,7 @@ const DRAFT = "draft.";
 export function savingIn({ works, view, state, notices, named, began, again, sure, askName, compare }) {
   let name = "",
     safe = true,
+    asked = false,
     warned = false;
   /** @type {{text: string, etag: string | null}} */
   let base = { text: "", etag: null };
@@ -93,7 +94,10 @@ export function savingIn({ works, view, state, notices, named, began, again, sur
 
   async function save() {
     if (!name) {
+      if (asked) return;
+      asked = true;
       const chosen = await askName("");
+      asked = false;
       if (!chosen) return;
       keep(draft(), null);
       name = chosen;

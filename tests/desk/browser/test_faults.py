@@ -55,6 +55,13 @@ def test_a_slip_is_underlined_and_a_mend_is_one_click(desk: Callable[..., Any]) 
     one.rest("faulty")
     one.page.click("#desk-faults .go")
     assert one.page.evaluate("getSelection().toString()") == "ph3"
+    # What is typed over a value meanwhile is no slider's to write over.
+    slider = one.page.locator("[data-datum=r1] input[type=range]")
+    assert slider.is_enabled()
+    one.replace('"0.953 m"', '"0.99 m"')
+    one.until(slider.is_disabled)
+    one.replace('"0.99 m"', '"0.953 m"')
+    one.rest("faulty")
     # There is no file of a text with faults, but its first fault; all work is what stands there, saved or not.
     one.page.click("#desk-take")
     one.page.click("[data-format=xlsx]")
@@ -67,6 +74,7 @@ def test_a_slip_is_underlined_and_a_mend_is_one_click(desk: Callable[..., Any]) 
     one.page.click("#desk-faults .mend")
     one.rest("changed")
     assert one.text == before
+    one.until(slider.is_enabled)
     one.page.click("#desk-take")
     with one.page.expect_download() as taken:
         one.page.click("[data-format=dxf]")

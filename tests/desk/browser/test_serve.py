@@ -37,7 +37,7 @@ def test_work_stays_in_the_browser_goes_out_and_comes_back(desk: Callable[..., A
     page.keyboard.press("Escape")
     page.click("#desk-forget")
     page.click("dialog .main")
-    one.until(lambda: one.page.evaluate("Object.keys(localStorage).filter(key => /work|draft/.test(key)).length") == 0)
+    page.wait_for_function("Object.keys(localStorage).every(key => !/work|draft/.test(key))")  # the page is loaded anew meanwhile
     page.wait_for_selector("#desk-welcome:not([hidden])")
     assert one.text == ""
     page.click("#desk-take")
