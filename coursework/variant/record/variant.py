@@ -272,11 +272,8 @@ class Variant:
         """Return the variant with another step or end (s)."""
         own = self.time.own_step or self.time.step
         time = replace(self.time, step=step or self.time.step, end=end or self.time.end, own_step=own)
-        changes: dict[KeyPath, float | str] = {}
-        for key in ("step", "end"):
-            if getattr(time, key) != getattr(self.time, key):
-                changes["time", key] = getattr(time, key)
-        return replace(self, time=time, changes={**self.changes, **changes})
+        others = [key for key in ("step", "end") if getattr(time, key) != getattr(self.time, key)]
+        return replace(self, time=time, changes={**self.changes, **{("time", key): getattr(time, key) for key in others}})
 
     def with_data(
         self, given: Values | None = None, start: Values | None = None, drive: Values | None = None, *,
