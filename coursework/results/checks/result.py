@@ -1,7 +1,7 @@
-"""One finding about a motion: what a check has judged, and how.
+"""One finding about a motion: what a check has judged, and how; and the record of a check, which makes it.
 
-Enters: numbers and sentences from the rooms of `checks/`.  Leaves: `Finding`.
-Used by run, output, report and the command line.
+Enters: numbers and sentences from the rooms of `checks/`.  Leaves: `Finding`, `Check`, `Need`.
+Used by `check.py`, effects, scene, output, report and the command line.
 """
 
 from __future__ import annotations
