@@ -267,9 +267,10 @@ class Walk:
         slope = np.array(self.flow.slopes(t, q, block))
         rates = slope[:-1] / slope[-1] if abs(slope[-1]) > 1e-9 else self.flow.part(t, q, block)[2]
         found = nearest_change_point(self.flow, t, state[:-1], block, rates, max(FAR, self.near))
-        if found is None or found[2] > max(MISSED, 1e3 * self.tolerance):
+        if found is None:
             return None
-        return self._named("change point", found[0], found[1], block)
+        time, position, miss = found
+        return None if miss > max(MISSED, 1e3 * self.tolerance) else self._named("change point", time, position, block)
 
     def _event(self, state: Array, block: int) -> Event:
         """Return the event at a state with a determinant of zero: a change point where one is there, else a dead point."""
