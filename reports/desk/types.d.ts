@@ -58,13 +58,14 @@ export interface Keys {
 /** What the frame tells the shell; nothing in it is trusted. */
 export type Told =
   | { kind: "ready" } | { kind: "shown"; id: number } | { kind: "later" }
-  | { kind: "drag"; joint: string; place: [number, number]; free: boolean; last: boolean }
+  | { kind: "drag"; joint: string; place: [number, number]; free: boolean; first: boolean }
   | { kind: "key"; key: "save" | "undo" | "redo" | "leave" };
 /** A joint of Figure 1 in the frame: its place in the mechanism (m), and how many mm of the drawing 1 m is. */
 export interface Joint { joint: string; at: [number, number]; mm: number; svg: SVGSVGElement; ring: SVGCircleElement }
 /** A joint while it is dragged: the sheet as it was when the hand took it. */
 export interface Held {
-  name: string; origin: number[]; mm: number; box: number[]; width: number; height: number; released: boolean; matrix: DOMMatrix;
+  name: string; origin: number[]; mm: number; box: number[]; width: number; height: number; moved: boolean; released: boolean;
+  matrix: DOMMatrix;
 }
 /** A fault where it is in the editor now. */
 export interface PlacedFault {

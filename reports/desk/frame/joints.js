@@ -127,6 +127,7 @@ const joints = {
       box: [box.x, box.y, box.width, box.height],
       width: svg.getBoundingClientRect().width,
       height: svg.getBoundingClientRect().height,
+      moved: false,
       released: false,
       matrix: matrix.inverse(),
     };
@@ -157,8 +158,9 @@ const joints = {
       joint: this.held.name,
       place: this.place(event.clientX, event.clientY),
       free: event.altKey || this.free,
-      last,
+      first: !this.held.moved,
     });
+    this.held.moved = true;
     if (last) this.drop();
   },
 
@@ -192,7 +194,7 @@ const joints = {
       joint: joint.joint,
       place: [joint.at[0] + far * (way[0] ?? 0), joint.at[1] + far * (way[1] ?? 0)],
       free: event.altKey || this.free,
-      last: true,
+      first: !event.repeat,
     });
   },
 };

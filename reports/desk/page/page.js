@@ -6,7 +6,7 @@
 /**
  * @typedef {{
  *   shown: (id: number) => void, later: () => void, key: (key: string) => void,
- *   drag: (move: {joint: string, place: [number, number], free: boolean, last: boolean}) => void,
+ *   drag: (move: {joint: string, place: [number, number], free: boolean, first: boolean}) => void,
  * }} Heard
  */
 
@@ -37,7 +37,7 @@ export function pageIn(frame, words, heard) {
     else if (told.kind === "drag") {
       const [x, y] = Array.isArray(told.place) ? told.place.map(Number) : [];
       if (typeof told.joint !== "string" || x === undefined || y === undefined || !Number.isFinite(x + y)) return;
-      heard.drag({ joint: told.joint.slice(0, 60), place: [x, y], free: told.free === true, last: told.last === true });
+      heard.drag({ joint: told.joint.slice(0, 60), place: [x, y], free: told.free === true, first: told.first === true });
     }
   });
 

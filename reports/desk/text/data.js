@@ -3,7 +3,7 @@
 import { RangeSet, RangeValue, StateEffect, StateField } from "../editor/codemirror.js";
 import { make } from "../elements.js";
 import { say } from "../words.js";
-import { MOVE } from "./editor.js";
+import { moving, takeHold } from "./editor.js";
 import { offset, written } from "./places.js";
 
 /** @import { ChangeDesc, Text } from "@codemirror/state" */
@@ -74,7 +74,7 @@ export function dataIn(box, view) {
     const place = placeOf(view, name);
     if (!place || textOf(name) === text || isTypedOver(name)) return;
     told.set(name, text);
-    view.dispatch({ changes: { ...place, insert: text }, userEvent: MOVE });
+    view.dispatch({ changes: { ...place, insert: text }, userEvent: moving() });
   }
 
   /** @param {Datum} datum */
@@ -86,7 +86,11 @@ export function dataIn(box, view) {
     const unit = make("span", { className: "unit" });
     const whole = make("div", { className: "datum", "data-datum": name }, make("label", { for: id }), slider, field, unit);
     const of = () => rows.get(name)?.datum ?? datum;
-    slider.addEventListener("pointerdown", () => (held = name));
+    slider.addEventListener("pointerdown", () => {
+      held = name;
+      takeHold();
+    });
+    slider.addEventListener("keydown", ({ repeat }) => repeat || takeHold());
     for (const end of ["pointerup", "pointercancel", "change"]) slider.addEventListener(end, () => (held = ""));
     slider.addEventListener("input", () => {
       const text = written(Number(slider.value), decimals(of()));
@@ -96,6 +100,7 @@ export function dataIn(box, view) {
     });
     field.addEventListener("change", () => {
       const text = field.value.replace(/["\\]/g, "").trim().replace(",", ".").replace("−", "-");
+      takeHold();
       const number = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?$/i.test(text);
       put(name, number ? `${text} ${of().unit}`.trim() : text);
     });

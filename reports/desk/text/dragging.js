@@ -1,11 +1,11 @@
 // A joint is dragged: the server says which numbers follow, the text takes them.  One move is under way, the newest one waits.
 
 import { Refused, post } from "../requests.js";
-import { MOVE } from "./editor.js";
+import { moving, takeHold } from "./editor.js";
 import { edited } from "./verdicts.js";
 
 /** @import { EditorView } from "@codemirror/view" */
-/** @typedef {{joint: string, place: [number, number], free: boolean, last: boolean}} Move */
+/** @typedef {{joint: string, place: [number, number], free: boolean, first: boolean}} Move */
 
 /**
  * @param {EditorView} view
@@ -18,13 +18,14 @@ export function draggingIn(view, given, refuse) {
   let next = null;
 
   /** @param {Move} move */
-  async function go({ joint, place, free }) {
+  async function go({ joint, place, free, first }) {
     busy = true;
+    if (first) takeHold();
     const { doc } = view.state;
     try {
       const found = await post("/api/drag", { ...given(), text: doc.toString(), joint, place, free });
       refuse(found.sentence ?? "");
-      if (found.text) edited(view, doc, found, MOVE);
+      if (found.text) edited(view, doc, found, moving());
     } catch (error) {
       if (error instanceof Refused && error.status !== 429) refuse(error.message);
     }
@@ -37,7 +38,7 @@ export function draggingIn(view, given, refuse) {
   }
 
   return /** @param {Move} move */ (move) => {
-    if (busy) next = move;
+    if (busy) next = { ...move, first: move.first || Boolean(next?.first) };
     else void go(move);
   };
 }

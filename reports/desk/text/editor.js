@@ -44,20 +44,26 @@ const PHRASES = [
 
 /** What a slider or a joint does to the text. */
 export const MOVE = "input.type.move";
-const GESTURE = 3000,
-  TYPING = 500; // ms within which changes are undone as one
-/** What a hand moves in one gesture is undone as one, however many answers it had; typing as everywhere. */
+let gesture = 0;
+/** A hand takes hold, or a key is pressed: what follows is undone apart from what was before. */
+export const takeHold = () => void (gesture += 1);
+/** The user event of what a hand does in this gesture. */
+export const moving = () => `${MOVE}.${gesture}`;
+
+const TYPING = 500, // ms within which letters are undone as one
+  NEVER = 1e12;
+/** What a hand moves in one gesture is undone as one, however long it takes; typing as everywhere. */
 function undoing() {
   let kind = "",
     at = 0;
   return [
     history({
-      newGroupDelay: GESTURE,
+      newGroupDelay: NEVER,
       joinToEvent: (transaction, adjacent) =>
-        transaction.isUserEvent(MOVE) ? kind === MOVE : adjacent && kind !== MOVE && Date.now() - at < TYPING,
+        transaction.isUserEvent(MOVE) ? transaction.isUserEvent(kind) : adjacent && !kind && Date.now() - at < TYPING,
     }),
     EditorView.updateListener.of(({ docChanged, transactions }) => {
-      if (docChanged) [kind, at] = [transactions.some((one) => one.isUserEvent(MOVE)) ? MOVE : "", Date.now()];
+      if (docChanged) [kind, at] = [transactions.some((one) => one.isUserEvent(MOVE)) ? moving() : "", Date.now()];
     }),
   ];
 }
