@@ -126,7 +126,7 @@ function keepHere() {
 
 /** The page stands; the desk rests unless the text is another one by now. */
 function settle() {
-  state.set({ computing: asks.busy || !since.empty });
+  state.set({ computing: asks.busy || hand.busy || !since.empty });
 }
 
 const page = pageIn(frame, spoken, {
@@ -142,7 +142,13 @@ const page = pageIn(frame, spoken, {
     else if (key === "redo") redo(view);
     else if (key === "leave") view.focus();
   },
-  drag: draggingIn(view, given, (sentence) => page.refuse(sentence)),
+  drag: (move) => hand.to(move),
+});
+const hand = draggingIn(view, {
+  given,
+  refuse: (sentence) => page.refuse(sentence),
+  began: () => state.set({ computing: true }),
+  ended: settle,
 });
 const data = dataIn(found("desk-data", HTMLElement), view);
 const saving = savingIn({

@@ -9,10 +9,10 @@ import { edited } from "./verdicts.js";
 
 /**
  * @param {EditorView} view
- * @param {() => object} given What is sent beside the text.
- * @param {(sentence: string) => void} refuse
+ * @param {{given: () => object, refuse: (sentence: string) => void, began: () => void, ended: () => void}} desk
+ *   What is sent beside the text; where it is said why a joint stays; a move is under way, and none is any more.
  */
-export function draggingIn(view, given, refuse) {
+export function draggingIn(view, { given, refuse, began, ended }) {
   let busy = false;
   /** @type {Move | null} */
   let next = null;
@@ -20,25 +20,33 @@ export function draggingIn(view, given, refuse) {
   /** @param {Move} move */
   async function go({ joint, place, free, first }) {
     busy = true;
+    began();
     if (first) takeHold();
     const { doc } = view.state;
     try {
       const found = await post("/api/drag", { ...given(), text: doc.toString(), joint, place, free });
       refuse(found.sentence ?? "");
-      if (found.text) edited(view, doc, found, moving());
+      // Whoever took it back meanwhile, or typed, does not want the rest of the way either.
+      if (!view.state.doc.eq(doc)) next = null;
+      else if (found.text) edited(view, doc, found, moving());
     } catch (error) {
       if (error instanceof Refused && error.status !== 429) refuse(error.message);
     }
     busy = false;
-    if (next) {
-      const waiting = next;
-      next = null;
-      await go(waiting);
-    }
+    const waiting = next;
+    next = null;
+    if (waiting) await go(waiting);
+    else ended();
   }
 
-  return /** @param {Move} move */ (move) => {
-    if (busy) next = { ...move, first: move.first || Boolean(next?.first) };
-    else void go(move);
+  return {
+    get busy() {
+      return busy;
+    },
+    /** @param {Move} move */
+    to(move) {
+      if (busy) next = { ...move, first: move.first || Boolean(next?.first) };
+      else void go(move);
+    },
   };
 }
