@@ -17,7 +17,7 @@ export async function openNew(host, desk) {
   // Who has keys types at once what is looked for; on a phone they would cover the pictures.
   const autofocus = matchMedia("(hover: hover)").matches;
   const search = make("input", { type: "search", placeholder: say("search"), "aria-label": say("search"), autofocus });
-  const cards = make("div", { className: "cards", role: "list" }, say("waiting"));
+  const cards = make("div", { className: "cards", role: "list" }, make("p", { role: "listitem" }, say("waiting")));
   const pieces = make("div", { className: "cards pieces" });
   const count = make("output", { className: "count" });
   const empty = make("button", { type: "button", onclick: () => start("", {}) }, say("new_empty"));
