@@ -41,7 +41,7 @@ def test_other_factors_are_none(factor):
     [
         ("1/min", "2*pi*p/60", True), ("об/мин", "2*pi*p/60", True), ("rev/min", "pi*p/30", True), ("rev/s", "2*pi*p", True),
         ("rev/s", "6.283*p", True), ("об/с", "2*pi*p", True), ("deg/s", "p*pi/180", True), ("rad/s", "2*pi*p/60", True),
-        ("rpm", "2*pi*p", False), ("1/s", "2*pi*p", False), ("rad/s", "p*pi/180", False),
+        ("rpm", "2*pi*p", True), ("об/мин", "6.28*p", True), ("1/s", "2*pi*p", False), ("rad/s", "p*pi/180", False),
     ],
 )  # fmt: skip
 def test_each_unit_has_its_factor(unit, factor, is_told):

@@ -168,7 +168,7 @@ def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]
 
 
 def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, Sentence]]:
-    """Yield a remark for each law whose datum has a unit of frequency and is multiplied by the size of that unit, or by pi/30."""
+    """Yield a remark for each law that multiplies a datum with a unit of frequency by the size of that unit, pi/30 or 2*pi."""
     turned = {given.name: given for given in variant.given if given.si == "1/s"}
     if not turned:
         return
@@ -179,9 +179,11 @@ def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, S
             given = turned.get(name)
             if given is None or (path, name) in told or not factor:
                 continue
-            sizes = {(size_of(given.unit) or 1.0), math.pi / 30} - {1.0}
+            size = size_of(given.unit) or 1.0
+            # Whoever counts turns a minute writes 2*pi for a turn, and may forget the minute.
+            sizes = {size, math.pi / 30} - {1.0} | ({_TURN} if math.isclose(size, math.pi / 30) else set())
             key = "remark.rpm" if any(abs(factor / size - 1) < _NEAR for size in sizes) else ""
-            if path[0] == "time" and factor == -_MINUTE and (size_of(given.unit) or 1.0) < 1.0:
+            if path[0] == "time" and factor == -_MINUTE and size < 1.0:
                 key = "remark.rpm_turn"
             if key:
                 told.add((path, name))
