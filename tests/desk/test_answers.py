@@ -127,6 +127,10 @@ def test_faults_are_those_of_check_at_their_place(client, folder, right, wrong, 
         ('"13.08 1/s"', "13.08 1/s"),
         ('"V1*sin(p*t + alpha)"', "V1*sin(p*t + alpha)"),
         ('"φ2" = {', "φ2 = {"),
+        ('"0.02 s"', '"0,02 s"'),
+        ("sin(p*t + alpha)", "sin(p*t + alpha"),
+        ("sin(p*t + alpha)", "sin(p*t + alpha))"),
+        ("2*r3*w3*cos(phi3)", "2r3*w3*cos(phi3)"),
     ],
 )
 def test_a_line_is_written_as_its_fault_says(right, wrong):

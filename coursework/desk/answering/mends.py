@@ -25,6 +25,12 @@ _BEGUN = {  # how a section begins that no file can do without
 }
 _UNQUOTED = re.compile(r"""^(\s*(?:[\w-]+|"[^"]*")\s*=\s*)([^\s"'\[{#](?:[^"'\[\]{}#]*[^\s"'\[\]{}#])?)""")
 _NUMBER = re.compile(r"[-+]?[\d.]+")
+_ONE_SIGN = {  # what stands at the column of a fault in a formula, and what has to stand there
+    "V116": (re.compile(""), ")"),
+    "V120": (re.compile(""), "*"),
+    "V121": (re.compile(r"(?<=\d),(?=\d)"), "."),
+    "V144": (re.compile(r"\)"), ""),
+}
 
 
 Mend = dict[str, Any]
@@ -39,7 +45,7 @@ def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]
     return [
         _beginning(fault, lines, meant)
         if fault.code in (_MISSING, _NOTHING_WRITTEN, _TOO_FEW)
-        else _rewritten(fault, lines) or _respelled(fault, name, lines)
+        else _one_sign(fault, lines) or _rewritten(fault, lines) or _respelled(fault, name, lines)
         for fault, name in zip(faults, meant, strict=True)
     ]
 
@@ -59,8 +65,22 @@ def _beginning(fault: Fault, lines: Sequence[str], meant: Sequence[str | None]) 
 def appended(text: str, lines: Sequence[str]) -> Mend:
     """Return the mend that puts a section behind all others."""
     gap = "" if not any(lines) else "\n" if not lines[-1] else "\n\n"
-    line, column = len(lines), len(lines[-1]) + 1
-    return {"line": line, "column": column, "end_line": line, "end_column": column, "text": f"{gap}{text}\n"}
+    return _put(len(lines), len(lines[-1]), len(lines[-1]), f"{gap}{text}\n")
+
+
+def _put(line: int, begin: int, end: int, text: str) -> Mend:
+    return {"line": line, "column": begin + 1, "end_line": line, "end_column": end + 1, "text": text}
+
+
+def _one_sign(fault: Fault, lines: Sequence[str]) -> Mend | None:
+    """Return the mend of a formula that lacks one sign, or has one too many or another one."""
+    wrong, right = _ONE_SIGN.get(fault.code, (None, ""))
+    if wrong is None or not 1 <= fault.line <= len(lines):
+        return None
+    found = wrong.match(lines[fault.line - 1], fault.column - 1)
+    if found is None:
+        return None
+    return _put(fault.line, *found.span(), right)
 
 
 def _rewritten(fault: Fault, lines: Sequence[str]) -> Mend | None:
@@ -72,10 +92,7 @@ def _rewritten(fault: Fault, lines: Sequence[str]) -> Mend | None:
     if found is None or found[0] not in line:
         return None
     begin = line.index(found[0])
-    return {
-        "line": fault.line, "column": begin + 1, "end_line": fault.line, "end_column": begin + len(found[0]) + 1,
-        "text": found[1],
-    }  # fmt: skip
+    return _put(fault.line, begin, begin + len(found[0]), found[1])
 
 
 def _spelling(fault: Fault, line: str) -> tuple[str, str] | None:
@@ -104,9 +121,7 @@ def _respelled(fault: Fault, meant: str | None, lines: Sequence[str]) -> Mend | 
     if not placed:
         return None
     _, at, word = max(placed)
-    return {
-        "line": fault.line, "column": 1 - at, "end_line": fault.line, "end_column": 1 - at + len(word), "text": meant,
-    }  # fmt: skip
+    return _put(fault.line, -at, len(word) - at, meant)
 
 
 def _sentences(message: Sentence) -> Iterator[Sentence]:
