@@ -14,7 +14,7 @@ from coursework.assigning.variants import Individual
 from coursework.drawing.check_sheet.graph_check import GraphCheck, check_graph
 from coursework.drawing.figures import draw_start
 from coursework.drawing.paper.record import Drawing
-from coursework.grading.marking.key import SHARED, SHOWN, decimals_accepted, decimals_asked
+from coursework.grading.marking.decimals import SHARED, SHOWN, decimals_accepted, decimals_asked
 from coursework.grading.platforms.names import file_stem
 from coursework.grading.platforms.roster import Student
 from coursework.motion.integration.integrate import march

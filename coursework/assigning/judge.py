@@ -17,7 +17,7 @@ import numpy as np
 
 from coursework.assigning.ranges import Limits
 from coursework.equations.reduction.magnitude import largest
-from coursework.grading.marking.key import gap_of
+from coursework.grading.marking.decimals import gap_of
 from coursework.many import feasible
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.motion.singular.scaled_flow import compile_flow

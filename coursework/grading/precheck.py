@@ -10,13 +10,13 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.grading.marking.key import Key, key_of
-from coursework.grading.marking.student_table import student_of
+from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.marking.verdicts import telling_steps
-from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import FileEntry, StudentWork
 from coursework.grading.reading.submission import Submission, note
@@ -43,7 +43,7 @@ class Prechecked:
 def precheck(submission: Submission, variant: Variant, named: Callable[[str, tuple[str, ...]], str]) -> Prechecked:
     """Return what a student may know before handing in; `named` writes the names in a text as its reader knows them."""
     key = key_of(variant)
-    grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
+    grid = key.grid
     work = read_submission(submission, Expected(grid, key.variant))
     told: list[Sentence] = [say("screen.file", name=entry.name, kind=_kinds(entry), bytes=entry.bytes) for entry in work.files]
 
@@ -79,14 +79,14 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
                 decimals=column.decimals,
             )
         )
-    missing = [name for name in key.names if table.column(name) is None]
+    missing = [name for name in key.names if table.column(name) is None and name not in key.given]
     if missing:
         told(say("screen.missing_columns", missing=named(", ".join(missing))))
     told(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
     student = student_of(key, table)
     if (back := turned_back(key, student) if key.free is None else None) is not None:
         told(note("clockwise").text)
-    cells = marked(key, back or student)
+    cells = marked(key, with_given(key, back or student))
     coarse = int(cells.too_coarse.sum())
     if coarse:
         told(say("screen.coarse_cells", coarse=coarse))

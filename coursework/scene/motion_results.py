@@ -2,11 +2,12 @@
 
 Enters: the `WayToMotion` of a scene and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed
 when looked at, once.
-Used by `scene.py`, which makes it, `quantities.py` and `scene_run.py`.
+Used by `scene.py`, which makes it, `quantities.py`, `scene_run.py`, `report/` and `grading/marking/key.py`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from coursework.motion.schemes import SCHEMES
 from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
+from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT, scheme_names
 
 if TYPE_CHECKING:
@@ -30,6 +32,16 @@ if TYPE_CHECKING:
 Named = tuple[tuple[str, ...], Array]
 # More rows than this are not marched in extended numbers: a row there costs a hundred times one of the table.
 MOST_EXTENDED = 2001
+
+
+def given_constants(variant: Variant, names: Sequence[str], rows: Array) -> dict[str, float]:
+    """Return the rates that the drive keeps at one value in all rows (n, m + r): no column says more; none where all are."""
+    found = {
+        name: float(rows[0, place])
+        for place, name in enumerate(names)
+        if name in variant.known_rates and len(rows) > 1 and not np.ptp(rows[:, place])
+    }
+    return found if len(found) < len(names) else {}
 
 
 # What another process can read; drawings and evidence hold programs, which are made again there.

@@ -18,7 +18,7 @@ from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.ways import StudentTable
-from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.words.sentences import say
@@ -93,8 +93,7 @@ def handed_in(of, rows):
     lines = [",".join(["t", *of.names])]
     lines += [",".join([f"{t:.2f}", *(f"{value:.4f}" for value in row)]) for t, row in zip(of.t, rows, strict=True)]
     submission = Submission("a", "A. Student", (submitted_file("table.csv", "\n".join(lines).encode()),))
-    grid = grid_of(of.variant, {name: tuple(of.table[:, place].tolist()) for place, name in enumerate(of.names)})
-    return read_submission(submission, Expected(grid, of.variant))
+    return read_submission(submission, Expected(of.grid, of.variant))
 
 
 def test_a_class_is_marked_without_a_person():
@@ -113,8 +112,7 @@ def with_forces():
     of = key_of(coursework.load("31-forces"))
     rubric = Rubric(weights={"table": 100.0, "equations": 0.0, "answers": 0.0}, forces=("FMx", "FMy", "R23"))
     check_rubric(rubric, of.variant)
-    plain = grid_of(of.variant, {name: tuple(of.table[:, place].tolist()) for place, name in enumerate(of.names)})
-    return of, Marker(of, rubric), Expected(force_grid(plain, of.forces, rubric.forces), of.variant)
+    return of, Marker(of, rubric), Expected(force_grid(of.grid, of.forces, rubric.forces), of.variant)
 
 
 def student(forces, heads=("FMx, N", "F_My (Н)", "R23, kN")):

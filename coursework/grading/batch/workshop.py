@@ -19,7 +19,7 @@ from coursework.grading.marking.key import key_of
 from coursework.grading.marking.reasons.reasons import reasons
 from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
-from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission
 from coursework.system.plain_lines import record_of
@@ -73,7 +73,7 @@ class Workshop:
         key = key_of(variant, accepted_decimals)
         if not len(key.table):
             raise InputError([Fault(say("fault.G006", stopped=key.stopped), source.name)])
-        grid = grid_of(variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
+        grid = key.grid
         if self.rubric.forces and key.forces is not None:
             from coursework.grading.marking.forces import with_forces
 

@@ -17,7 +17,7 @@ from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.student_table import student_of
+from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.clockwise import turned_back
@@ -157,7 +157,7 @@ class Marker:
         )
         equations = equations if equations and equations.marks else None
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
-        table = self._table(work.table, back or student, equations) if work.table and student else None
+        table = self._table(work.table, with_given(self.key, back or student), equations) if work.table and student else None
         shares: dict[str, float | None] = {
             "table": table.share if table else None,
             "equations": equations.share if equations else None,

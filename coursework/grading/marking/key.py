@@ -6,7 +6,6 @@ Variants that differ in their data only share one compiled model.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -18,12 +17,15 @@ import numpy as np
 from coursework.api import make_run
 from coursework.equations.reduction.structure import without_data
 from coursework.grading.marking.branches import other_assemblies
+from coursework.grading.marking.decimals import SHARED, SHOWN, decimals_asked, gap_of
 from coursework.grading.marking.misread import misread
+from coursework.grading.reading.expected import Grid, grid_of
 from coursework.many import Solutions, solve_many
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Model, model_of
+from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
@@ -34,13 +36,6 @@ if TYPE_CHECKING:
 
 # Between these quantiles lie most rows; a column that spans more than so many times theirs has a pulse.
 _MOST, _SUDDEN = 0.9, 20.0
-# A table that Euler makes without error shows no gap; its digits are then judged by this part of its largest range.
-SMALLEST_GAP = 1e-3
-NO_GAP = 1e-9
-# Digits that decide: a cell counts as shown up to this part of the gap; the task sheet asks for a fifth of it.
-SHOWN, ASKED = 0.6, 5.0
-# One number of decimals holds for a class; the gap of a student's own data may be so much smaller than the template's.
-SHARED = 2.0
 _LAST_BIT = 1 + 1e-9
 
 
@@ -145,6 +140,16 @@ class Key:
     def names(self) -> tuple[str, ...]:
         """Return the columns after t."""
         return self.variant.columns
+
+    @cached_property
+    def given(self) -> Mapping[str, float]:
+        """Return the velocities that the task gives for all rows: a table may leave their columns out, as the report does."""
+        return given_constants(self.variant, self.names, self.table)
+
+    @property
+    def grid(self) -> Grid:
+        """Return what a reader may know of the table."""
+        return grid_of(self.variant, dict(zip(self.names, map(tuple, self.table.T.tolist()), strict=True)), tuple(self.given))
 
     @cached_property
     def t(self) -> Array:
@@ -262,33 +267,3 @@ def _solved(model: Model, variants: Sequence[Variant]) -> Solutions:
 def _complete(rows: Array) -> Array:
     """Return the rows before a motion stopped."""
     return np.asarray(rows[~np.isnan(rows).any(axis=1)])
-
-
-def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:
-    """Return the one-step gap (…) from rates (…, n, m) in the rows and after a step of Euler; `ranges` (…, m) of coordinates.
-
-    Where nothing but round-off lies between, it is a thousandth of the largest range.
-
-    >>> still = np.zeros((1, 2, 1))
-    >>> [gap_of(still, still + ahead, 2.0, np.array([[10.0]])).tolist() for ahead in (2e-8, 5e-9)]
-    [[2e-08], [0.01]]
-    """
-    gaps = np.abs(step / 2 * (ahead - slopes))
-    largest = np.nanmax(gaps, axis=(-2, -1), initial=0.0)
-    span = np.max(ranges, axis=-1, initial=0.0)
-    span = np.where(span > 0, span, 1.0)
-    return np.where(largest > NO_GAP * span, largest, SMALLEST_GAP * span)
-
-
-def decimals_asked(gap: float) -> int:
-    """Return how many decimals a task sheet asks for where the one-step gap is this."""
-    return max(1, math.ceil(math.log10(ASKED / gap)))
-
-
-def decimals_accepted(gap: float) -> int:
-    """Return with how many decimals, at the least, a table is still marked where the one-step gap is this.
-
-    >>> decimals_asked(0.0199), decimals_accepted(0.0199)
-    (3, 2)
-    """
-    return max(0, math.ceil(-math.log10(SHOWN * gap)))

@@ -6,6 +6,7 @@ Enters: a `Key`, a `Table`.  Leaves: `StudentTable`.  Used by `grade.py` and `pr
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,6 +26,20 @@ def student_of(key: Key, table: Table) -> StudentTable:
         rows = len(next(iter(table.own.columns.values()))[0])
         own = OwnRows(table.own.step, *_filled(key, table.own.columns, rows))
     return StudentTable(*_filled(key, columns, count), np.array(turns, dtype=float), own)
+
+
+def with_given(key: Key, student: StudentTable) -> StudentTable:
+    """Return a table with the columns that it leaves out because the task gives them, in the rows that it has."""
+    there = np.isfinite(student.values)
+    lacking = [place for place, name in enumerate(key.names) if name in key.given and not there[:, place].any()]
+    if not lacking or not there.any():
+        return student
+    values, units = student.values.copy(), student.units.copy()
+    rows = there.any(axis=1)
+    for place in lacking:
+        values[rows, place] = key.given[key.names[place]]
+        units[rows, place] = np.nanmin(student.units)
+    return replace(student, values=values, units=units)
 
 
 def _filled(key: Key, columns: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]], rows: int) -> tuple[Array, Array]:

@@ -193,7 +193,8 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         uncounted = marked.points.uncounted
     first = next((place for place in np.argwhere(cells.wrong).tolist() if place[0] in chosen), None)
     blocks = []
-    for places in np.array_split(np.arange(len(columns)), -(-len(columns) // MOST_COLUMNS) or 1):
+    told = np.array([place for place, name in enumerate(key.names) if columns[place] or name not in key.given])
+    for places in np.array_split(told, -(-len(told) // MOST_COLUMNS) or 1):
         rows = []
         for at, row in enumerate(chosen):
             entries = []

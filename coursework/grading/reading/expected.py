@@ -24,11 +24,12 @@ class GridColumn:
 
 @frozen
 class Grid:
-    """The assigned rows and columns: row k (from 1) stands at t = (k - 1)·step, in s."""
+    """The assigned rows and columns: row k (from 1) stands at t = (k - 1)·step, in s; columns of `given` may be left out."""
 
     step: float
     rows: int
     columns: tuple[GridColumn, ...]
+    given: tuple[str, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -50,8 +51,11 @@ class Expected:
     answers: tuple[str, ...] = ()
 
 
-def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]]) -> Grid:
-    """Return the grid of a variant from its Euler table (`columns` by name, SI; fewer rows where the motion stops)."""
+def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]], given: tuple[str, ...] = ()) -> Grid:
+    """Return the grid of a variant from its Euler table (`columns` by name, SI; fewer rows where the motion stops).
+
+    `given` are the columns that hold the same datum in every row.
+    """
     rows = min(len(values) for values in columns.values())
     units = {name: variant.unit_of(name).replace("rad/s", "1/s") for name in variant.columns}
-    return Grid(variant.time.step, rows, tuple(GridColumn(name, unit, columns[name]) for name, unit in units.items()))
+    return Grid(variant.time.step, rows, tuple(GridColumn(name, unit, columns[name]) for name, unit in units.items()), given)

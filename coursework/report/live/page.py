@@ -24,8 +24,8 @@ from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
 from coursework.report.live.functions import Functions, live_functions, tableau
 from coursework.report.live.script import embedded, hash_of, packed, script_of, shortened, with_own
-from coursework.report.text.tables import given_constants
 from coursework.report.text.words import Words
+from coursework.scene.motion_results import given_constants
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
@@ -216,11 +216,12 @@ def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
     """
     scene, variant = run.scene, run.variant
     angles = angles_in_determinants(scene.reduction.blocks, scene.equations)
+    constant = given_constants(variant, run.motion.names, run.motion.rows)
     return {
         "coordinates": [c.name for c in variant.coordinates],
         "velocities": [*variant.rates, *(name for name, _ in variant.unknowns)],
         "units": {name: variant.unit_of(name) for name in variant.columns},
-        "shown": [name for name in run.motion.names if name not in given_constants(run)],
+        "shown": [name for name in run.motion.names if name not in constant],
         "start": scene.start,
         "step": run.step,
         "end": variant.time.end,

@@ -16,7 +16,7 @@ from coursework.report.graphs import graph_paper
 from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_INK, SCHEME_PEN, STOP_PEN, STOP_WORDS, smooth, sparse
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part, Runs
-from coursework.report.text.tables import given_constants
+from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -42,7 +42,7 @@ def graphs(context: PageContext) -> list[Part]:
     if not len(motion.t):
         return []
     curve = _curves(context)
-    constant = given_constants(context.run)
+    constant = given_constants(context.run.variant, motion.names, motion.rows)
     named = [_rows(context, name, curve) for name in motion.names if name not in constant]
     parts: list[Part] = []
     for first in range(0, len(named), MOST_PANELS):

@@ -11,16 +11,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text.text_runs import numeral, runs
 from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
+from coursework.scene.motion_results import given_constants
 from coursework.scene.quantities import GRAPH_CHECK
-from coursework.scene.scene_run import SceneRun
 
 TABLE_FILE = "table.csv"  # has the table of results, and beside it the columns of what is asked for row by row
 MOST_ROWS = 32  # rows printed; a longer table is thinned, table.csv holds it whole
@@ -72,7 +70,7 @@ def rules_for(rows: int) -> list[int]:
 def motion_parts(context: PageContext) -> list[Part]:
     """Return the table of the motion and the sentences that belong to it."""
     run, words = context.run, context.words
-    constant = given_constants(run)
+    constant = given_constants(run.variant, run.motion.names, run.motion.rows)
     names = [name for name in run.motion.names if name not in constant]
     units = [run.variant.unit_of(name) for name in names]
     step = context.quantity(run.step, "s")
@@ -92,17 +90,6 @@ def motion_parts(context: PageContext) -> list[Part]:
         notes.append(words("table.constant", listed=words.listing(told)))
     rows = run.motion.rows[:, [place for place, name in enumerate(run.motion.names) if name not in constant]]
     return _by_row(context, ExtraTable("", tuple(names), tuple(units), rows), run.motion.t, caption, words.sentences(notes))
-
-
-def given_constants(run: SceneRun) -> dict[str, float]:
-    """Return the rates that the drive keeps at one value: no column and no graph says more of them; none where all are."""
-    motion, known = run.motion, run.variant.known_rates
-    found = {
-        name: float(motion.column(name)[0])
-        for name in motion.names
-        if name in known and len(motion.t) > 1 and not float(np.ptp(motion.column(name)))
-    }
-    return found if len(found) < len(motion.names) else {}
 
 
 def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part]:

@@ -11,7 +11,7 @@ from coursework.commands.options import RUBRIC_KEYS
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.rubric import KEYS, Rubric, read_rubric
-from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.formula.tree import spelled
@@ -54,8 +54,7 @@ class Desk:
     def __init__(self, variant):
         self.variant, self.key, self.machine = variant, key_of(variant), Machine(variant)
         self.right = self.machine.table()
-        columns = {name: tuple(self.key.table[:, place].tolist()) for place, name in enumerate(self.key.names)}
-        self.expected = Expected(grid_of(variant, columns), variant)
+        self.expected = Expected(self.key.grid, variant)
         self.rates = [place for place, name in enumerate(self.key.names) if variant.unit_of(name) == "rad/s"]
         self.angles = [place for place, name in enumerate(self.key.names) if variant.unit_of(name) == "rad"]
 

@@ -10,7 +10,7 @@ from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.formula.tree import spelled
@@ -38,8 +38,7 @@ class Desk:
     def __init__(self, variant):
         self.machine, self.variant, self.key = Machine(variant), variant, key_of(variant)
         self.marker = Marker(self.key, Rubric())
-        columns = {name: tuple(self.key.table[:, place].tolist()) for place, name in enumerate(self.key.names)}
-        self.expected = Expected(grid_of(variant, columns), variant)
+        self.expected = Expected(self.key.grid, variant)
 
     def marked(self, table, equations="right", times=None, with_time=True, digits=4):
         times = np.arange(len(table)) * self.machine.h if times is None else times

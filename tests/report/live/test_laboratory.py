@@ -12,7 +12,7 @@ import pytest
 
 import coursework
 from coursework.motion.schemes import SCHEMES
-from coursework.report.text.tables import given_constants
+from coursework.scene.motion_results import given_constants
 from tests.solved import solved
 
 pytestmark = pytest.mark.browser
@@ -48,7 +48,8 @@ def test_the_laboratory_gives_the_table_of_the_run(written: Any, opened: Any, na
     ]
     largest = {name: max(1.0, *(abs(row[name]) for row in right)) for name in right[0]}
     motion = solved(name).motion
-    constant = given_constants(solved(name))  # said in words, no column
+    motion = solved(name).motion
+    constant = given_constants(solved(name).variant, motion.names, motion.rows)  # said in words, no column
     assert [*found[0]] == ["t", *(one for one in motion.names if one not in constant)]
     for there, here in zip(right, found, strict=True):
         for column, value in here.items():

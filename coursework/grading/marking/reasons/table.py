@@ -58,7 +58,7 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
     found = counts(key, marked)
     yield from _causes(found, marked)
     yield from _odd_rows(key, marked)
-    if absent := tuple(name for name in key.names if marked.table.column(name) is None):
+    if absent := tuple(name for name in key.names if marked.table.column(name) is None and name not in key.given):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
     for gate, number in shut(marked).items():
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
+from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import PrintedNumber
@@ -33,19 +34,21 @@ class Places:
     repeated: tuple[str, ...]
 
 
-def find_columns(layout: Layout, names: Sequence[str], step: float) -> Places:
-    """Return where each column stands; `step` is the grid's, in s.
+def find_columns(layout: Layout, grid: Grid) -> Places:
+    """Return where each column stands.
 
     Raises `Refused` where columns cannot be told apart or say two things.
     """
+    names = grid.names
     filled = [at for at in range(len(layout.heads)) if any(row[at].stands_for_number for row in layout.body)]
     places, repeated = _by_head(layout, filled)
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
-    _add_time(layout, places, free, len(names), step)
+    _add_time(layout, places, free, len(names), grid.step)
     known = [name for name in names if name in places]
     rest = [at for at in free if at not in {place.at for place in places.values()}]
     if not known and rest:
-        places |= _in_order(layout, rest, names)
+        lacking = grid.given if len(rest) == len(names) - len(grid.given) else ()
+        places |= _in_order(layout, rest, [name for name in names if name not in lacking])
     else:
         places |= _lost_letters(layout, rest, [name for name in names if name not in places])
     if not any(name in places for name in names):

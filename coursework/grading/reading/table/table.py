@@ -79,7 +79,7 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
     uncomputed = sum(cell.flag == "formula" for cell in standing)
     if uncomputed > _UNCOMPUTED * len(standing):
         raise unreadable("formulas", cells=uncomputed)
-    places = find_columns(layout, grid.names, grid.step)
+    places = find_columns(layout, grid)
     rows = place_rows(layout, places, grid)
     if not any(row is not None for row in rows.of_grid):
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)
