@@ -35,12 +35,13 @@ export async function openFiles({ works, saving, view }) {
   /**
    * @param {string} name
    * @param {string} verb
+   * @param {string} value What is proposed.
    * @param {(other: string) => Promise<void>} act
    */
-  async function otherName(name, verb, act) {
+  async function otherName(name, verb, value, act) {
     /** @param {string} text */
     const refuses = (text) => refusedName(text) || (text === name ? say("name_taken", { name }) : "");
-    const other = await askLine({ title: `${verb}: ${name}`, label: say("name"), value: name, verb, refuses });
+    const other = await askLine({ title: `${verb}: ${name}`, label: say("name"), value, verb, refuses });
     if (other) await done(() => act(other));
   }
   /** What is open is copied as it stands there, saved or not. @param {string} other */
@@ -48,9 +49,18 @@ export async function openFiles({ works, saving, view }) {
     if ("theirs" in (await works.write(other, view.state.doc.toString(), null)))
       throw new Error(say("name_taken", { name: other }));
   }
+  /** @type {Set<string>} */
+  let known = new Set();
+  /** The name with the first number behind it that no other has: crank-2. @param {string} name */
+  function unused(name) {
+    const stem = name.replace(/-\d+$/, "");
+    let number = 2;
+    while (known.has(`${stem}-${number}`)) number += 1;
+    return `${stem}-${number}`;
+  }
   async function fill() {
-    const entries = await works.list(),
-      known = new Set(entries.map((one) => one.name));
+    const entries = await works.list();
+    known = new Set(entries.map((one) => one.name));
     // What was typed under a name and never saved is in this browser alone.
     const drafts = keptNames("draft.").filter((name) => !known.has(name));
     list.replaceChildren(...entries.map(entry), ...drafts.map(draft));
@@ -97,14 +107,14 @@ export async function openFiles({ works, saving, view }) {
       { "data-name": name, ...(mine && { "aria-current": "true" }) },
       make("button", { type: "button", className: "name", onclick: () => void open(name) }, name),
       button("rename", () =>
-        otherName(name, say("rename"), async (other) => {
+        otherName(name, say("rename"), name, async (other) => {
           if (mine && saving.unsaved) await saving.save();
           await works.rename(name, other);
           if (mine) await open(other);
         }),
       ),
       button("duplicate", () =>
-        otherName(name, say("duplicate"), (other) => (mine ? copy(other) : works.duplicate(name, other))),
+        otherName(name, say("duplicate"), unused(name), (other) => (mine ? copy(other) : works.duplicate(name, other))),
       ),
       button("remove", () =>
         done(async () => {

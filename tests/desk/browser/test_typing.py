@@ -65,9 +65,10 @@ def test_a_variant_is_typed_from_nothing_saved_and_moved(desk: Callable[..., Any
     one.rest("changed")
     assert line.replace(value, "0.61", 1) in one.text
     # Copied as it stands, and renamed: the desk goes on with the new name.
-    for act, other in (("duplicate", "copy"), ("rename", "other")):
+    for act, other, proposed in (("duplicate", "copy", "fresh-2"), ("rename", "other", "fresh")):
         page.click("#desk-files")
         page.click(f"li[data-name=fresh] [data-act={act}]")
+        assert page.input_value("#desk-line") == proposed
         page.fill("#desk-line", other)
         page.keyboard.press("Enter")
         one.until((folder / f"{other}.toml").exists)
