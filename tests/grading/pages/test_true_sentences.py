@@ -238,4 +238,5 @@ def test_what_was_never_said_truly_is_gone(seen):
         assert ("None of the usual causes" in told.page) == (student in {"forty", "zeros", "repeated"}), student
     assert "are not marked yet" in seen["unread"].page
     assert "of the 4 needed" not in seen["unread"].page
+    assert "4: Could not be read; your instructor looks at it." in seen["unread"].platform, "a question, on a platform too"
     assert EQUATIONS[0] in seen["unread"].page
