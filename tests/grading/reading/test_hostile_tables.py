@@ -33,12 +33,6 @@ def test_a_thousand_or_a_decimal_is_decided_by_the_whole_file() -> None:
     assert column(read(decided.encode()), "w1")[:2] == (4.5, 5.501)
 
 
-@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
-def test_two_bytes_a_letter_are_told_without_a_mark(encoding: str) -> None:
-    text = csv(ROWS).decode().replace("phi", "φ")
-    assert read(text.encode(encoding)).columns == read(text.encode()).columns
-
-
 def test_both_marks_in_one_file() -> None:
     mixed = read(csv(cells(r2c2="1,5985")))
     assert column(mixed, "phi1")[1] == 1.5985
