@@ -205,6 +205,9 @@ def annotated(shown: str, typed: str) -> str:
 
 def test_formulas_of_libreoffice() -> None:
     assert verdicts(writer(annotated(MATHML, "nobody reads this"))) == ["right"]
+    letters = "".join(f"<math:mtext>{letter}</math:mtext>" for letter in "VMy")
+    spelt = MATHML.replace("<math:msub><math:mi>V</math:mi><math:mi>My</math:mi></math:msub>", letters)
+    assert verdicts(writer(annotated(spelt.replace("mi>cos</math:mi", "mtext>cos</math:mtext"), "nobody"))) == ["right"]
     assert verdicts(writer(*(annotated("<math:mrow/>", text) for text in STARMATH[:4]))) == ["right"] * 4
     assert verdicts(writer(annotated("<math:mrow/>", STARMATH[4]))) == ["right"]
     work = writer(annotated("<math:mrow/>", STARMATH[5]))
