@@ -65,8 +65,8 @@ def attempt(dynamics: Dynamics, begin: Begin, time: Time, exact: Motion, scheme:
     """Return what a scheme makes of the motion with the `parts` of each step."""
     steps, equations = len(exact.t) - 1, dynamics.motion
     made = dynamics.rows(scheme, begin[1], time.step / parts, steps * parts)
-    if made.ended or len(made.t) <= steps * parts:
-        return Trial(made.slopes, float("inf"), np.zeros(0), made.ended or "not finite", len(made.t))
+    if made.ended:
+        return Trial(made.slopes, float("inf"), np.zeros(0), made.ended, len(made.t))
     rows = slice(None, None, parts)
     error = float(np.abs(made.rates[rows] - rates_of(equations, exact)).max(initial=0.0))
     return Trial(made.slopes, error, energy_of_rows(equations, made.t[rows], made.coordinates[rows], made.rates[rows])[0])

@@ -37,8 +37,10 @@ def test_every_variant_has_a_picture_that_moves(client):
 
 def test_the_text_of_a_variant_comes_with_its_tables(client):
     name = next(path.stem for path in sorted(VARIANTS.glob("*.toml")) if "table = " in path.read_text(encoding="utf-8"))
-    assert client.get(f"/api/variant/{name}").content == (VARIANTS / f"{name}.toml").read_bytes()
-    tables = client.get(f"/api/variant/{name}/tables").json()
+    answers = [client.get(f"/api/variant/{name}{more}") for more in ("", "/tables")]
+    assert all("max-age=600" in each.headers["cache-control"] for each in answers), "a browser asks once in ten minutes"
+    assert answers[0].content == (VARIANTS / f"{name}.toml").read_bytes()
+    tables = answers[1].json()
     assert tables == {table: (VARIANTS / table).read_text(encoding="utf-8") for table in tables} != {}
     for wrong in ("nothing", "..", "variant.schema", "%2e%2e%2fpyproject"):
         assert client.get(f"/api/variant/{wrong}").status_code == 404

@@ -5,6 +5,7 @@ Andrews' squeezer at 0.03 s: test set for IVP solvers (F. Mazzia, C. Magherini),
 """
 
 import json
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -14,6 +15,7 @@ import pytest
 import coursework
 from coursework.effects.dynamics import Dynamics
 from coursework.effects.dynamics_checks import stiffness
+from coursework.effects.dynamics_lesson import lesson
 from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
@@ -210,6 +212,14 @@ def test_the_page_shows_what_a_step_costs(language):
     table = next(part for part in section.parts if part.kind == "table" and part.id == "dynamics-lesson")
     assert len(table.rows) == 12
     assert any(part.kind == "panels" and part.id == "dynamics-energy" for part in section.parts)
+
+
+@pytest.mark.parametrize(("rows", "lines"), [(1, 0), (2, 12)])
+def test_one_step_shows_what_it_costs_and_no_step_costs_nothing(rows, lines):
+    scene = solved("falling-arm", "euler").scene
+    way = scene.exact
+    short = replace(way, t=way.t[:rows], coordinates=way.coordinates[:rows], velocities=way.velocities[:rows])
+    assert len(lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, short)) == lines
 
 
 def test_the_steady_motion_of_the_motor():

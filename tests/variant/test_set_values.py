@@ -129,3 +129,4 @@ def test_a_file_without_the_section_is_refused():
         rewritten(dotted, {("time", "scheme"): "euler"})
     inline = 'time = { step = "1 s", end = "2 s" }\n'
     assert rewritten(inline, {("time", "scheme"): "euler"}) == 'time = { scheme = "euler", step = "1 s", end = "2 s" }\n'
+    assert rewritten(f'remarks = [\n  "a",\n]\n{inline}quote = "b"', {}, SAID_OF_NUMBERS) == inline, "no empty line is left"

@@ -12,7 +12,7 @@ from xml.etree import ElementTree  # of our own SVG: its words are escaped, and 
 from coursework.system.frozen import frozen
 
 _SVG = "{http://www.w3.org/2000/svg}"
-_STEP = re.compile(r"([MmLlHhVvZz])([^MmLlHhVvZz]*)")
+_STEP = re.compile(r"([MmlZ])([^MmlZ]*)")  # what `ways.py` writes
 _NUMBER = re.compile(r"-?[\d.]+(?:e-?\d+)?")
 SAME = 0.02  # mm: two places that are one
 HEAD_CORNERS = 3
@@ -166,8 +166,9 @@ def _pieces(way: str, height: float) -> Iterator[tuple[tuple[complex, ...], bool
     points: list[complex] = []
     for letter, rest in _STEP.findall(way):
         numbers = list(map(float, _NUMBER.findall(rest)))
-        at = points[-1] if points else complex(0.0, height)
-        if letter in "Zz":
+        places = [complex(x, -y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+        at = points[-1] if points else 1j * height
+        if letter == "Z":
             yield tuple(points), True
             points = points[:1]
             continue
@@ -175,18 +176,12 @@ def _pieces(way: str, height: float) -> Iterator[tuple[tuple[complex, ...], bool
             if len(points) > 1:
                 yield tuple(points), False
             points = []
-        if letter == "m":  # at the beginning of a path as M; behind its place stand steps
-            points.append(at + complex(numbers[0], -numbers[1]))
-            numbers, letter = numbers[2:], "l"
-        if letter in "ML":
-            points += [complex(x, height - y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
-        elif letter == "l":
-            for x, y in zip(numbers[::2], numbers[1::2], strict=True):
-                points.append(points[-1] + complex(x, -y))
-        else:
-            place = {"H": complex(numbers[0], at.imag), "h": at + numbers[0], "V": complex(at.real, height - numbers[0]),
-                     "v": at - 1j * numbers[0]}  # fmt: skip
-            points.append(place[letter])
+        if letter == "M":
+            points = [1j * height + place for place in places]
+        else:  # steps; those of m, from where the last piece ended, begin a piece
+            for step in places:
+                at += step
+                points.append(at)
     if len(points) > 1:
         yield tuple(points), False
 

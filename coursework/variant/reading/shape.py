@@ -79,8 +79,6 @@ def _hides(path: KeyPath, entry: Entry) -> set[str]:
 
         meant = difflib.get_close_matches(section, schema.VariantFile.keys(), n=1)
         return _DECLARED.get(meant[0], set()) if meant else set().union(*_DECLARED.values())
-    if path[-1] == "[key]":
-        return _DECLARED.get(section, set())
     if section == "coordinates" and entry["type"] != "extra_forbidden" and path[-1] not in {"start", "unit"}:
         return {"rate"}
     return {"point"} if section == "group" and (len(path) == 2 or path[2] == "meets") else set()

@@ -54,6 +54,9 @@ def iterated(value):
 def test_one_level_more_is_refused_with_its_place():
     with pytest.raises(InputError, match=r"V141 deep\.toml:3 .*points\.Q.*more than 100 levels deep"):
         _ = coursework.solve(variant(MOST_LEVELS + 1)).equations
+    text = TEXT.format(first=nested("f", 50), second=nested("P.x", MOST_LEVELS - 51)) + '[closure]\nholds = ["g",\n"sin(Q.x)"]\n'
+    with pytest.raises(InputError, match=r"V141 deep\.toml:18 .*closure\.holds\.2.*more than 100 levels deep"):
+        _ = coursework.solve(parse_variant(text, "deep.toml")).equations
 
 
 def test_a_power_of_a_long_sum_is_shown_as_it_is():

@@ -116,12 +116,12 @@ def origin() -> Case:
     return files(table), Truth(code="origin_phi2")
 
 
-def without(rows: tuple[int, ...] = (), columns: tuple[int, ...] = ()) -> Case:
+def without(rows: tuple[int, ...] = (), columns: tuple[int, ...] = (), blank: tuple[int, int] | None = None) -> Case:
     kept = [k for k in range(ROWS) if k not in rows]
     chosen = [c for c in range(7) if c not in columns]
     lines = ["t;" + ";".join(NAMES[c] for c in chosen)]
-    lines += [f"{k * H:.2f};" + ";".join(f"{RIGHT[k, c]:.4f}" for c in chosen) for k in kept]
-    absent = {(k, c) for k in range(ROWS) for c in range(7) if k in rows or c in columns}
+    lines += [f"{k * H:.2f};" + ";".join("" if (k, c) == blank else f"{RIGHT[k, c]:.4f}" for c in chosen) for k in kept]
+    absent = {(k, c) for k in range(ROWS) for c in range(7) if k in rows or c in columns or (k, c) == blank}
     found = {"table.csv": "\n".join(lines).encode(), "equations.txt": "\n".join(EQUATIONS).encode()}
     return found, Truth(wrong=set(), absent=absent)
 
@@ -204,7 +204,7 @@ def cases() -> dict[str, Case]:
         "a-pdf": ({"table.csv": b"%PDF-1.7 x"}, Truth()),
         "start": (files(students.table(start=(1.73, 3.37, 2.87))), Truth(wrong={(0, 0)})),
         "zeros": (files(np.zeros((ROWS, 7))), Truth(said=("Rows that are the same as the row before them: 2–25.",))),
-        "no-rows": without(rows=tuple(range(13, 25))),
+        "no-rows": without(rows=(6, *range(14, 25)), blank=(3, 4)),
         "no-column": without(columns=(6,)),
         "coarse": (files(decimals=1), Truth(counted=False, said=("Cells with too few decimals",))),
         "degrees": degrees(), "long": long_numbers(), "repeated": repeated(), "shifted": shifted(),

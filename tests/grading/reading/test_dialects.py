@@ -10,7 +10,7 @@ from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.student_work import Table
 from coursework.variant.catalogue import names
 from tests.grading.reading.dialects import DIALECTS, STYLES, written
-from tests.grading.reading.misread import read_table
+from tests.grading.reading.misread import ROWS, csv, read, read_table
 from tests.grading.scenes import expected, times
 from tests.sample import sampled
 
@@ -75,3 +75,9 @@ def test_variant_31_in_every_style(dialect: str) -> None:
             for unit in ("rad", "deg"):
                 cells += check(grid, table_of(grid, dialect, style, digits, unit), digits, unit, style)
     assert cells == 4 * 4 * 2 * 25 * 7
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_two_bytes_a_letter_are_told_without_a_mark(encoding: str) -> None:
+    text = csv(ROWS).decode().replace("phi", "φ")
+    assert read(text.encode(encoding)).columns == read(text.encode()).columns

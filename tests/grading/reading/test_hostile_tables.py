@@ -115,12 +115,14 @@ def test_rows_of_the_grid_within_three_tenths_of_a_step() -> None:
     (1.5, 0.28, 0, 6, True), (1.5, 0.32, 0, 6, False),
 ])  # fmt: skip
 def test_a_step_of_ones_own_on_both_sides_of_its_limits(step: float, first: float, off: float, rows: int, is_own: bool) -> None:
-    """In steps of the grid; where the first row stands, and how far one row is off, in parts of the own step."""
+    """In steps of the grid; where the first row stands, and how far one row is off, in parts of the own step; φ₁ a turn on."""
     own = [step * GRID.step * (first * (row == 0) + row + off * (row == 2)) for row in range(rows)]
-    found = read(csv([[f"{time:.6f}", *row[1:]] for time, row in zip(own, ROWS, strict=False)])).own
+    printed = [[f"{time:.6f}", f"{float(row[1]) + math.tau:.4f}", *row[2:]] for time, row in zip(own, ROWS, strict=False)]
+    found = read(csv(printed)).own
     assert (found is not None) == is_own
     if found is not None:
         assert found.step == pytest.approx((own[-1] - own[0]) / (rows - 1))
+        assert found.columns["phi1"][0] == pytest.approx([float(row[1]) for row in ROWS[:rows]], abs=1e-4)
 
 
 def test_columns_repeated_exchanged_missing_and_unknown() -> None:

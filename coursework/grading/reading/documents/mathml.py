@@ -22,7 +22,6 @@ ELEMENTS = frozenset({
     "math", "semantics", "annotation", "mrow", "mi", "mn", "mo", "mtext", "mfrac", "msub", "msup", "msubsup", "msqrt", "mroot",
     "mfenced", "mover", "munder", "mtable", "mtr", "mtd", "mspace", "mstyle", "mpadded", "mphantom",
 })  # fmt: skip
-_NAMED = {"mi", "mtext"}
 
 
 def text_of_mathml(node: FormulaNode) -> str:
@@ -44,7 +43,7 @@ def _text(node: FormulaNode) -> str:
     name, parts = node.name, node.children
     if name in {"mi", "mn", "mo", "mtext"}:
         text = "".join(part for part in node.inside if isinstance(part, str)).strip()
-        return f" {text} " if name in _NAMED and len(text) > 1 else text
+        return f" {text} " if name == "mtext" and len(text) > 1 else text
     if name in {"annotation", "mphantom"}:
         return ""
     if name == "mspace":

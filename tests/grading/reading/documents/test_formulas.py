@@ -152,8 +152,9 @@ def test_letters_set_lower_and_higher_and_the_symbol_font() -> None:
     assert work.equations[0].text == "r3 ω3 sin^2φ3 + r3 ω3 cos^2φ3 = w3*r3"
     omega = '<w:r><w:sym w:font="Symbol" w:char="F077"/></w:r>'
     phi = '<w:r><w:sym w:font="Symbol" w:char="F06A"/></w:r>'
+    other = '<w:r><w:sym w:font="Cambria Math" w:char="03C6"/></w:r>'
     fourth = (
-        run("r3") + omega + run("3 sin ") + phi + run("3 - r2") + omega + run("2 cos ") + phi + run("2 - r1*w1*cos(phi1) = 0")
+        run("r3") + omega + run("3 sin ") + phi + run("3 - r2") + omega + run("2 cos ") + other + run("2 - r1*w1*cos(phi1) = 0")
     )
     assert verdicts(word(fourth)) == ["right"]
 
@@ -204,6 +205,9 @@ def annotated(shown: str, typed: str) -> str:
 
 def test_formulas_of_libreoffice() -> None:
     assert verdicts(writer(annotated(MATHML, "nobody reads this"))) == ["right"]
+    letters = "".join(f"<math:mtext>{letter}</math:mtext>" for letter in "VMy")
+    spelt = MATHML.replace("<math:msub><math:mi>V</math:mi><math:mi>My</math:mi></math:msub>", letters)
+    assert verdicts(writer(annotated(spelt.replace("mi>cos</math:mi", "mtext>cos</math:mtext"), "nobody"))) == ["right"]
     assert verdicts(writer(*(annotated("<math:mrow/>", text) for text in STARMATH[:4]))) == ["right"] * 4
     assert verdicts(writer(annotated("<math:mrow/>", STARMATH[4]))) == ["right"]
     work = writer(annotated("<math:mrow/>", STARMATH[5]))
