@@ -12,6 +12,8 @@ from typing import Any
 
 import pytest
 
+from tests.lent_pages import LentPages
+
 # Compiled once for all processes of the suite, some two hundred, whatever the environment says; .gitignore knows the folders.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
@@ -42,3 +44,9 @@ def browser() -> Iterator[Any]:
         running = play.chromium.launch(executable_path=found, args=quiet)
         yield running
         running.close()
+
+
+@pytest.fixture(scope="session")
+def lent_pages(browser: Any) -> LentPages:
+    """Pages of the browser; a fixture of one test takes back what it has lent."""
+    return LentPages(browser)

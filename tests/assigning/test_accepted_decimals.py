@@ -18,6 +18,7 @@ from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.points import table_points
 from coursework.grading.reading.submission import Submission
 from tests.command import call
+from tests.grading.batch.in_this_process import in_this_process
 
 
 def of_31(t, q, r1, r2, r3, V1, p, alpha):
@@ -84,8 +85,8 @@ def marked(request, tmp_path_factory):
 
 
 def grades(folder, roster, out):
-    result = call("grade", folder / "in", "--roster", roster, "--out", out, "--rubric", folder / "rubric.toml", "--jobs", "1",
-                  "--no-pages")  # fmt: skip
+    with in_this_process():
+        result = call("grade", folder / "in", "--roster", roster, "--out", out, "--rubric", folder / "rubric.toml", "--no-pages")
     assert result.exit_code == 0, result.output
     return json.loads((out / "grades.json").read_text(encoding="utf-8"))["submissions"]
 
@@ -158,6 +159,7 @@ def test_another_number_is_marked_anew():
 def test_a_number_in_the_roster_that_cannot_be_is_told(tmp_path, text, is_right):
     (tmp_path / "in").mkdir()
     (tmp_path / "roster.csv").write_text(f"id,variant,accepted_decimals\na,31,{text}\n", encoding="utf-8")
-    result = call("grade", tmp_path / "in", "--roster", tmp_path / "roster.csv", "--out", tmp_path / "out", "--jobs", "1")
+    with in_this_process():
+        result = call("grade", tmp_path / "in", "--roster", tmp_path / "roster.csv", "--out", tmp_path / "out")
     assert result.exit_code == (0 if is_right else 2), result.output
     assert is_right or ("roster.csv:2" in result.output and f'found "{text}"' in result.output)

@@ -11,6 +11,7 @@ import coursework
 from coursework.report.graphs.strips import RIGHT, strip
 from tests.command import call
 from tests.grading.batch.classroom import EQUATIONS
+from tests.grading.batch.in_this_process import in_this_process
 
 ROSTER = (
     "id,name,email,group\n"
@@ -187,10 +188,9 @@ def test_what_each_student_runs_and_hands_in_earns_full_marks(tmp_path, template
             (folder / "equations.txt").write_text("\n".join(EQUATIONS), encoding="utf-8")
     rubric = tmp_path / "rubric.toml"
     rubric.write_text("" if most == 100 else "[parts]\ntable = 60\nequations = 0\n", encoding="utf-8")
-    result = call(
-        "grade", tmp_path / "submissions", "--roster", out / "roster.csv", "--out", tmp_path / "marks", "--rubric", rubric,
-        "--jobs", "1",
-    )  # fmt: skip
+    options = ("--roster", out / "roster.csv", "--out", tmp_path / "marks", "--rubric", rubric)
+    with in_this_process():
+        result = call("grade", tmp_path / "submissions", *options)
     assert result.exit_code == 0, result.output
     grades = list(csv.DictReader((tmp_path / "marks" / "grades.csv").read_text(encoding="utf-8-sig").splitlines()))
     assert [(grade["id"], grade["status"], float(grade["points"])) for grade in grades] == [
@@ -203,8 +203,9 @@ def test_another_students_data_are_told_apart(tmp_path):
     for student, other in (("a", "b"), ("b", "b")):
         folder = tmp_path / "submissions" / student
         assert call("run", out / f"{other}.toml", "--format", "csv", "--out", folder).exit_code == 0
-    options = ("--roster", out / "roster.csv", "--out", tmp_path / "marks", "--jobs", "1")
-    assert call("grade", tmp_path / "submissions", *options).exit_code == 0
+    options = ("--roster", out / "roster.csv", "--out", tmp_path / "marks")
+    with in_this_process():
+        assert call("grade", tmp_path / "submissions", *options).exit_code == 0
     grades = json.loads((tmp_path / "marks" / "grades.json").read_text(encoding="utf-8"))
     assert "variant_b" in json.dumps(grades) or "other" in json.dumps(grades)
 

@@ -42,6 +42,9 @@ def opened(folder):
                 os._exit(7)
             case ["wait", seconds]:
                 time.sleep(float(seconds))
+            case ["until", there]:
+                while not Path(folder, there).exists():
+                    time.sleep(0.01)
             case ["held", mib]:
                 pool_process.memory_held = lambda: int(mib) * 2**20
             case ["take", mib]:

@@ -30,10 +30,11 @@ def until(condition):
 def test_the_work_of_a_worker_that_is_lost_is_done_by_another(tmp_path, lost):
     """Worker 0 and worker 1 each hold a job when one of them is killed: its job is done by another process, the rest go on."""
     with Pool(trade(tmp_path), 2) as two:
-        held = [two.submit(Job(str(k), "wait 1.5")) for k in range(2)]
+        held = [two.submit(Job(str(k), "until killed")) for k in range(2)]
         more = [two.submit(Job(f"more{k}")) for k in range(4)]
         until(lambda: all(begun(tmp_path, k) for k in range(2)))
         two._workers[lost]._child.kill()
+        (tmp_path / "killed").touch()
         told = [future.result(60) for future in (*held, *more)]
     assert [found.name for found in told] == ["0", "1", "more0", "more1", "more2", "more3"]
     assert all(found.pid > 0 for found in told)
@@ -63,18 +64,18 @@ def test_so_many_tries(tmp_path, tries, pid):
         assert bool(worker.answer(Job("a", "once")).pid) is pid
 
 
-@pytest.mark.parametrize(("seconds", "late"), [(1.5, False), (60, True)])
+@pytest.mark.parametrize(("seconds", "late"), [(1, False), (60, True)])
 def test_silence_is_ended_after_its_limit_and_not_tried_again(tmp_path, seconds, late):
-    with Worker(trade(tmp_path, seconds=3)) as worker:
+    with Worker(trade(tmp_path, seconds=2)) as worker:
         worker.answer(Job("warm"))
         assert (worker.answer(Job("a", f"wait {seconds}")).pid == -1) is late
         assert worker.answer(Job("b")).pid > 0
     assert len(begun(tmp_path, "a")) == 1
 
 
-@pytest.mark.parametrize(("seconds", "late"), [(2, False), (60, True)])
+@pytest.mark.parametrize(("seconds", "late"), [(1, False), (60, True)])
 def test_a_process_may_take_its_time_to_start(tmp_path, monkeypatch, seconds, late):
-    monkeypatch.setattr(pool, "STARTING", 5.0)
+    monkeypatch.setattr(pool, "STARTING", 3.0)
     with Worker(trade(tmp_path, seconds=0.5)) as worker:
         assert (worker.answer(Job("a", f"wait {seconds}")).pid == -1) is late
 

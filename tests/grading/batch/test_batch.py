@@ -4,6 +4,7 @@ import csv
 import json
 import re
 import shutil
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -13,16 +14,17 @@ from coursework.commands.cli import main
 from coursework.grading.batch import workers
 from coursework.system import pool
 from tests.grading.batch.classroom import hand_in, small_class
+from tests.grading.batch.in_this_process import in_this_process
 from tests.grading.marking import students
 
 
 def grade(source, out, *options):
+    """Return what came of marking, in processes of their own where `--jobs` is given."""
     arguments = ["grade", str(source), "--out", str(out), *map(str, options)]
     if "--roster" not in options and "--variant" not in options:
         arguments += ["--variant", "31"]
-    if "--jobs" not in options:
-        arguments += ["--jobs", "1"]
-    return CliRunner().invoke(main, arguments)
+    with nullcontext() if "--jobs" in options else in_this_process():
+        return CliRunner().invoke(main, arguments)
 
 
 def rows(out):
@@ -241,7 +243,7 @@ def test_a_child_that_has_grown_by_256_mib_is_replaced(tmp_path, monkeypatch, le
     started = []
     start = pool.Worker._start
     monkeypatch.setattr(pool.Worker, "_start", lambda self: (started.append(self), start(self)))
-    done = grade(tmp_path / "in", tmp_path / "out", "--no-pages")
+    done = grade(tmp_path / "in", tmp_path / "out", "--no-pages", "--jobs", "1")
     assert done.exit_code == 0, done.output
     assert {entry["status"] for entry in submissions(tmp_path / "out").values()} == {"graded"}
     assert len(started) == children

@@ -8,6 +8,7 @@ from click.testing import CliRunner
 
 from coursework.commands.cli import main
 from tests.grading.batch.classroom import EQUATIONS, NAMES
+from tests.grading.batch.in_this_process import in_this_process
 from tests.grading.marking import students
 from tests.grading.marking.seeded import SEED, visible_slip
 
@@ -39,7 +40,8 @@ def marked(tmp_path_factory):
         truth[f"slip{number}"] = f"row {row + 1} {NAMES[column]}", ""
         hand_in(root / "in" / f"right{number}", students.table(), digits, *DIALECTS[number % 3])
         truth[f"right{number}"] = "", ""
-    done = CliRunner().invoke(main, ["grade", str(root / "in"), "--variant", "31", "--out", str(root / "out"), "--jobs", "1"])
+    with in_this_process():
+        done = CliRunner().invoke(main, ["grade", str(root / "in"), "--variant", "31", "--out", str(root / "out")])
     assert done.exit_code == 0, done.output
     text = (root / "out" / "grades.json").read_text(encoding="utf-8")
     return truth, {entry["id"]: entry for entry in json.loads(text)["submissions"]}

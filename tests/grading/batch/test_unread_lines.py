@@ -6,6 +6,7 @@ import pytest
 
 from coursework.commands.grade import grade_source
 from tests.grading.batch.classroom import EQUATIONS, hand_in
+from tests.grading.batch.in_this_process import in_this_process
 
 UNREAD = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1) = 0"
 
@@ -15,10 +16,13 @@ def graded(tmp_path, overrides="", equations=(*EQUATIONS[:3], UNREAD)):
         hand_in(tmp_path / "in" / "ada", equations=equations)
     decided = tmp_path / "overrides.csv"
     decided.write_text(overrides, encoding="utf-8")
-    status = grade_source(
-        tmp_path / "in", variant="31", roster=None, out=tmp_path / "out", rubric=None, overrides=decided if overrides else None,
-        worksheet=None, canvas=None, results=None, no_pages=False, jobs=1, scheduler=None, limit=60, memory=1024, language="en",
-    )  # fmt: skip
+    with in_this_process():
+        status = grade_source(
+            tmp_path / "in", variant="31", roster=None, out=tmp_path / "out", rubric=None,
+            overrides=decided if overrides else None,
+            worksheet=None, canvas=None, results=None, no_pages=False, jobs=1, scheduler=None, limit=60, memory=1024,
+            language="en",
+        )  # fmt: skip
     assert status == 0
     (entry,) = json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))["submissions"]
     return entry, (tmp_path / "out" / "feedback" / "ada.html").read_text(encoding="utf-8")

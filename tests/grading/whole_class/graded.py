@@ -32,7 +32,7 @@ class Seen:
     comment: str
 
 
-def graded(pupils: list[Pupil], folder: Path, jobs: int = 1) -> dict[str, Seen]:
+def graded(pupils: list[Pupil], folder: Path) -> dict[str, Seen]:
     """Return what the command says of a class whose variants stand in `folder`."""
     roster, sheet = ["id,name,email,variant"], [_SHEET]
     for number, pupil in enumerate(pupils, 7001):
@@ -45,10 +45,8 @@ def graded(pupils: list[Pupil], folder: Path, jobs: int = 1) -> dict[str, Seen]:
     for name, lines in (("roster.csv", roster), ("sheet.csv", sheet)):
         (folder / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
     out = folder / "out"
-    done = grade(
-        folder / "in", out, "--roster", folder / "roster.csv", "--worksheet", folder / "sheet.csv", "--jobs", jobs,
-        "--limit", 60,
-    )  # fmt: skip
+    listed = ("--roster", folder / "roster.csv", "--worksheet", folder / "sheet.csv")
+    done = grade(folder / "in", out, *listed)
     assert done.exit_code == 0, done.output
     rows = {row["id"]: row for row in records(out / "grades.csv")}
     entries = {entry["id"]: entry for entry in json.loads((out / "grades.json").read_text(encoding="utf-8"))["submissions"]}

@@ -1,8 +1,8 @@
-"""Fixtures of the live page: pages written as a user writes them, opened from disk in a browser."""
+"""Fixtures of the live page: pages written as a user writes them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -35,46 +35,3 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Written:
         return folders[key]
 
     return write
-
-
-class Opened:
-    """A page in the browser with all that it said and fetched."""
-
-    def __init__(self, page: Any, address: str) -> None:
-        self.page, self.said, self.fetched = page, [], []
-        page.on("console", lambda message: self.said.append(message.text))
-        page.on("pageerror", lambda error: self.said.append(str(error)))
-        page.on("request", lambda request: self.fetched.append(request.url))
-        page.goto(address)
-
-    def set(self, hook: str, value: object, event: str = "input") -> None:
-        """Move a control as a hand does."""
-        act = "(at, [value, event]) => { at.value = value; at.dispatchEvent(new Event(event, {bubbles: true})); }"
-        self.page.eval_on_selector(hook, act, [value, event])
-
-    def value(self, hook: str) -> str:
-        """Return the data-value of an output."""
-        return str(self.page.get_attribute(hook, "data-value"))
-
-    @property
-    def row(self) -> int:
-        """Return the row at which the animation stands."""
-        return int(self.page.get_attribute("#live", "data-row"))
-
-
-@pytest.fixture
-def opened(browser: Any) -> Iterator[Callable[..., Opened]]:
-    """Open a written page; the context is closed behind the test."""
-    contexts = []
-
-    def start(folder: Path, before: Callable[[Any], None] | None = None, **options: Any) -> Opened:
-        context = browser.new_context(**options)
-        contexts.append(context)
-        page = context.new_page()
-        if before is not None:
-            before(page)
-        return Opened(page, (folder / "report.html").as_uri())
-
-    yield start
-    for context in contexts:
-        context.close()

@@ -30,7 +30,7 @@ def shaper(written: Any, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_every_graph_is_drawn_when_the_page_is_there(shaper: Path, opened: Any) -> None:
     """On a screen on which none of them can be seen, and before any frame of the page has come."""
     frozen = "window.requestAnimationFrame = () => 0; window.setTimeout = () => 0;"
-    page = opened(shaper, lambda page: page.add_init_script(frozen), viewport={"width": 1000, "height": 300}).page
+    page = opened(shaper, frozen, viewport={"width": 1000, "height": 300}).page
     drawn = page.evaluate(DRAWN)
     assert len(drawn) == 9  # the crank turns evenly
     for truth, table, dots in drawn:

@@ -53,7 +53,7 @@ SLICE = 4256  # evaluations that nothing else has to wait for: a fraction of a f
 
 
 def counted(opened: Any, folder: Any) -> Any:
-    return opened(folder, before=lambda page: page.add_init_script(COUNTING))
+    return opened(folder, COUNTING)
 
 
 def rest(page: Any) -> None:
@@ -112,7 +112,7 @@ def test_a_frame_makes_nothing_and_sets_only_what_moves(written: Any, opened: An
 @pytest.mark.parametrize("name", ["31", "jansen"])
 def test_a_frame_leaves_the_layers_of_the_page_as_they_are(written: Any, opened: Any, browser: Any, name: str) -> None:
     """Layers made anew go through all that the page has painted, which costs more than all the rest of a frame."""
-    page = opened(written(name), lambda page: page.add_init_script(STEADY)).page
+    page = opened(written(name), STEADY).page
     rest(page)
     page.click("#play")
 

@@ -15,24 +15,19 @@ pytestmark = pytest.mark.browser
 
 
 @pytest.fixture(scope="module")
-def address(real: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> str:
+def report(real: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> Path:
     run = real.full()
     path: Path = tmp_path_factory.mktemp("page") / "report.html"
     path.write_text(page_of(model_of(run)), encoding="utf-8")
-    return path.as_uri()
+    return path.parent
 
 
 @pytest.mark.parametrize("width", [1400, 800, 390])
-def test_it_is_shown_without_a_complaint(browser: Any, address: str, width: int) -> None:
-    page = browser.new_page(viewport={"width": width, "height": 900})
-    said: list[str] = []
-    fetched: list[str] = []
-    page.on("console", lambda message: said.append(message.text))
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.on("request", lambda request: fetched.append(request.url))
-    page.goto(address)
-    assert said == []
-    assert fetched == [address]
+def test_it_is_shown_without_a_complaint(opened: Any, report: Path, width: int) -> None:
+    shown = opened(report, viewport={"width": width, "height": 900})
+    page = shown.page
+    assert shown.said == []
+    assert shown.fetched == [(report / "report.html").as_uri()]
     assert page.title() == "Variant 31: Rolling wheel, right-angled link, crank and rod"
     assert page.locator("h2").count() == 12
     assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
@@ -40,14 +35,10 @@ def test_it_is_shown_without_a_complaint(browser: Any, address: str, width: int)
     heights = page.eval_on_selector_all(".formula svg", "all => all.map(one => one.getBoundingClientRect().height)")
     assert len(heights) > 12
     assert min(heights) > 8
-    page.close()
 
 
-def test_it_prints_on_a4_true_to_scale(browser: Any, address: str) -> None:
-    page = browser.new_page()
-    page.goto(address)
-    printed = page.pdf(prefer_css_page_size=True)
-    page.close()
+def test_it_prints_on_a4_true_to_scale(opened: Any, report: Path) -> None:
+    printed = opened(report).page.pdf(prefer_css_page_size=True)
     with pymupdf.open(stream=printed, filetype="pdf") as document:
         assert 5 <= len(document) <= 16
         for sheet in document:
@@ -58,13 +49,9 @@ def test_it_prints_on_a4_true_to_scale(browser: Any, address: str) -> None:
         assert [abs(length - 100) < 0.05 for length in bars(document)] == [True]
 
 
-def test_an_upright_construction_prints_true_to_scale_too(browser: Any, tmp_path: Path) -> None:
-    path = tmp_path / "jansen.html"
-    path.write_text(page_of(model_of(solved("jansen", quantities=["graph_check"]))), encoding="utf-8")
-    page = browser.new_page()
-    page.goto(path.as_uri())
-    printed = page.pdf(prefer_css_page_size=True)
-    page.close()
+def test_an_upright_construction_prints_true_to_scale_too(opened: Any, tmp_path: Path) -> None:
+    (tmp_path / "report.html").write_text(page_of(model_of(solved("jansen", quantities=["graph_check"]))), encoding="utf-8")
+    printed = opened(tmp_path).page.pdf(prefer_css_page_size=True)
     with pymupdf.open(stream=printed, filetype="pdf") as document:
         assert all(sheet.rect.width < sheet.rect.height for sheet in document)
         # The sheet with the plan of velocities has a bar as the construction has.

@@ -87,7 +87,7 @@ def test_a_field_is_refused_in_a_sentence_or_shown(field: str, reading: ModuleTy
 
 
 @pytest.mark.browser
-def test_a_page_full_of_it_runs_nothing_and_prints(browser: Any, tmp_path: Path) -> None:
+def test_a_page_full_of_it_runs_nothing_and_prints(opened: Any, tmp_path: Path) -> None:
     text = V31
     for field in sorted(SHOWN):
         text = put(field, text)
@@ -97,14 +97,11 @@ def test_a_page_full_of_it_runs_nothing_and_prints(browser: Any, tmp_path: Path)
     model = build_model(run, live=True)
     assert render_pdf(model).startswith(b"%PDF")
     (tmp_path / "report.html").write_text(render_html(model), encoding="utf-8")
-    page = browser.new_page(viewport={"width": 390, "height": 844})
-    asked: list[str] = []
-    page.on("request", lambda request: asked.append(request.url))
-    page.goto((tmp_path / "report.html").as_uri())
+    shown = opened(tmp_path, viewport={"width": 390, "height": 844})
+    page = shown.page
     assert page.evaluate("window.hit") is None
     assert page.locator("script:not([type])").count() == 2
     assert page.locator("img").count() == 0
-    assert len(asked) == 1
+    assert len(shown.fetched) == 1
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     assert page.locator("#play").count() == 1 and page.is_visible("#live")
-    page.close()

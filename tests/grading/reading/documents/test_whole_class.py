@@ -13,6 +13,7 @@ from coursework.commands.cli import main
 from coursework.grading.batch.work import Setup, Task, VariantSource
 from coursework.grading.reading.documents import pdf
 from coursework.grading.reading.submission import Submission
+from tests.grading.batch.in_this_process import in_this_process
 from tests.grading.marking import students
 from tests.grading.reading.documents.papers import MAKERS, word_tables
 from tests.grading.reading.documents.test_hostile_documents import HOSTILE
@@ -64,7 +65,8 @@ def slider() -> list[list[str]]:
 
 
 def grade(folder: Path, out: Path, variant: str, *more: str) -> dict[str, dict]:
-    found = CliRunner().invoke(main, ["grade", str(folder), "--variant", variant, "--out", str(out), "--jobs", "1", *more])
+    with in_this_process():
+        found = CliRunner().invoke(main, ["grade", str(folder), "--variant", variant, "--out", str(out), *more])
     assert found.exit_code == 0, found.output
     document = json.loads((out / "grades.json").read_text(encoding="utf-8"))
     return {entry["id"]: entry for entry in document["submissions"]}
