@@ -189,6 +189,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "velocities-alone": {"table.csv": text(with_cell(4, 0, 9.0, RIGHT[:, 3:]), NAMES[3:])},
         "mixed-units": {"table.csv": mixed_units()},
         "one-velocity-missing": {"table.csv": text(with_cell(5, 4, np.nan, with_cell(6, 1, 3.0)), NAMES)},
+        "every-second-row": {"table.csv": text(np.where(np.arange(25)[:, None] % 2, np.nan, with_cell(8, 1, 9.0)), NAMES)},
         "rounded-w3": {"table.csv": rounded_w3()},
         "slips-in-most-rows": files(slips_in_most_rows()),
         "document": {"work.md": markdown(), "table.csv": files()["table.csv"]},

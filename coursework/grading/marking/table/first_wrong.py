@@ -13,7 +13,7 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE
+from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE, rows_above
 from coursework.grading.reading.student_work import Table
 from coursework.grading.reading.table.headers import PRINTED
 from coursework.system.frozen import frozen
@@ -91,15 +91,18 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
         return float(f"{round(as_shown.number(value), places):.{_MOST_DIGITS}g}")
 
     stated = replace(shown, turns=0) if way == START else shown  # a start value is told as the task has it
+    before = int(rows_above(cells.student.values)[row - 1]) if row else 0
     values: dict[str, object] = {
-        "row": row + 1, "name": name, "found": number(found), "expected": number(expected, stated), "before": row,
+        "row": row + 1, "name": name, "found": number(found), "expected": number(expected, stated), "before": before + 1,
         "tolerance": float(f"{off:.2g}"), "unit": shown.unit,
     }  # fmt: skip
     said = _SAID[way].replace(" ", "_")
     if way in {STEP, STEP_TRUE}:
         m = len(key.coordinates)
         rate = _shown(key, table, key.velocities[place % m])
-        if way == STEP_TRUE:
+        if row - before > 1:
+            said, values["steps"] = "step_several", row - before
+        elif way == STEP_TRUE:
             said = "step_true"
         elif place >= m or rate.unit != _RATE_OF.get(shown.unit):  # forces make the step of a free rate
             said = "step_alone"

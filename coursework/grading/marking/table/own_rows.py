@@ -21,7 +21,7 @@ _WHOLE = 0.01
 
 @dataclass(frozen=True)
 class OnOwnRows:
-    """The `key` of the student's own step, the `cells` marked by it, how much of the task's table or time (0 to 1) they fill."""
+    """The `key` of the student's own step, the `cells` marked by it, which part (0 to 1) of the task's rows they fill."""
 
     key: Key
     cells: Cells
@@ -40,8 +40,7 @@ def on_own_rows(key: Key, student: StudentTable) -> OnOwnRows | None:
         return None
     rows = min(rows, len(made.table))
     cells = mark_cells(made, StudentTable(own.values[:rows], own.units[:rows]))
-    filled = min(1.0, max(rows, 1 + (rows - 1) * own.step / key.step) / len(key.table))
-    return OnOwnRows(made, cells, filled)
+    return OnOwnRows(made, cells, min(1.0, rows / len(key.table)))
 
 
 def more_on_grid(key: Key, student: StudentTable, rows: float) -> float:

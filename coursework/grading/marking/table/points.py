@@ -13,7 +13,7 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import MISSING, Cells
-from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE
+from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
@@ -69,17 +69,17 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     m = len(key.coordinates)
     marks, counted = cells.marks, cells.counted
     right = ~cells.wrong & ~cells.missing & counted
-    sound = right | cells.fitted  # as they were before others were put right
-    rows_enough = bool(len(marks)) and (
-        np.mean(np.all(sound[:, m:], axis=1)) >= ENOUGH_ROWS
-        or np.mean(np.mean(marks[:, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
+    sound, rows = right | cells.fitted, handed_in(cells)  # as they were before others were put right
+    rows_enough = bool(len(rows)) and (
+        np.mean(np.all(sound[rows, m:], axis=1)) >= ENOUGH_ROWS
+        or np.mean(np.mean(marks[rows, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
     )
     follows = rows_that_follow(key, cells)
     works = rows_enough and bool(follows[1:].any())
     steps = np.zeros_like(right)
     steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
     used = np.zeros_like(right)
-    used[1:, :m] = (sound[:-1, m : 2 * m] | (marks[1:, :m] == STEP_TRUE)) & _moves_as_it_may(key, cells)
+    used[rows[1:], :m] = (sound[rows[:-1], m : 2 * m] | (marks[rows[1:], :m] == STEP_TRUE)) & _moves_as_it_may(key, cells)
     velocities = cells.carried & ~steps
     still = right & _constant(key)
     shut = {
@@ -87,7 +87,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         "used_velocity": steps & ~used,
         "rows": steps & (not rows_enough),
         "motion": (velocities | still) & ~follows[:, None],
-        "chance": right & ~_in_a_run(marks == KEY) & (not works),
+        "chance": right & ~_in_a_run(marks == KEY, rows) & (not works),
     }
     credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
     counts: dict[str, int] = {}
@@ -101,6 +101,13 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     # The start values are given and earn nothing; one that is copied wrong is a wrong cell like any other.
     earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
     return TablePoints(earned / count if count else 0.0, count, counts, uncounted)
+
+
+def handed_in(cells: Cells) -> Places:
+    """Return the rows of which anything was handed in, and row 1: others cost their cells, and no gate speaks of them."""
+    found = np.asarray(~cells.missing.all(axis=1))
+    found[:1] = True
+    return np.flatnonzero(found)
 
 
 def _constant(key: Key) -> Flags:
@@ -124,14 +131,14 @@ def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bo
     the motion that the explained steps make, a right cell without either where several stand below each other.
     """
     m = len(key.coordinates)
-    q, by_key = cells.student.values[:, :m], cells.marks == KEY
+    rows, by_key = handed_in(cells), cells.marks == KEY
     holds = (holds | by_key) & ~cells.missing & cells.counted
     moves = _moves_as_it_may(key, cells)
-    steps = holds[1:, :m] & holds[:-1, m : 2 * m] & moves
+    steps = holds[rows[1:], :m] & holds[rows[:-1], m : 2 * m] & moves
     counts = np.zeros_like(holds)
-    counts[1:, :m] = steps
-    counts[:, m:] = holds[:, m:] & _following(q, steps, np.asarray(moves.any(axis=1)))[:, None]
-    counts |= by_key & cells.counted & _in_a_run(by_key) & ~_constant(key)
+    counts[rows[1:], :m] = steps
+    counts[rows, m:] = holds[rows, m:] & _following(cells.student.values[rows, :m], steps, np.asarray(moves.any(axis=1)))[:, None]
+    counts |= by_key & cells.counted & _in_a_run(by_key, rows) & ~_constant(key)
     if only_velocities:
         counts[:, :m] = False
     return float(counts.sum()) / max(int(cells.counted.sum()), 1)
@@ -143,20 +150,22 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
     Any scheme passes, with a part of the one-step gap to spare, and a coordinate in three may be wrong.  Rows that are copied,
     shuffled or invented follow nothing, and what is right in them from each other is no work; where few rows follow, none does.
     """
-    m, h = len(key.coordinates), key.step
-    q, w = cells.student.values[:, :m], cells.student.values[:, m : 2 * m]
-    units = cells.student.units
+    m, rows = len(key.coordinates), handed_in(cells)
+    q, w, units = cells.student.values[rows, :m], cells.student.values[rows, m : 2 * m], cells.student.units[rows]
+    h, marks = np.diff(key.t[rows])[:, None], cells.marks[rows]
     with np.errstate(invalid="ignore"):
-        largest = np.max(h / 2 * np.abs(np.diff(key.table[:, m : 2 * m], axis=0)), axis=0, initial=0.0)
+        largest = np.max(h / 2 * np.abs(np.diff(key.table[rows, m : 2 * m], axis=0)), axis=0, initial=0.0)
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.usual_ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
-    steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[:-1, m : 2 * m]
-    steps |= cells.marks[1:, :m] == KEY
-    excused = ~(near | steps) & (cells.marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
-    steps |= excused & (excused.mean(axis=0) <= _EXCUSED)
-    moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1))
-    return _following(q, near | steps, moves)
+    steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
+    steps |= marks[1:, :m] == KEY
+    excused = ~(near | steps) & (marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
+    steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
+    moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
+    follows = np.zeros(len(cells.marks), dtype=bool)
+    follows[rows] = _following(q, near | steps, moves)
+    return follows
 
 
 def _following(q: Array, near: Flags, moves: Flags) -> Flags:
@@ -177,21 +186,21 @@ def _following(q: Array, near: Flags, moves: Flags) -> Flags:
     return follows
 
 
-def _in_a_run(right: Flags) -> Flags:
-    """Return where a cell (n, k) is one of several right ones below each other; fewer are right by chance."""
-    if len(right) < RUN:
+def _in_a_run(right: Flags, rows: Places) -> Flags:
+    """Return where a cell (n, k) is one of several right ones below each other in `rows`; fewer are right by chance."""
+    if len(rows) < RUN:
         return right
-    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right, RUN, axis=0).all(axis=-1))
+    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right[rows], RUN, axis=0).all(axis=-1))
     run = np.zeros_like(right)
     for place in range(RUN):
-        run[place : place + len(whole)] |= whole
+        run[rows[place : place + len(whole)]] |= whole
     return run
 
 
 def stands_still(key: Key, cells: Cells) -> bool:
     """Return whether no coordinate of a table moves, although the key's do."""
-    m = len(key.coordinates)
-    return not _moves(cells.student.values[:, :m]).any() and bool(_moves(key.table[:, :m]).any())
+    m, rows = len(key.coordinates), handed_in(cells)
+    return not _moves(cells.student.values[rows, :m]).any() and bool(_moves(key.table[:, :m]).any())
 
 
 def _moves(angles: Array) -> Flags:
@@ -200,10 +209,10 @@ def _moves(angles: Array) -> Flags:
 
 
 def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
-    """Return where a coordinate moves (n - 1, m), now or before cells were put right, or the key's does not either."""
-    m = len(key.coordinates)
-    before = cells.before or cells.student
-    return _moves(cells.student.values[:, :m]) | _moves(before.values[:, :m]) | ~_moves(key.table[:, :m])
+    """Return where a coordinate moves from row to row handed in, now or before cells were put right, or the key's does not."""
+    places = handed_in(cells), slice(len(key.coordinates))
+    tables = [cells.student.values[*places], (cells.before or cells.student).values[*places], key.table[*places]]
+    return _moves(tables[0]) | _moves(tables[1]) | ~_moves(tables[2])
 
 
 def true_steps(key: Key, cells: Cells) -> Flags:

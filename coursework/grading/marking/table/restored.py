@@ -17,11 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, as_printed, near, own_ways
+from coursework.grading.marking.table.ways import HALF, OwnWays, Places, StudentTable, Way, as_printed, near, own_ways
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-Places = NDArray[np.intp]
 Counts = NDArray[np.intp]
 # What is found is set in, and what stands beside it looked for again; so is the march forward with the angles that it found.
 _PASSES = 2

@@ -9,11 +9,13 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
 from coursework.system.arrays import Array, Flags
 
+Places = NDArray[np.intp]
 # Half a unit of the last place, and a little for the last bit.
 HALF = 0.505
 # Part of a column's range that no printed digit resolves: constants of a task sheet copied with four digits.
@@ -138,6 +140,13 @@ def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | No
     return coarse, math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
 
 
+def rows_above(values: Array) -> Places:
+    """Return the row that each but the first is made from (n - 1,): the last one above of which anything was handed in."""
+    rows = np.arange(len(values) - 1)
+    last = np.maximum.accumulate(np.where(np.isfinite(values[:-1]).any(axis=1), rows, -1))
+    return np.where(last < 0, rows, last)
+
+
 def _steps(key: Key, student: StudentTable) -> Way:
     """Return the step from the row before."""
     m, h = len(key.coordinates), key.stride
@@ -148,7 +157,36 @@ def _steps(key: Key, student: StudentTable) -> Way:
     size = np.maximum(np.abs(rates), LEAST * key.usual_ranges[m : 2 * m])
     expected[1:, :m] = values[:-1, :m] + h * rates
     tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + HALF * h * units[:-1, m : 2 * m] + SLACK * h * size
+    _several_steps(key, student, expected, tolerance, by_own_velocity=True)
     return Way(STEP, expected, tolerance)
+
+
+def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: Array, *, by_own_velocity: bool = False) -> None:
+    """Fill in what rows (n, m + r) below rows that are not there should be: as many steps of Euler below the last one above.
+
+    The first of them is made with the printed velocity where one asks for that, all others with the reference's.
+    """
+    above, m, h = rows_above(student.values), len(key.coordinates), key.stride
+    below = 1 + np.flatnonzero((above < np.arange(len(above))) & np.isfinite(student.values[1:, :m]).any(axis=1))
+    if not len(below):
+        return
+    last, width = above[below - 1], 2 * m if by_own_velocity else m
+    times = below - last
+
+    def marched(cells: Array) -> Array:
+        copies, q = len(cells) // len(last), cells[:, :m].copy()
+        t, left = np.tile(key.t[last], copies), np.tile(times, copies)
+        for step in range(int(times.max())):
+            on = left > step
+            rates = cells[on, m:] if by_own_velocity and not step else key.velocities_at(t[on] + step * h, q[on])[:, :m]
+            q[on] += h * rates
+        return q
+
+    at = student.values[last, :width]
+    size = np.maximum(np.abs(student.values[last, m : 2 * m]), LEAST * key.usual_ranges[m : 2 * m])
+    expected[below, :m] = marched(at)
+    spread = sensitivity(marched, at, student.units[last, :width])
+    tolerance[below, :m] = HALF * (student.units[below, :m] + spread) + SLACK * h * times[:, None] * np.nan_to_num(size)
 
 
 def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
@@ -214,4 +252,5 @@ def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
     expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
     expected[1:, :m] = values[:-1, :m] + h * own.expected[:-1, m : 2 * m]
     tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + h * own.tolerance[:-1, m : 2 * m]
+    _several_steps(key, student, expected, tolerance)
     return Way(STEP_TRUE, expected, tolerance)
