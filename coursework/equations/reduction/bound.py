@@ -10,7 +10,7 @@ contact moves as what it touches; the sleeve turns with its bar.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression
 from coursework.equations.algebra.functions import cosine, sine
@@ -49,6 +49,20 @@ class Bound:
     name: str
     is_zero: Speed
     link: str = ""
+
+
+@frozen
+class Turn:
+    """A `link` turns at `found` by its points or its contact, and at `named`, its `rate`, as the file says.
+
+    That holds of points of one body only: where `grows`, the speed at which their distance does, is zero.
+    """
+
+    link: str
+    rate: str
+    found: Speed
+    named: Speed
+    grows: Speed
 
 
 @frozen
@@ -123,12 +137,42 @@ class Geometry:
         found = self._from_points(body.link, _of(_HELD)) if body.link is not None else None
         if found is None:
             raise self._nothing(link, binding)
-        slope = found.coefficients[_HELD]
-        others = Speed({name: part for name, part in found.coefficients.items() if name != _HELD}, found.rest)
-        return STILL.plus(others, -1 / slope)
+        return _solved(found)
+
+    def turns(self) -> tuple[Turn, ...]:
+        """Return how fast links turn by what tells it (points, contact, bar), where that is not their rate at sight."""
+        links = [(name, body.link) for name, body in self._bodies.items() if body.link is not None and body.link.rate]
+        rates = [link.rate for _, link in links]
+        own = {coordinate.rate: symbol(coordinate.name) for coordinate in self.variant.coordinates}
+        found = []
+        for name, link in links:
+            rate = link.rate or ""
+            if rate in own:
+                if not link.wheel and not link.slides and self._plainly_turned(link, own[rate]):
+                    continue
+            elif not link.points and rates.count(rate) == 1:
+                continue  # a wheel alone: its rate is what its rolling tells
+            named = speed_of(rate, self.variant.sought)
+            found += [Turn(name, rate, _solved(zero), named, grows) for zero, grows in self._told(link, _of(_HELD))]
+        return tuple(found)
+
+    def _plainly_turned(self, link: Link, angle: Expression) -> bool:
+        """Return whether a coordinate turns every arm of a link, as an angle does, and nothing else moves one."""
+        others = [TIME, *(symbol(coordinate.name) for coordinate in self.variant.coordinates)]
+        for point in link.points[1:]:
+            x, y = (b - a for a, b in zip(*(self._symbols.vectors[name] for name in (link.points[0], point)), strict=True))
+            for name in others:
+                turned = (-y, x) if name == angle else (ZERO, ZERO)
+                if (self._symbols.partial(x, name), self._symbols.partial(y, name)) != turned:
+                    return False
+        return True
 
     def _from_points(self, link: Link, rate: Speed) -> Speed | None:
         """Return what is zero for the `rate` of a link, None where its points do not tell."""
+        return next((zero for zero, _ in self._told(link, rate)), None)
+
+    def _told(self, link: Link, rate: Speed) -> Iterator[tuple[Speed, Speed]]:
+        """Yield what is zero for the `rate` of a link, and what must be zero for it: no arm within one body grows."""
         vectors = self._symbols.vectors
         if link.wheel and link.contact:
             touched = self._touched(link, vectors[link.contact])
@@ -136,18 +180,19 @@ class Geometry:
             arm = vectors[link.contact][0] - centre[0], vectors[link.contact][1] - centre[1]
             if touched is not None and arm != (ZERO, ZERO):
                 slip = _minus(_turned(self._moved(centre), rate, arm), touched)
-                return STILL.plus(slip[0], -arm[1]).plus(slip[1], arm[0])
+                yield STILL.plus(slip[0], -arm[1]).plus(slip[1], arm[0]), STILL
         points = [*link.points, *([link.wheel] if link.wheel else [])]
         for other in points[1:]:
             arm = vectors[other][0] - vectors[points[0]][0], vectors[other][1] - vectors[points[0]][1]
             if any(part.free_symbols for part in arm):
                 gap = _minus(self._moved(vectors[other]), self._moved(vectors[points[0]]))
-                return STILL.plus(gap[1], arm[0]).plus(gap[0], -arm[1]).plus(rate, -(arm[0] ** 2 + arm[1] ** 2))
+                zero = STILL.plus(gap[1], arm[0]).plus(gap[0], -arm[1]).plus(rate, -(arm[0] ** 2 + arm[1] ** 2))
+                yield zero, STILL.plus(gap[0], arm[0]).plus(gap[1], arm[1])
         bar = self._bodies.get(link.slides or "")
         if bar is not None and bar.rate is not None:
             along = speed_of(bar.rate, self.variant.sought)
-            return rate.plus(along, MINUS) if along != rate else None
-        return None
+            if along != rate:
+                yield rate.plus(along, MINUS), STILL
 
     def _touched(self, wheel: Link, contact: Vector) -> tuple[Speed, Speed] | None:
         """Return the velocity of what a wheel touches at its contact, None where the file does not say what that is."""
@@ -202,6 +247,12 @@ def _bodies(mechanism: Mechanism) -> dict[str, _Body]:
 
 def _of(name: str) -> Speed:
     return Speed({name: ONE}, ZERO)
+
+
+def _solved(zero: Speed) -> Speed:
+    """Return the rate that `_HELD` stands for, where an expression linear in it is zero."""
+    others = Speed({name: part for name, part in zero.coefficients.items() if name != _HELD}, zero.rest)
+    return STILL.plus(others, -1 / zero.coefficients[_HELD])
 
 
 def speed_of(name: str, sought: Collection[str]) -> Speed:

@@ -80,6 +80,7 @@ class VelocityEquations:
     from_closure: tuple[VelocityEquation, ...]
     positions: tuple[Position, ...]
     tables: Mapping[str, TableLaw]
+    geometry: Geometry
     bound: tuple[VelocityEquation, ...] = ()
     facts: dict[Hashable, object] = field(default_factory=dict, repr=False)
 
@@ -115,7 +116,8 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
         raise InputError(faults)
     kept = _closure_positions(variant, symbols)
     from_closure = tuple(_derived(position, _reason(position), variant, symbols) for position in kept)
-    bound = _bound(mechanism, symbols, (*equations, *from_closure))
+    geometry = Geometry(mechanism, symbols)
+    bound = _bound(geometry, (*equations, *from_closure))
     if not equations:
         equations = list(from_closure)
         from_closure = ()
@@ -125,19 +127,18 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     positions += kept
     tables = {law.name: TableLaw(law.name, law.table, law.method) for law in (*variant.drive, *variant.functions) if law.table}
     return VelocityEquations(
-        variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables, bound
+        variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables, geometry, bound
     )
 
 
-def _bound(mechanism: Mechanism, symbols: Symbols, equations: tuple[VelocityEquation, ...]) -> tuple[VelocityEquation, ...]:
+def _bound(geometry: Geometry, equations: tuple[VelocityEquation, ...]) -> tuple[VelocityEquation, ...]:
     """Return what the geometry says of velocities of [unknowns] and of links that no position has."""
-    geometry = Geometry(mechanism, symbols)
     said = geometry.bound()
     known = {name for equation in equations if equation.written is None for name in equation.coefficients}
     found = []
     for one in (*said, *geometry.rates_of_links(known | {one.name for one in said})):
         because = say("equation.rate_of_link", name=one.name, link=one.link) if one.link else say("equation.bound", name=one.name)
-        line = mechanism.variant.nearest_line("unknowns", one.name)
+        line = geometry.variant.nearest_line("unknowns", one.name)
         found.append(VelocityEquation(one.name, because, dict(one.is_zero.coefficients), -one.is_zero.rest, line=line))
     return tuple(found)
 

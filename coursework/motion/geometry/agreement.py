@@ -50,12 +50,12 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         return Agreement()
     zeros = tuple(given.name for given in equations.variant.given if not given.value)
     always = equations.once(("agreed", zeros), lambda: _whatever_the_data(equations, closure))
-    return _judged(equations, *_configurations(closure)) if always is None else always
+    return _judged(equations, *configurations(closure)) if always is None else always
 
 
 def agrees(equations: VelocityEquations, closure: Closure) -> bool:
     """Return whether the geometry confirms every written equation, with the data they have.  Raises `InputError` as above."""
-    return not _judged(equations, *_configurations(closure)).unjudged
+    return not _judged(equations, *configurations(closure)).unjudged
 
 
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:
@@ -73,7 +73,7 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
     with suppress(InputError):
         others = replace(equations, variant=replace(variant, given=given))
         near = compile_closure(others, closure.start.tolist())
-        if near is not None and len((found := _configurations(near))[0]) == _CONFIGURATIONS:
+        if near is not None and len((found := configurations(near))[0]) == _CONFIGURATIONS:
             return _judged(others, *found)
     return None
 
@@ -95,7 +95,7 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     """
     _require_free(equations, times, positions)
     written = [equation for equation in equations.equations if equation.written]
-    derived = [*equations.from_closure, *(one for one in equations.equations if not one.written), *equations.bound]
+    derived = given_by_geometry(equations)
     first = len(derived)
     matrix, right, _ = compile_system(equations, [*derived, *written]).matrices(times, positions)
     every = np.concatenate([matrix, right[:, :, None]], axis=2)
@@ -110,14 +110,19 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     known = sound[:, :first, :-1]
     regular = _ranks(known) == np.max(_ranks(known), initial=0)
     known, axes = known[regular], np.eye(known.shape[2])
-    follows = [_gives(known, sound[regular, place, :-1]) for place in range(first, sound.shape[1])]
-    unknown = [name for name, axis in zip(equations.unknowns, axes, strict=True) if not _gives(known, axis)]
+    follows = [gives(known, sound[regular, place, :-1]) for place in range(first, sound.shape[1])]
+    unknown = [name for name, axis in zip(equations.unknowns, axes, strict=True) if not gives(known, axis)]
     agreed = tuple(one.name for one, does in zip(written, follows, strict=True) if does)
     rest = [one for one, does in zip(written, follows, strict=True) if not does]
     return Agreement(agreed, tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest))
 
 
-def _gives(rows: Array, one: Array) -> bool:
+def given_by_geometry(equations: VelocityEquations) -> list[VelocityEquation]:
+    """Return the velocity equations that nobody has written."""
+    return [*equations.from_closure, *(one for one in equations.equations if not one.written), *equations.bound]
+
+
+def gives(rows: Array, one: Array) -> bool:
     """Return whether rows (c, k, n) have another one, (n,) or (c, n), in their space at every configuration."""
     with_it = np.concatenate([rows, np.broadcast_to(one, (len(rows), rows.shape[2]))[:, None]], axis=1)
     return bool(len(rows)) and bool(np.all(_ranks(with_it) == _ranks(rows)))
@@ -198,7 +203,7 @@ def _ranks(matrices: Array) -> NDArray[np.int_]:
     return np.asarray(np.sum(sizes > TOLERANCE * largest, axis=-1))
 
 
-def _configurations(closure: Closure) -> tuple[Array, Array]:
+def configurations(closure: Closure) -> tuple[Array, Array]:
     """Return times and positions near the start that close with the drive moved on; the start alone if none is found."""
     end = closure.equations.variant.time.end
     times = np.linspace(0.0, end / 50, _CONFIGURATIONS)

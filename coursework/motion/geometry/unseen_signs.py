@@ -14,6 +14,7 @@ from dataclasses import replace
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.motion.geometry.agreement import agrees, require_agreement
 from coursework.motion.geometry.closure import Closure, compile_closure
+from coursework.motion.geometry.turning import require_turning
 from coursework.variant.formula.tree import Formula, on_axes, signed, spelled
 from coursework.variant.record.no_value import known_value
 from coursework.words.errors import InputError
@@ -29,6 +30,7 @@ def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | N
     found = require_agreement(equations, closure)
     if closure is None:
         return None
+    require_turning(equations, closure)
     closure = replace(closure, agreed=found.agreed, unjudged=found.unjudged)
     return replace(closure, unseen=_unseen_signs(equations, closure))
 

@@ -32,12 +32,14 @@ O = "(0, 0)"
 Q = "(d, 0)"
 P = "O + a @ phi1"
 R = "P + b @ phi2"
+S = "Q + c @ phi3"
 [closure]
 holds = {holds}
 [ask]
 quantities = ["table", "checks"]
 """
 LOOP = '["(R - Q - c @ phi3).x", "(R - Q - c @ phi3).y"]'
+HINGE = '["(R - S).x", "S.y - R.y"]'
 BY_HAND = '["R.x - Q.x - c*cos(phi3)", "R.y - Q.y - c*sin(phi3)"]'
 
 
@@ -47,7 +49,7 @@ def solved(holds, rocker=ROCKER):
     return run, next(finding for finding in run.checks if finding.code == "START")
 
 
-@pytest.mark.parametrize("holds", [LOOP, BY_HAND])
+@pytest.mark.parametrize("holds", [LOOP, BY_HAND, HINGE])
 def test_a_loop_that_the_file_states_judges_the_start(holds):
     run, right = solved(holds)
     assert right.verdict == "PASS"
@@ -61,6 +63,6 @@ def test_a_loop_that_the_file_states_judges_the_start(holds):
 
 
 def test_a_height_that_only_the_start_gives_is_said_to_be_not_judged():
-    run, start = solved('["phi3 - phi2", "R.y"]')
+    run, start = solved('["phi3 - phi2", "R.y - S.y"]')
     assert start.verdict == "SKIP"
     assert "; the start is not judged." in run.summary

@@ -57,12 +57,26 @@ def start(evidence: Evidence) -> Finding:
 def _with_loops(closure: Closure) -> Closure | None:
     """Return a closure whose closed loops of [closure] are kept at zero, not at their start; None where nothing is to be zero.
 
-    C.y keeps a height that the start alone gives; (C - O - r @ phi).x says that a link reaches from O to C.
+    C.y keeps a height that the start alone gives; (C - O - r @ phi).x says that a link reaches from O to C, and (C - C1).x with
+    (C - C1).y that both links reach one hinge.
     """
     positions = closure.equations.positions
-    holds = iter(closure.equations.variant.holds)
-    zero = [one.target == "zero" or (one.target == "start" and _is_loop(on_axes(next(holds)))) for one in positions]
+    written = [on_axes(hold) for hold in closure.equations.variant.holds]
+    apart = [_apart(formula) for formula in written]
+    hinged = [bool(pair) and {pair + axis for axis in "xy"} <= {*map("".join, apart)} for pair, _ in apart]
+    loops = iter([_is_loop(formula) or one for formula, one in zip(written, hinged, strict=True)])
+    zero = [one.target == "zero" or (one.target == "start" and next(loops)) for one in positions]
     return replace(closure, origin=np.where(zero, 0.0, closure.origin), asked={}) if any(zero) else None
+
+
+def _apart(formula: Formula) -> tuple[str, str]:
+    """Return which two points an expression holds apart, and along which axis; "" twice where it is no such difference."""
+    terms = list(signed(formula))
+    if len(terms) != 2 or any(term.op != "part" or term.args[0].op != "name" for term, _ in terms):
+        return "", ""
+    (one, plus), (other, minus) = terms
+    same_axis = one.name == other.name and plus != minus
+    return (" ".join(sorted((one.args[0].name, other.args[0].name))) + ".", one.name) if same_axis else ("", "")
 
 
 def _is_loop(formula: Formula) -> bool:

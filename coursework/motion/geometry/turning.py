@@ -1,0 +1,80 @@
+"""Whether each link turns as its rate says: its points, its rolling contact and the bar it slides on have to tell the same.
+
+Enters: velocity equations and their closure.  Leaves: nothing.  Raises `InputError` naming each link whose `rate` is another's.
+Used by `unseen_signs.py`.  What no position equation holds, a rate named for the wrong link or a wheel that would slip, moves no
+column of the table, but the plan of velocities and the forces.
+
+An angle may be counted clockwise, and then all of its link turns at minus the rate; against other links and for forces a rate
+counts as vectors do, counter-clockwise.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.equations.reduction.bound import Speed, Turn
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.system import compile_system
+from coursework.motion.geometry.agreement import configurations, given_by_geometry, gives
+from coursework.motion.geometry.closure import Closure
+from coursework.system.arrays import Array
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+_TOLERANCE = 1e-6  # of the rate: far above round-off, far below another link's
+
+
+def require_turning(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` naming each link that turns otherwise than its rate; what holds for some data does for all."""
+    equations.once("turning", lambda: _require(equations, closure))
+
+
+def _require(equations: VelocityEquations, closure: Closure) -> None:
+    turns = equations.geometry.turns()
+    if not turns:
+        return
+    times, positions = configurations(closure)
+    derived = given_by_geometry(equations)
+    rows = [_row(speed) for turn in turns for speed in (turn.found, turn.named, turn.grows)]
+    matrix, right, _ = compile_system(equations, [*derived, *rows]).matrices(times, positions)
+    known, asked = matrix[:, : len(derived)], matrix[:, len(derived) :]
+    velocities = np.linalg.pinv(known) @ right[:, : len(derived), None]
+    # What the geometry leaves open is not judged; nor is an arm that grows, which no body has.
+    told = np.array([gives(known, asked[:, place]) for place in range(len(rows))]).reshape(-1, 3)
+    found, named, grows = np.moveaxis(((asked @ velocities)[:, :, 0] - right[:, len(derived) :]).reshape(len(times), -1, 3), 2, 0)
+    largest = np.max(np.abs(np.concatenate([found, named])), initial=0.0)
+    judged = told.all(axis=1) & (np.max(np.abs(grows), axis=0) <= _TOLERANCE * largest * closure.scale**2)
+    faults = []
+    for link in dict.fromkeys(turn.link for turn in turns):
+        mine = [place for place, turn in enumerate(turns) if turn.link == link and judged[place]]
+        fault = _of_link(turns[mine[0]], equations, times, found[:, mine], named[:, mine], largest) if mine else None
+        faults += [fault] if fault is not None else []
+    if faults:
+        raise InputError(faults)
+
+
+def _row(speed: Speed) -> VelocityEquation:
+    """Return a row whose value, coefficients times velocities less the right side, is a speed."""
+    return VelocityEquation("", "", dict(speed.coefficients), -speed.rest)
+
+
+def _of_link(turn: Turn, equations: VelocityEquations, times: Array, found: Array, named: Array, largest: float) -> Fault | None:
+    """Return what is wrong with the rate of one link, told by what is found in (c, k) places; None where nothing is."""
+    off = np.abs(found - named)
+    if np.all(off <= _TOLERANCE * largest) or (
+        not _counted_as_vectors(turn.link, equations) and np.all(np.abs(found + named) <= _TOLERANCE * largest)
+    ):
+        return None
+    row, place = np.unravel_index(int(np.argmax(off)), off.shape)
+    shown = [0.0 if abs(value) <= _TOLERANCE * largest else float(value) for value in (found[row, place], named[row, place])]
+    known = {"found": shown[0], "named": shown[1], "time": float(times[row])}
+    variant = equations.variant
+    return Fault(
+        say("fault.V309", link=turn.link, rate=turn.rate, **known), variant.file, variant.nearest_line("links", turn.link)
+    )
+
+
+def _counted_as_vectors(link: str, equations: VelocityEquations) -> bool:
+    """Return whether something stands in the file for which the sense of a link's rate counts."""
+    variant = equations.variant
+    return variant.forces is not None or any(link in {one.link, one.relative} for one in variant.bindings)
