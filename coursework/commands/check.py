@@ -49,6 +49,8 @@ def check_variant(variant: str) -> int:
             tell(say("screen.never_zero", determinant=determinant))
     if closure is None:
         tell(say("screen.no_positions"))
+    elif not closure.names:
+        tell(say("screen.all_driven"))
     else:
         key = "screen.closed" if closure.complete else "screen.open"
         tell(say_count(key, len(closure.names)))

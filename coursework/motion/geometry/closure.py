@@ -162,13 +162,13 @@ class Closure:
 
 
 def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Closure | None:
-    """Return the closure of a scene, None where the file gives no position equation."""
+    """Return the closure of a scene, None where the file gives no position equation and the drives leave coordinates free."""
     positions = equations.positions
-    if not positions:
-        return None
     variant = equations.variant
     known = set(variant.known_rates)
     free = tuple(i for i, c in enumerate(variant.coordinates) if c.rate not in known)
+    if free and not positions:
+        return None
     driven = tuple(i for i, c in enumerate(variant.coordinates) if c.rate in known)
     names = [symbol(variant.coordinates[place].name) for place in free]
     wanted = [position.expression for position in positions]
@@ -244,7 +244,7 @@ def _blocks(
 
 def require_start(closure: Closure | None) -> None:
     """Raise `InputError` where the start values leave the mechanism wide open, with the nearest closed start."""
-    if closure is None:
+    if closure is None or not closure.names:
         return
     residual, closed = closed_start(closure)
     worst = int(np.argmax(np.abs(residual)))
