@@ -1,6 +1,7 @@
 """START: what the file says is zero is judged at the start values; what only they can give is said to be not judged."""
 
 import math
+import re
 
 import pytest
 from click.testing import CliRunner
@@ -84,3 +85,13 @@ def test_the_command_check_tells_an_open_start_too(tmp_path, monkeypatch):
         (tmp_path / "own.toml").write_text(text, encoding="utf-8")
         told = CliRunner().invoke(main, ["check", "own.toml"])
         assert (told.exit_code, "leave the mechanism open" in told.output) == (status, bool(status))
+
+
+@pytest.mark.parametrize("off", [-2.7, -1.2, 1.8, 2.4])
+def test_the_nearest_closed_start_is_found_from_far_and_told_without_whole_turns(off):
+    """Newton alone finds none from two of these, and comes to rest some turns away from the others."""
+    sentence = str(solved(LOOP, ROCKER + off)[1].sentence)
+    rod, rocker = (float(value) for value in re.findall(r"phi[23] = (-?[\d.]+\d)", sentence))
+    assert max(abs(rod - ROD), abs(rocker - ROCKER - off)) < math.pi
+    assert math.cos(math.pi / 2) * A + math.cos(rod) * B == pytest.approx(D + math.cos(rocker) * C, abs=1e-9)
+    assert A + math.sin(rod) * B == pytest.approx(math.sin(rocker) * C, abs=1e-9)

@@ -9,7 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.motion.geometry.closure import Closure, closed_start
+from coursework.motion.geometry.closed_start import closed_start
+from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
@@ -42,11 +43,11 @@ def start(evidence: Evidence) -> Finding:
     return start_of(evidence.closure)
 
 
-def start_of(closed: Closure | None) -> Finding:
+def start_of(given: Closure | None) -> Finding:
     """Return what START says of a closure, before any row of a table."""
-    closure = _with_loops(closed) if closed is not None else None
+    closure = _with_loops(given) if given is not None else None
     if closure is None:
-        return Finding("SKIP", _kept(closed) or say("check.START.skip"), unjudged=say("summary.start"))
+        return Finding("SKIP", _kept(given) or say("check.START.skip"), unjudged=say("summary.start"))
     residual, closed = closed_start(closure)
     worst = int(np.argmax(np.abs(residual)))
     value, name = float(np.abs(residual[worst])), closure.names[worst]
