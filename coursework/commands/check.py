@@ -8,6 +8,7 @@ from __future__ import annotations
 from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
+from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
@@ -17,7 +18,7 @@ from coursework.words.sentences import say, say_count
 
 
 def check_variant(variant: str) -> int:
-    """Return 0 where the whole motion is possible, 1 where it stops."""
+    """Return 0 where the whole motion is possible, 1 where it stops or its start is open."""
     tell_own_file(variant)
     run = make_run(variant_of(variant))
     chosen = run.variant
@@ -49,15 +50,20 @@ def check_variant(variant: str) -> int:
             tell(say("screen.never_zero", determinant=determinant))
     if closure is None:
         tell(say("screen.no_positions"))
+    elif not closure.names:
+        tell(say("screen.all_driven"))
     else:
         key = "screen.closed" if closure.complete else "screen.open"
         tell(say_count(key, len(closure.names)))
         if doubt := open_to_doubt(closure):
             tell(doubt[0])
+    begun = start_of(closure)
+    if begun.verdict != "PASS" and begun.sentence != say("check.START.skip"):
+        tell(begun.sentence)
     stop = scene.stop
     if stop is None:
         tell(say("screen.possible", end=chosen.time.end))
-        return 0
+        return int(begun.verdict == "FAIL")
     tell(say("screen.not_possible", kind=stop.name, sentence=stop.sentence))
     if scene.phases:
         tell(scene.phases)

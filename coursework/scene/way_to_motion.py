@@ -24,7 +24,8 @@ from coursework.equations.reduction.solution import solutions as solve_blocks
 from coursework.equations.reduction.structure import Structure, structure_of
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.chain import chain_positions, is_chain
-from coursework.motion.geometry.closure import Closure, compile_closure, require_start
+from coursework.motion.geometry.closed_start import require_start
+from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.motion.geometry.oscillation import fastest
 from coursework.motion.geometry.start import start_values

@@ -45,7 +45,7 @@ def law(tmp_path):
         "\n".join(["phi1,r", *ROWS]).encode(),
         "\n".join(ROWS).encode(),
         b"\xef\xbb\xbf" + "\r\n".join(["angle,length", *ROWS, "", ",,", ""]).encode(),
-        "\n".join(["phi1,r", *(" , ".join(row.split(",")) for row in ROWS)]).encode(),
+        "\n".join(["phi1 (rad),r [m]", *(" , ".join(row.split(",")) for row in ROWS)]).encode(),
         "\n".join(["phi1,r", *(",".join(f'"{cell}"' for cell in row.split(",")) for row in ROWS)]).encode(),
     ],
     ids=["header", "no header", "Excel", "spaces", "quotes"],
@@ -65,13 +65,17 @@ def test_the_same_table_in_every_dialect(law, content):
         (b"0,1\n0.1,1_000\n", "r.csv:2: two numbers with a comma between were expected, decimals with a point."),
         (b"0,1\n0.1,nan\n", "r.csv:2: two numbers with a comma between were expected, decimals with a point."),
         ("0,1\n0.1,٣\n".encode(), "r.csv:2: two numbers with a comma between were expected, decimals with a point."),
+        (b"phi1 [rad],r [mm]\n0,1\n", "r.csv:1: the header says mm, and the numbers of a table are read in SI. Write them in m,"),
+        ("угол (град),r\n0,1\n".encode(), "r.csv:1: the header says град, and the numbers of a table are read in SI."),
+        (b'"phi1 deg","r"\n0,1\n', "r.csv:1: the header says deg, "),
+        (b"t_s,w_rpm\n0,1\n", "r.csv:1: the header says rpm, and the numbers of a table are read in SI. Write them in rad/s,"),
         (b"0,1,2\n", "r.csv:1: two numbers with a comma between were expected, decimals with a point."),
         (
             "\n".join([*ROWS[:4], ROWS[3], *ROWS[4:]]).encode(),
             "r.csv:5: the arguments must grow from line to line, found 0.3 after 0.3.",
         ),
     ],
-    ids=["bytes", "empty", "large", "infinite", "underscore", "nan", "digits", "columns", "twice"],
+    ids=["bytes", "empty", "large", "infinite", "underscore", "nan", "digits", "mm", "град", "deg", "rpm", "columns", "twice"],
 )
 def test_what_is_no_table(law, content, sentence):
     with pytest.raises(coursework.InputError) as caught:

@@ -71,7 +71,7 @@ def construct(pose: Pose) -> Findings:
     missing = tuple(
         body.name
         for body in pose.bodies
-        if body.name not in paper.omegas and (len(body.points) > 1 or not paper.velocities.keys() >= {*body.points})
+        if (body.name not in paper.omegas and len(body.points) > 1) or not paper.velocities.keys() >= {*body.points}
     )  # that a block turns is asked by nobody
     centres = {name: paper.within_reach(centre) for name, centre in paper.centres.items()}
     return Findings(centres, paper.omegas, paper.velocities, missing, planned)

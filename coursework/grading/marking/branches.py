@@ -16,7 +16,8 @@ import numpy as np
 from coursework.api import make_run
 from coursework.equations.reduction.equations import differentiate
 from coursework.mechanism.mechanism import build
-from coursework.motion.geometry.closure import Closure, closed_start, compile_closure
+from coursework.motion.geometry.closed_start import closed_start
+from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.motion.geometry.start import start_values
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.system.angles import whole_turns

@@ -157,7 +157,9 @@ def _faults(
 
 def _sections(equations: VelocityEquations) -> tuple[str, str]:
     """Return the sections of a file that tell its geometry."""
-    return "[points]", "[closure]" if equations.from_closure else "[[group]]" if equations.variant.groups else "closure = …"
+    if equations.from_closure:
+        return "[points]", "[closure]"
+    return "[points]", "[[group]]" if equations.variant.groups else "closure = …" if equations.positions else "[unknowns]"
 
 
 def _of_bound(name: str, equations: VelocityEquations, rows: Array) -> Sentence:

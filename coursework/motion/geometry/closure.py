@@ -20,8 +20,6 @@ from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
 from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import frozen
-from coursework.variant.formula.units import size_of
-from coursework.variant.record.variant import Coordinate
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -29,7 +27,6 @@ MAX_NEWTON = 25
 # Sizes of a correction (rad or m): too far to be a correction at all; settled; small enough that round-off may stop its
 # shrinking; closed where the corrections run out.
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
-OPEN = 0.01  # of the largest length: more than this is a wrong start, not a rounded one
 _REMEMBERED = 4  # grids of times: a table, its exact rows and its checks ask for the same one
 MOST_COMBINED = 12  # equations; beyond it pairs are not tried
 
@@ -162,13 +159,13 @@ class Closure:
 
 
 def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Closure | None:
-    """Return the closure of a scene, None where the file gives no position equation."""
+    """Return the closure of a scene, None where the file gives no position equation and the drives leave coordinates free."""
     positions = equations.positions
-    if not positions:
-        return None
     variant = equations.variant
     known = set(variant.known_rates)
     free = tuple(i for i, c in enumerate(variant.coordinates) if c.rate not in known)
+    if free and not positions:
+        return None
     driven = tuple(i for i, c in enumerate(variant.coordinates) if c.rate in known)
     names = [symbol(variant.coordinates[place].name) for place in free]
     wanted = [position.expression for position in positions]
@@ -240,33 +237,3 @@ def _blocks(
         return combination, ()
     ordered = block_order(rows, owner)
     return combination, tuple(([owner[column] for column in columns], columns) for columns in ordered)
-
-
-def require_start(closure: Closure | None) -> None:
-    """Raise `InputError` where the start values leave the mechanism wide open, with the nearest closed start."""
-    if closure is None:
-        return
-    residual, closed = closed_start(closure)
-    worst = int(np.argmax(np.abs(residual)))
-    if abs(residual[worst]) <= OPEN * closure.scale:
-        return
-    variant = closure.equations.variant
-    listed = ", ".join(f"{name} {value:.6g}" for name, value in zip(closure.names, residual, strict=True))
-    unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in closure.names))
-    told = say("fault.V312", residuals=listed, unit=unit)
-    if closed is not None:
-        values = ", ".join(f"{c.name} = {_typed(c, q)}" for c, q in zip(variant.coordinates, closed.tolist(), strict=True))
-        told = say("fault.V313", residuals=listed, unit=unit, nearest=values)
-    raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
-
-
-def _typed(coordinate: Coordinate, value: float) -> str:
-    """Return a value (rad, m) in the unit that the file has for it; a bare number stays one."""
-    size = 0.0 if coordinate.start_has_no_unit else size_of(coordinate.written)
-    return f"{value / size:.15g} {coordinate.written}" if size else f"{value:.15g}"
-
-
-def closed_start(closure: Closure) -> tuple[Array, Array | None]:
-    """Return the residual of the start as written (k,) and the nearest closed position (m,), None if there is none near."""
-    residual, _ = closure.residual(0.0, closure.start, closure.origin)
-    return residual, closure.newton(0.0, closure.start, closure.origin)

@@ -59,7 +59,10 @@ WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only
 # A crank alone has its motion given.
 SOLVED = Need(lambda evidence: bool(evidence.equations.equations), lambda _: say("check.CONDITION.nothing"))
 EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, _not_known, _why_not_known)
-CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
+CLOSURE = Need(
+    lambda evidence: evidence.closure is not None and bool(evidence.closure.names),
+    lambda evidence: say("check.DRIFT.skip" if evidence.closure is None else "check.DRIFT.driven"),
+)
 RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)
 DIGITS = Need(
     lambda evidence: _too_few(evidence) is None,

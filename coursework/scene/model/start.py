@@ -13,7 +13,7 @@ import numpy as np
 from coursework.equations.reduction.symbolic import symbol
 from coursework.mechanism.groups import CannotAssemble, group_kind
 from coursework.motion.geometry.chain import dyad
-from coursework.motion.geometry.closure import OPEN
+from coursework.motion.geometry.closed_start import OPEN
 from coursework.motion.geometry.start import START_TOLERANCE
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from coursework.system.arrays import Array
+from coursework.variant.formula.units import UNITS, plain_unit
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, reason_of
@@ -28,6 +29,7 @@ _EXACT, _ROUNDED = 1e-6, 1e-3
 # Blanks and quotes once taken are not given back, so that a long line of them is read once.
 _QUOTED = r"""\s*+"*+\s*+([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*+"*+\s*+"""
 _CELL, _LINE = re.compile(_QUOTED), re.compile(f"{_QUOTED},{_QUOTED}")
+_UNIT = re.compile(r"""[\[( _]([^\[\]()" _]+)[\])]?\s*"*(?=,|$)""")  # w [rpm], w (rpm), w rpm, w_rpm
 Rows = tuple[tuple[float, float], ...]
 
 
@@ -97,7 +99,10 @@ def _rows(name: str, text: str) -> Rows:
     for number, line in enumerate(text.splitlines(), start=1):
         found = _LINE.fullmatch(line)
         if found is None:
-            if not line.strip(" ,\t") or (number == 1 and not any(map(_CELL.fullmatch, line.split(",")))):
+            if not line.strip(" ,\t"):
+                continue
+            if number == 1 and not any(map(_CELL.fullmatch, line.split(","))):
+                _require_si(name, line)
                 continue
             raise TableFault(say("fault.V099", name=name, number=number))
         argument, value = float(found[1]), float(found[2])
@@ -121,6 +126,14 @@ def _rows(name: str, text: str) -> Rows:
         odd = int(np.abs(steps - usual).argmax())
         raise TableFault(say("fault.V137", name=name, lines=lines[odd + 1], steps=float(steps[odd]), usual=usual))
     return tuple(rows)
+
+
+def _require_si(name: str, header: str) -> None:
+    """Raise `TableFault` where a header says that its numbers are in another unit than they are read in."""
+    for unit in _UNIT.findall(header):
+        size, si = UNITS.get(plain_unit(unit), (1, ""))
+        if size != 1:
+            raise TableFault(say("fault.V138", name=name, unit=unit, si={"1/s": "rad/s"}.get(si, si)))
 
 
 def _is_uneven(arguments: Array, printed: list[str]) -> bool:

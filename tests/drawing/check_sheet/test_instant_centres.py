@@ -114,3 +114,10 @@ def test_a_driven_length_is_constructed() -> None:
         assert read[name].found == pytest.approx(abs(expected), rel=read[name].explained)
     still = solve(parse_variant(BOOM.replace("check_row = 20", "check_row = 1")), quantities=("table", "graph_check"))
     assert still.graph_check is not None and "nothing moves in that row" in still.graph_check.unread
+
+
+def test_a_slider_that_no_pair_ties_to_the_drive_is_left_open() -> None:
+    """K runs on its rail and hangs on nothing that the file shows: no plan is drawn with a K at rest."""
+    bodies = [Body("1", ("O", "A")), Body("2", ("K",), guide=1 + 0j)]
+    pose = scene({"O": 0j, "A": 1 + 1j, "K": 2 + 0j}, bodies, fixed="O", guided={"K": 1 + 0j}, velocities={"A": 1j - 1})
+    assert construct(pose).missing == ("2",)

@@ -271,3 +271,35 @@ def test_the_relative_velocity_of_a_block_is_the_rate_of_its_distance():
     w1 = 4 * np.pi
     distance = np.hypot(0.1 * np.cos(phi1), 0.25 + 0.1 * np.sin(phi1))
     np.testing.assert_allclose(run.table["u"], 0.25 * 0.1 * np.cos(phi1) * w1 / distance, atol=1e-9)
+
+
+# A scotch yoke: the one coordinate is driven, so no position equation is needed.
+ALL_DRIVEN = f"""
+[given]
+r = "0.1 m"
+n = "120 rpm"
+[drive]
+w = "n"
+[coordinates]
+f = {{ start = "30 deg", rate = "w" }}
+[unknowns]
+v = {{ unit = "m/s", of = "A", along = "90 deg" }}
+{TIMES}
+{equation("a", "v = r*w*cos(f)")}
+[points]
+A = "(0, 0) + r @ f"
+"""
+
+
+def test_where_the_drives_place_every_coordinate_the_geometry_judges_and_the_exact_motion_is_known(tmp_path):
+    file = tmp_path / "yoke.toml"
+    file.write_text(ALL_DRIVEN, encoding="utf-8")
+    run = coursework.solve(file, scheme="exact")
+    verdicts = {check.code: check.verdict for check in run.checks}
+    assert (verdicts["AGREEMENT"], verdicts["DRIFT"]) == ("PASS", "SKIP")
+    t = run.table.index.to_numpy()
+    np.testing.assert_allclose(run.table["v"], 0.4 * np.pi * np.cos(np.pi / 6 + 4 * np.pi * t), atol=1e-12)
+    for slip in ("v = -r*w*cos(f)", "v = r*w*sin(f)"):
+        file.write_text(ALL_DRIVEN.replace("v = r*w*cos(f)", slip), encoding="utf-8")
+        with pytest.raises(coursework.InputError, match=r"V302.*equation a "):
+            _ = coursework.solve(file).table

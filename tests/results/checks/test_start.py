@@ -1,10 +1,13 @@
 """START: what the file says is zero is judged at the start values; what only they can give is said to be not judged."""
 
 import math
+import re
 
 import pytest
+from click.testing import CliRunner
 
 import coursework
+from coursework.commands.cli import main
 
 # A crank and rocker of my own: its sides, and two angles of it from the cosine rule.
 A, B, C, D = 0.13, 0.41, 0.29, 0.37
@@ -66,3 +69,31 @@ def test_a_height_that_only_the_start_gives_is_said_to_be_not_judged():
     run, start = solved('["phi3 - phi2", "R.y - S.y"]')
     assert start.verdict == "SKIP"
     assert "; the start is not judged." in run.summary
+
+
+def test_what_the_start_alone_gives_is_told_with_its_value_where_it_is_not_zero():
+    """A distance between two points may be a length of the task; a height may not, so it is not told."""
+    distance = "(R.x - Q.x)^2 + (R.y - Q.y)^2 - c^2"
+    closed, off = (solved(f'["{distance}", "R.y - c*sin(phi3)"]', rocker)[1] for rocker in (ROCKER, ROCKER + 0.02))
+    assert "R.y" not in str(closed.sentence)
+    assert f"R.y - c*sin(phi3) = {C * (math.sin(ROCKER) - math.sin(ROCKER + 0.02)):.12g}"[:22] in str(off.sentence)
+    assert distance not in str(off.sentence)
+
+
+def test_the_command_check_tells_an_open_start_too(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for rocker, status in ((ROCKER, 0), (ROCKER + 0.002, 1)):
+        text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=rocker, holds=LOOP)
+        (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+        told = CliRunner().invoke(main, ["check", "own.toml"])
+        assert (told.exit_code, "leave the mechanism open" in told.output) == (status, bool(status))
+
+
+@pytest.mark.parametrize("off", [-2.7, -1.2, 1.8, 2.4])
+def test_the_nearest_closed_start_is_found_from_far_and_told_without_whole_turns(off):
+    """Newton alone finds none from two of these, and comes to rest some turns away from the others."""
+    sentence = str(solved(LOOP, ROCKER + off)[1].sentence)
+    rod, rocker = (float(value) for value in re.findall(r"phi[23] = (-?[\d.]+\d)", sentence))
+    assert max(abs(rod - ROD), abs(rocker - ROCKER - off)) < math.pi
+    assert math.cos(math.pi / 2) * A + math.cos(rod) * B == pytest.approx(D + math.cos(rocker) * C, abs=1e-9)
+    assert A + math.sin(rod) * B == pytest.approx(math.sin(rocker) * C, abs=1e-9)

@@ -1,6 +1,6 @@
 """STOP and START: the motion reaches its end; the start values close the mechanism.
 
-Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
+Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py` and `commands/check.py`.
 """
 
 from __future__ import annotations
@@ -9,13 +9,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.motion.geometry.closure import Closure, closed_start
+from coursework.motion.geometry.closed_start import closed_start
+from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
 from coursework.variant.formula.tree import Formula, on_axes, signed
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
+_MOST_KEPT = 3  # sums that a sentence lists
 START_LIMIT = 1e-6  # of the largest length: five digits in the start values are enough to pass
 
 
@@ -37,9 +40,14 @@ def stopped(evidence: Evidence) -> Finding:
 
 def start(evidence: Evidence) -> Finding:
     """The start values close the mechanism; where they do not, the nearest closed start is printed."""
-    closure = _with_loops(evidence.closure) if evidence.closure is not None else None
+    return start_of(evidence.closure)
+
+
+def start_of(given: Closure | None) -> Finding:
+    """Return what START says of a closure, before any row of a table."""
+    closure = _with_loops(given) if given is not None else None
     if closure is None:
-        return Finding("SKIP", say("check.START.skip"), unjudged=say("summary.start"))
+        return Finding("SKIP", _kept(given) or say("check.START.skip"), unjudged=say("summary.start"))
     residual, closed = closed_start(closure)
     worst = int(np.argmax(np.abs(residual)))
     value, name = float(np.abs(residual[worst])), closure.names[worst]
@@ -48,10 +56,19 @@ def start(evidence: Evidence) -> Finding:
         return Finding("PASS", say("check.START.pass"), value, limit, "m", name, 1)
     sentence = say("check.START.none", value=value)
     if closed is not None:
-        names = [c.name for c in evidence.variant.coordinates]
+        names = [c.name for c in closure.equations.variant.coordinates]
         listed = [say("check.START.value", name=name, value=q) for name, q in zip(names, closed.tolist(), strict=True)]
         sentence = say("check.START.nearest", value=value, start=joined(listed, "join.numbers"))
     return Finding("FAIL", sentence, value, limit, "m", name, 1)
+
+
+def _kept(closure: Closure | None) -> Sentence | None:
+    """Return which sums the motion keeps at a value that the start alone gives, None where that is zero or a height."""
+    rows = [] if closure is None else zip(closure.equations.positions, closure.origin.tolist(), strict=True)
+    limit = START_LIMIT * closure.scale if closure is not None else 0.0
+    kept = [(one.told, value) for one, value in rows if one.written and abs(value) > limit]
+    listed = joined([say("check.START.value", name=name, value=value) for name, value in kept[:_MOST_KEPT]], "join.numbers")
+    return say("check.START.kept", values=listed) if kept else None
 
 
 def _with_loops(closure: Closure) -> Closure | None:

@@ -1,0 +1,79 @@
+"""The closed position nearest to the start values of a file, and the refusal of a start that is wide open.
+
+Enters: a `Closure`.  Leaves: what is open at the start, and a closed position.
+Used by `scene/way_to_motion.py`, START and `grading/marking/branches.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from contextlib import suppress
+
+import numpy as np
+
+from coursework.motion.geometry.closure import CLOSED, MAX_NEWTON, Closure
+from coursework.system.arrays import Array
+from coursework.variant.formula.units import size_of
+from coursework.variant.record.variant import Coordinate
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+OPEN = 0.01  # of the largest length: more than this is a wrong start, not a rounded one
+
+
+def require_start(closure: Closure | None) -> None:
+    """Raise `InputError` where the start values leave the mechanism wide open, with the nearest closed start."""
+    if closure is None or not closure.names:
+        return
+    residual, closed = closed_start(closure)
+    worst = int(np.argmax(np.abs(residual)))
+    if abs(residual[worst]) <= OPEN * closure.scale:
+        return
+    variant = closure.equations.variant
+    listed = ", ".join(f"{name} {value:.6g}" for name, value in zip(closure.names, residual, strict=True))
+    unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in closure.names))
+    told = say("fault.V312", residuals=listed, unit=unit)
+    if closed is not None:
+        values = ", ".join(f"{c.name} = {_typed(c, q)}" for c, q in zip(variant.coordinates, closed.tolist(), strict=True))
+        told = say("fault.V313", residuals=listed, unit=unit, nearest=values)
+    raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
+
+
+def _typed(coordinate: Coordinate, value: float) -> str:
+    """Return a value (rad, m) in the unit that the file has for it; a bare number stays one."""
+    size = 0.0 if coordinate.start_has_no_unit else size_of(coordinate.written)
+    return f"{value / size:.15g} {coordinate.written}" if size else f"{value:.15g}"
+
+
+def closed_start(closure: Closure) -> tuple[Array, Array | None]:
+    """Return the residual of the start as written (k,) and the nearest closed position (m,), None if there is none near."""
+    residual, _ = closure.residual(0.0, closure.start, closure.origin)
+    found = closure.newton(0.0, closure.start, closure.origin)
+    if found is None or np.max(np.abs(found - closure.start)) > 1:
+        found = closure.newton(0.0, _downhill(closure), closure.origin)
+    return residual, None if found is None else _without_turns(closure, found)
+
+
+def _downhill(closure: Closure) -> Array:
+    """Return a position from which Newton does not run off: each correction shortened until it leaves less open."""
+    q, part = closure.start, 1.0
+    with suppress(ArithmeticError, ValueError, np.linalg.LinAlgError):  # a root or arc of a position on the way
+        size = np.linalg.norm(closure.residual(0.0, q, closure.origin)[0])
+        for _ in range(2 * MAX_NEWTON):
+            step = closure.linear(0.0, q, closure.origin)
+            part = min(part, 1.0 / max(float(np.max(np.abs(step), initial=0.0)), 1.0))
+            left = np.linalg.norm(closure.residual(0.0, q + part * step, closure.origin)[0])
+            q, size, part = (q + part * step, left, 2 * part) if left < size else (q, size, part / 2)
+    return q
+
+
+def _without_turns(closure: Closure, q: Array) -> Array:
+    """Return a closed position whose angles are less than half a turn from the start, where the closure does not count turns."""
+    for place in closure.free:
+        turns = round((q[place] - closure.start[place]) / math.tau)
+        if turns and closure.equations.variant.coordinates[place].unit == "rad":
+            nearer = q.copy()
+            nearer[place] -= turns * math.tau
+            if np.max(np.abs(closure.residual(0.0, nearer, closure.origin)[0])) <= CLOSED * closure.scale:
+                q = nearer
+    return q
