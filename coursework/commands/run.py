@@ -74,7 +74,7 @@ def run_variant(
         tell(
             say_count("screen.evaluations", run.tableau.slopes, title=title) if run.tableau else say("screen.scheme", title=title)
         )
-        tell(say("screen.each_row", used=tuple(used), left=tuple(left) or say("screen.nothing")))
+        tell(say("screen.each_row", used=tuple(used), left=tuple(left) or say("fault.part.nothing")))
         return 0
     folder = out or Path(f"coursework-{read.name}")
     older = earlier_files(folder)
