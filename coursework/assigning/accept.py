@@ -141,7 +141,7 @@ class Acceptance:
         """Return why the ranges leave too few mechanisms, and what refused how many."""
         counts = [say(f"assign.refused.{reason}", number=number) for reason, number in refused.most_common()]
         values |= {"number": feasible + sum(refused.values()), "feasible": feasible}
-        return say(key, file=self.ranges.file, reasons=joined(counts, "assign.refused.join"), **values)
+        return say(key, file=self.ranges.file, reasons=joined(counts, "join.numbers"), **values)
 
 
 def _parts(listed: Sequence[T], size: int) -> Iterable[Sequence[T]]:

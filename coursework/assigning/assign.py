@@ -60,7 +60,7 @@ def assign(
     Raises `InputError`, `OutputError`.
     """
     if wishes.workbooks:
-        from coursework.takeaway.missing import require
+        from coursework.system.extras import require
         from coursework.takeaway.workbook.book import task_workbook
 
         require("xlsxwriter", "xlsx", "workbook")  # before the first file

@@ -34,7 +34,7 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws), most=max(draws),
     )  # fmt: skip
     return fitted(filled("assigned.html.j2", words=words, language=words.phrases.language, summary=summary,
-        refused=words("assigned.refused", reasons=words("assign.refused.join").join(refused)) if refused else "",
+        refused=words("assigned.refused", reasons=words("join.numbers").join(refused)) if refused else "",
         difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES],
         data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1],
         columns=[_column(one, accepted, assignment, words) for one in ranges],

@@ -182,7 +182,7 @@ def _digits(handout: Handout, words: Words) -> str:
 def _senses(handout: Handout, words: Words, rubric: Rubric) -> Plain:
     """Return the table of senses, without the column that says nothing of any, and the notes below it."""
     rows = sense_rows(handout, words)
-    heads = [words(f"sheet.sense.{key}") for key in ("symbol", "what", "from", "positive")]
+    heads = [words(key) for key in ("given.quantity", "sheet.sense.what", "sheet.sense.from", "sheet.sense.positive")]
     untold = lettered(handout.variant, words("sheet.sense.untold"))
     notes = _sense_notes(handout, words, rubric, any(row[-1] != untold for row in rows))
     kept = [place for place in range(len(heads)) if any(row[place] for row in rows)]

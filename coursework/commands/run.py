@@ -60,25 +60,12 @@ def run_variant(
             tell(sentence)
         h, error = choice.step, None
     run = make_run(read, scheme, h, end, error=error, **{**options, "quantities": options["quantities"] or None})
+    results = Results(run, language, live)
     if plan:
-        for line in Results(run, language, live).plan(any(each.paged for each in wanted)).lines():
-            tell(line)
-        if read.forces is not None:
-            from coursework.effects.told import effect_lines
-
-            needed = any(run.asks(one) for one in (FORCES, ENERGY, DYNAMICS))
-            for line in effect_lines(read, run.of(FORCES) if needed else None):
-                tell(line)
-        used, left = _blocks_evaluated(run)
-        title = run.scheme_title
-        tell(
-            say_count("screen.evaluations", run.tableau.slopes, title=title) if run.tableau else say("screen.scheme", title=title)
-        )
-        tell(say("screen.each_row", used=tuple(used), left=tuple(left) or say("screen.nothing")))
+        tell_plan(results, wanted)
         return 0
     folder = out or Path(f"coursework-{read.name}")
     older = earlier_files(folder)
-    results = Results(run, language, live)
     written = write_all(results, folder, wanted)
     tell_result = tell_run if verbose or not is_terminal() else tell_run_briefly
     tell_result(run, folder, written)
@@ -93,11 +80,23 @@ def run_variant(
     return max(run.status(strict), WRONG_INPUT) if results.refused else run.status(strict)
 
 
-def _blocks_evaluated(run: Run) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""
-    needed = run.scene.rates.blocks
+def tell_plan(results: Results, wanted: Sequence[Format]) -> None:
+    """Print what would be computed and what is left out, what forces cost, and what each row evaluates."""
+    run = results.run
+    for line in results.plan(any(each.paged for each in wanted)).lines():
+        tell(line)
+    if run.variant.forces is not None:
+        from coursework.effects.told import effect_lines
+
+        needed = any(run.asks(one) for one in (FORCES, ENERGY, DYNAMICS))
+        for line in effect_lines(run.variant, run.of(FORCES) if needed else None):
+            tell(line)
+    title = run.scheme_title
+    tell(say_count("screen.evaluations", run.tableau.slopes, title=title) if run.tableau else say("screen.scheme", title=title))
+    evaluated = run.scene.rates.blocks
     named = [f"({', '.join(block.unknowns)})" for block in run.reduction.blocks]
-    return tuple(named[place] for place in needed), tuple(name for place, name in enumerate(named) if place not in needed)
+    left = tuple(name for place, name in enumerate(named) if place not in evaluated)
+    tell(say("screen.each_row", used=tuple(named[place] for place in evaluated), left=left or say("fault.part.nothing")))
 
 
 def tell_stop(run: Run, consequence: Sentence) -> int:

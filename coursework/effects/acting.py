@@ -1,7 +1,7 @@
 """Everything that acts on the links as expressions of a row: what a page that moves is computed from.
 
 Enters: velocity equations, a `ForceScheme`.  Leaves: `Acting`.
-Used by `rubbed_motion.py` and `report/live/by_forces.py`.
+Used by `rows.py`, `rubbed_motion.py` and `report/live/by_forces.py`.
 """
 
 from __future__ import annotations
@@ -37,7 +37,6 @@ class Acting:
 
     wanted: tuple[Expression, ...]
     bodies: int
-    pins: int
     unknowns: tuple[tuple[str, int, int, int, int, int], ...]
     places: int
 
@@ -82,7 +81,7 @@ class ActingWriter:
         of_places = [part for both in places.values() for part in both]
         size = 3 * len(self.scheme.bodies) + 2 * len(self.scheme.pins)
         return Acting(
-            (*wrenches, *of_places, *ways, *self.energies()), len(self.scheme.bodies), len(self.scheme.pins),
+            (*wrenches, *of_places, *ways, *self.energies()), len(self.scheme.bodies),
             tuple(unknowns) if size == len(unknowns) else (), len(places),
         )  # fmt: skip
 

@@ -38,7 +38,7 @@ class Energy:
     def as_table(self, t: Array) -> ExtraTable:
         """Return the columns of `energy.csv`."""
         rows = np.column_stack([t, self.kinetic, self.potential, self.drive, self.loads, self.friction, self.dampers])
-        return ExtraTable(say("extra.energy"), HEAD, UNITS, rows, blanks=True)
+        return ExtraTable(say("section.energy"), HEAD, UNITS, rows, blanks=True)
 
 
 def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:

@@ -141,12 +141,10 @@ class MotionWriter:
 
     def _analog_of(self, expression: Expression, k: int) -> Expression:
         """Return how fast an expression of the positions changes with the free rate k."""
-        symbols, found = self.equations.symbols, []
-        for c in self.equations.variant.coordinates:
-            slope = symbols.partial(expression, symbol(c.name))
-            if slope is not ZERO:
-                found.append(slope * self.rate_of(c.rate, k))
-        return add(*found) if found else ZERO
+        slopes = [
+            (c.rate, self.equations.symbols.partial(expression, symbol(c.name))) for c in self.equations.variant.coordinates
+        ]
+        return add(ZERO, *[slope * self.rate_of(rate, k) for rate, slope in slopes if slope is not ZERO])
 
     def rate_of(self, rate: str, k: int) -> Expression:
         """Return how fast a velocity changes with the free rate k."""
@@ -159,10 +157,8 @@ class MotionWriter:
         if not body.rate and body.span is not None and body.inertia is not None:
             line = self.scheme.forces.lines.get(("masses", body.name), 1)
             raise InputError([Fault(say("fault.V741", name=body.name), self.equations.variant.file, line)])
-        free = body.rate in self.rates
-        return [self.rate_of(body.rate, k) for k in range(len(self.rates))], ZERO if free or not body.rate else derivative(
-            body.rate
-        )
+        bias = ZERO if not body.rate or body.rate in self.rates else derivative(body.rate)
+        return [self.rate_of(body.rate, k) for k in range(len(self.rates))], bias
 
     def _motion(self) -> Iterator[Statement]:
         """Yield M, Q - h, kinetic and potential energy."""

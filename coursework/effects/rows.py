@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from coursework.effects.acting import ActingWriter
 from coursework.effects.force_scheme import Body, ForceScheme, Unknown, inertia_of
-from coursework.equations.algebra.calculus import derivative as derivative_by
-from coursework.equations.algebra.expression import Expression, add
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import placed, symbol
-from coursework.motion.geometry.time_derivatives import compile_rows, derivative, second_rate
+from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
 from coursework.variant.formula.tree import Formula
@@ -180,25 +180,19 @@ class Program:
 def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Program:
     """Return the program of a scheme.  Raises `InputError` where a formula of the forces has no value."""
     wanted = tuple(dict.fromkeys(wanted_of(scheme)))
-    symbols, found = equations.symbols, list[Expression]()
+    symbols, writer, found = equations.symbols, ActingWriter(equations, scheme), list[Expression]()
 
     def raised(expr: Expression, level: int | str) -> Expression:
         if isinstance(level, str):
             return symbols.partial(expr, symbol(level))
-        rate = symbols.rate(expr) if level else expr
-        return again(rate) if level == SECOND else rate
-
-    def again(rate: Expression) -> Expression:
-        # Free rates stand for drives that say nothing of how they change: forces do.
-        free = scheme.forces.motor.rates if scheme.forces.motor else ()
-        return add(second_rate(equations, rate), *[derivative_by(rate, symbol(name)) * derivative(name) for name in free])
+        return writer.second(expr) if level == SECOND else symbols.rate(expr) if level else expr
 
     for formula, is_vector, level in wanted:
         with placed(equations.variant, "forces", 1):
             parts = symbols.vector(formula) if is_vector else (symbols.scalar(formula),)
             found += [raised(part, level) for part in parts]
     for rate in _rates(scheme):
-        found += [symbol(rate), again(symbol(rate))]
+        found += [symbol(rate), writer.changed(symbol(rate))]
     for body in scheme.bodies:
         centre = symbols.vector(body.centre)
         found += [symbols.partial(part, symbol(c.name)) for c in equations.variant.coordinates for part in centre]

@@ -16,6 +16,7 @@ import numpy as np
 from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.dynamics import Dynamics, FreeMotion
 from coursework.effects.dynamics_checks import check_dynamics
+from coursework.effects.dynamics_lesson import energy_of_rows, rates_of
 from coursework.effects.equations_of_motion import EquationsOfMotion
 from coursework.effects.motion_writer import MotionWriter
 from coursework.effects.regime import Regime, find_regime
@@ -151,11 +152,6 @@ class MotorScene(Scene):
         found = self.free_equations.table(t, *q.T, *v.T)
         return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float).T.reshape(len(t), len(found))
 
-    def _free_of(self, motion: Motion) -> Array:
-        motor = self.variant.motor
-        assert motor is not None
-        return np.column_stack([motion.column(rate) for rate in motor.rates])
-
     @computed("free_equations", "stop", "start")
     def motion(self) -> Motion:
         """The rows of the scheme, or of the motion itself."""
@@ -173,13 +169,12 @@ class MotorScene(Scene):
     def accelerations_of(self, motion: Motion) -> Array:
         """Return the accelerations (n, k) that the forces give the links in each row."""
         size = len(motion.velocity_names)
-        return self._table(motion.t, motion.coordinates, self._free_of(motion))[:, size : 2 * size].copy()
+        return self._table(motion.t, motion.coordinates, rates_of(self.free_equations, motion))[:, size : 2 * size].copy()
 
     def energy_of(self, motion: Motion) -> Array:
         """Return kinetic and potential energy together (n,) J."""
-        size = len(motion.velocity_names)
-        values = self._table(motion.t, motion.coordinates, self._free_of(motion))
-        return np.asarray(values[:, 2 * size] + values[:, 2 * size + 1])
+        equations = self.free_equations
+        return energy_of_rows(equations, motion.t, motion.coordinates, rates_of(equations, motion))[0]
 
     @computed("exact")
     def exact_accelerations(self) -> Array:

@@ -137,9 +137,14 @@ class SceneRun:
 
     def _beside(self, results: MotionResults) -> Iterator[tuple[str, Columns[Any], ExtraTable]]:
         """Yield the name, record and columns of each quantity asked for whose columns stand beside those of the table."""
-        for name, quantity in quantities_for(self.asked).items():
+        for name, quantity in quantities_for(self.asked).items():  # of points with accelerations another record
             if isinstance(quantity.shows, Columns):
                 yield name, quantity.shows, quantity.shows.of(results, quantity.compute.of(results))
+
+    def _shown(self, *ways: type[Any]) -> Iterator[tuple[Quantity[Any], Any]]:
+        """Yield each quantity asked for that is shown in one of some ways, and how."""
+        asked = quantities_for(self.asked).values()
+        return ((one, one.shows) for one in asked if isinstance(one.shows, ways))
 
     @property
     def units(self) -> dict[str, str]:
@@ -224,21 +229,19 @@ class SceneRun:
     @property
     def own_tables(self) -> dict[str, ExtraTable]:
         """Return the tables asked for whose rows are not those of the results table."""
-        records = ((one, one.shows) for one in quantities_for(self.asked).values())
-        return {one.name: shows.of(self.results, self.of(one)) for one, shows in records if isinstance(shows, OwnTable)}
+        return {one.name: shows.of(self.results, self.of(one)) for one, shows in self._shown(OwnTable)}
 
     @property
     def section_tables(self) -> dict[str, ExtraTable]:
         """Return the tables of what has a section of its own, by the names of their files."""
-        own = ((one, one.shows.table) for one in quantities_for(self.asked).values() if isinstance(one.shows, OwnSection))
-        return {one.name: table(self.results, self.of(one)) for one, table in own if table is not None}
+        own = self._shown(OwnSection)
+        return {one.name: shows.table(self.results, self.of(one)) for one, shows in own if shows.table is not None}
 
     @property
     def listings(self) -> tuple[Listing, ...]:
         """Return the files in which drawings that were asked for keep their numbers."""
-        shown = ((one, one.shows) for one in quantities_for(self.asked).values())
-        kept = ((one, shows.listing) for one, shows in shown if isinstance(shows, (OwnFigure, OwnSection)))
-        return tuple(listing(self.of(one)) for one, listing in kept if listing is not None)
+        own = self._shown(OwnFigure, OwnSection)
+        return tuple(shows.listing(self.of(one)) for one, shows in own if shows.listing is not None)
 
     def mechanism(self) -> Drawing | None:
         """Return the mechanism with names, lengths, angles and drive, None where the file places no points.
@@ -263,9 +266,7 @@ class SceneRun:
 
     def figures(self, written: Callable[[str], str] = str) -> dict[str, tuple[Drawing, ...]]:
         """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""
-        records = ((one, one.shows) for one in quantities_for(self.asked).values())
-        own = ((one, shows) for one, shows in records if isinstance(shows, OwnFigure))
-        return {one.name: shows.of(self.results, self.of(one), written) for one, shows in own}
+        return {one.name: shows.of(self.results, self.of(one), written) for one, shows in self._shown(OwnFigure)}
 
     @property
     def accuracy(self) -> AccuracyStudy | None:

@@ -161,6 +161,15 @@ def memory_held() -> int | None:
     return most if sys.platform == "darwin" else most * 1024
 
 
+def limit_memory(mib: float, held: int = 0) -> None:
+    """Bound the address space of this process at so much beyond what it has `held` (bytes), where the platform can."""
+    try:
+        import resource
+    except ImportError:  # Windows: the limit of time is what remains
+        return
+    resource.setrlimit(resource.RLIMIT_AS, (held + int(mib) * MIB, resource.getrlimit(resource.RLIMIT_AS)[1]))
+
+
 def _working_set() -> int | None:
     """Return the working set of this process on Windows (bytes)."""
     import ctypes

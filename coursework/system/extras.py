@@ -1,12 +1,18 @@
 """The extras of the package: what is in each, and what to type where a package of one is missing.
 
-Enters: the name of an extra.  Leaves: its packages; what pip installs it from.  Used by `commands/` and `takeaway/`.
+Enters: the name of an extra.  Leaves: its packages; what pip installs it from.
+Used by `commands/`, `assigning/` and `takeaway/`.
 """
 
 from __future__ import annotations
 
 import re
+import sys
+from importlib.util import find_spec
 from pathlib import Path
+
+from coursework.words.errors import NotToBeHad
+from coursework.words.sentences import say
 
 ROOT = Path(__file__).resolve().parents[2]
 PROJECT = ROOT / "pyproject.toml"
@@ -17,6 +23,13 @@ _OF_EXTRA = re.compile(r"([\w.-]+).*extra == ['\"](\w+)['\"]")
 def installed_from(extra: str) -> str:
     """Return what pip installs the extra from: the folder of the checkout, else the package by its name."""
     return f'"{ROOT}[{extra}]"' if PROJECT.is_file() else f'"{OWN}[{extra}]"'
+
+
+def require(module: str, format_name: str, extra: str) -> None:
+    """Raise `NotToBeHad`, with the line that installs it, where a module that a format needs cannot be found."""
+    if find_spec(module) is None:
+        folder = installed_from(extra)
+        raise NotToBeHad(say("fault.W040", format=format_name, package=module, python=sys.executable, folder=folder))
 
 
 def packages() -> dict[str, list[str]]:

@@ -13,7 +13,7 @@ from contextlib import suppress
 from importlib import import_module
 from typing import Any, BinaryIO
 
-from coursework.system.budget import MIB, memory_held
+from coursework.system.budget import MIB, limit_memory, memory_held
 from coursework.system.frozen import frozen
 from coursework.system.plain_lines import line_of, plain_of, read_line
 
@@ -33,16 +33,6 @@ class Answered:
 
     grown: int
     answer: Any
-
-
-def limit_memory(mib: int) -> None:
-    """Bound the address space of this process, where the platform can."""
-    try:
-        import resource
-    except ImportError:  # Windows: the limit of time is what remains
-        return
-    size = mib * MIB
-    resource.setrlimit(resource.RLIMIT_AS, (size, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
 def serve(lines: BinaryIO, answers: BinaryIO) -> None:

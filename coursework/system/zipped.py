@@ -1,7 +1,7 @@
-"""Files -> a zip, the same bytes for the same files, whenever and wherever it is made.
+"""Files -> a zip, the same bytes for the same files, whenever and wherever it is made; and back.
 
 Enters: names and contents.  Leaves: bytes.
-Used by `word.py`, `open_document.py`, `feedback_zip.py`, `zips.py` and `desk/answering/takeaway.py`.
+Used by `word.py`, `open_document.py`, `downloads.py`, `zips.py` and `desk/answering/takeaway.py`.
 """
 
 from __future__ import annotations
@@ -24,3 +24,9 @@ def zipped(files: Iterable[tuple[str, bytes]], mode: int = 0o600) -> bytes:
             part.create_system, part.external_attr = _UNIX, mode << 16
             archive.writestr(part, content, zipfile.ZIP_STORED if name == _STORED else zipfile.ZIP_DEFLATED)
     return made.getvalue()
+
+
+def unpacked(content: bytes) -> dict[str, bytes]:
+    """Return the files of a zip of our own, or of a program that is trusted, by name."""
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}

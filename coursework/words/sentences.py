@@ -52,7 +52,7 @@ class Phrases:
         return isinstance(found, str) or (isinstance(found, dict) and not FORMS.isdisjoint(found))
 
     def beside(self, key: str, number: object) -> str:
-        """Return the key of the form of a sentence that stands beside a number, the key itself where it has no forms."""
+        """Return the key of the form beside a number, `other` where it has none of its own; the key where there are no forms."""
         forms = self._found(key)
         if forms is None and self.language != ENGLISH:
             return load_phrases().beside(key, number)

@@ -6,7 +6,7 @@ import { openNew } from "./dialogs/new.js";
 import { openTable } from "./dialogs/table.js";
 import { openTake } from "./dialogs/take.js";
 import { found } from "./elements.js";
-import { post } from "./requests.js";
+import { post, whyNot } from "./requests.js";
 import { written } from "./text/verdicts.js";
 import { say } from "./words.js";
 import { forgetAll } from "./work/store.js";
@@ -27,8 +27,7 @@ export function commandsIn(desk) {
   const { view, saving, notices } = desk;
 
   /** @param {unknown} error */
-  const refused = (error) =>
-    notices.show("refused", error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message);
+  const refused = (error) => notices.show("refused", whyNot(error));
   /**
    * @param {string} id
    * @param {(host: HTMLElement) => unknown} act

@@ -1,5 +1,7 @@
 // Elements made and found, with their types.
 
+import { say } from "./words.js";
+
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag
@@ -17,6 +19,18 @@ export function make(tag, given = {}, ...inside) {
   made.append(...inside.filter((one) => one !== null));
   return made;
 }
+
+/**
+ * A button that does something by itself: it sends no form.
+ * @param {Node | string | (Node | string)[]} inside
+ * @param {() => unknown} act
+ * @param {Record<string, unknown>} [given]
+ */
+export const button = (inside, act, given = {}) =>
+  make("button", { type: "button", onclick: () => void act(), ...given }, ...[inside].flat());
+
+/** The cross at the end of what can be put away. @param {() => void} act */
+export const cross = (act) => button("×", act, { className: "close", "aria-label": say("close") });
 
 /**
  * @template {HTMLElement} Kind

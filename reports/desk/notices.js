@@ -1,7 +1,6 @@
 // Sentences above the text that wait for a person: restored work, a conflict, a browser that keeps nothing.
 
-import { make } from "./elements.js";
-import { say } from "./words.js";
+import { button, cross, make } from "./elements.js";
 
 /** @param {HTMLElement} place */
 export function noticesIn(place) {
@@ -23,15 +22,14 @@ export function noticesIn(place) {
      * @param {Record<string, () => void>} [answers] What its buttons do, by their words; each drops the sentence.
      */
     show(key, sentence, answers = {}) {
-      const buttons = Object.entries(answers).map(([text, act]) =>
-        make("button", { type: "button", onclick: () => (drop(key), act()) }, text),
+      const buttons = Object.entries(answers).map(([text, act]) => button(text, () => (drop(key), act())));
+      const notice = make(
+        "p",
+        { "data-notice": key },
+        make("span", {}, sentence),
+        ...buttons,
+        cross(() => drop(key)),
       );
-      const close = make(
-        "button",
-        { type: "button", className: "close", "aria-label": say("close"), onclick: () => drop(key) },
-        "×",
-      );
-      const notice = make("p", { "data-notice": key }, make("span", {}, sentence), ...buttons, close);
       const old = shown.get(key);
       if (old) old.replaceWith(notice);
       else place.append(notice);

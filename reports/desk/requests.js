@@ -29,6 +29,9 @@ export const rooted = (path) => root + path;
 /** @param {string} chosen */
 export const speakIn = (chosen) => void (language = chosen);
 
+/** What a person is told of a request that was not done. @param {unknown} error */
+export const whyNot = (error) => (error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message);
+
 /**
  * Throws `Refused` for a refusal, a TypeError where nobody answers.
  * @param {string} method

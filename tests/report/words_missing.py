@@ -68,10 +68,12 @@ def complaints(language: str) -> Iterator[str]:
             wanted |= {f"{base}.{each}": english[f"{base}.other"] for each in forms}
         else:
             wanted[key] = sentence
-    for key, sentence in wanted.items():
+    for form, sentence in wanted.items():
+        base = form.rpartition(".")[0]
+        key = f"{base}.other" if base in plural and form not in own else form  # a form that is not there is that of the others
         if key not in own:
             yield f"{key} = {sentence!r}"
-        elif (gaps(own[key]) ^ gaps(sentence)) - ({"number"} if key.rpartition(".")[0] in plural else set()):
+        elif (gaps(own[key]) ^ gaps(sentence)) - ({"number"} if base in plural else set()):
             yield f"{key}: gaps {sorted(gaps(own[key]))}, in English {sorted(gaps(sentence))}"
         elif wrong := sorted(numeric(own[key]) - numeric(sentence)):
             yield f"{key}: formats of a number for {wrong}, a text in English"

@@ -6,10 +6,11 @@ Enters: `Setup`, jobs.  Leaves: `Answer`s.  Every process of `serving/renderers.
 from __future__ import annotations
 
 import gzip
+import os
 import sys
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,7 @@ from coursework.desk.answering import completion, derived, drag, pieces, takeawa
 from coursework.desk.answering.contradicted import naming_terms
 from coursework.desk.answering.typed import Desk, faults_of
 from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
-from coursework.system.budget import MIB, Budget, watched
+from coursework.system.budget import Budget, limit_memory, watched
 from coursework.system.plain_lines import record_of
 from coursework.words.errors import CourseworkError
 from coursework.words.sentences import say
@@ -43,7 +44,9 @@ KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
 def opened(plain_setup: Any) -> Iterator[Callable[[Any], Answer]]:
     """Yield what answers one job after the other."""
     setup = record_of(Setup, plain_setup)
-    limit_memory_beyond(setup.bounds.memory)
+    with suppress(OSError), Path("/proc/self/statm").open(encoding="ascii") as file:
+        held = int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")  # with all its libraries
+        limit_memory(2 * setup.bounds.memory, held)  # what is held is watched; this ends what grows between two looks
     yield lambda job: answer(record_of(Job, job), setup)
 
 
@@ -66,16 +69,3 @@ def answer(job: Job, setup: Setup) -> Answer:
     if not job.packed or found.name or len(found.body) < PACKED_FROM:
         return found
     return replace(found, body=gzip.compress(found.body, 4), packed=True)
-
-
-def limit_memory_beyond(mib: float) -> None:
-    """Bound the address space of this process at so much beyond what it has with all its libraries, where the platform can."""
-    try:
-        import resource
-
-        with Path("/proc/self/statm").open(encoding="ascii") as file:
-            held = int(file.read().split()[0]) * resource.getpagesize()
-    except (ImportError, OSError):
-        return
-    most = held + int(2 * mib) * MIB  # what is held is watched; this ends what grows between two looks
-    resource.setrlimit(resource.RLIMIT_AS, (most, resource.getrlimit(resource.RLIMIT_AS)[1]))

@@ -5,12 +5,12 @@ Enters: a `Scene`.  Leaves: SVG, whose animation stands until it is started.  Us
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from coursework.drawing.outline.outline import Block, Outline, Rail, Slot
-from coursework.drawing.outline.poses import Poses, all_rows, read_poses
+from coursework.drawing.outline.outline import Outline, Slot
+from coursework.drawing.outline.poses import Poses, all_rows, read_poses, unit_vectors
 from coursework.drawing.outline.tracing import read_outline
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Complex
@@ -61,7 +61,7 @@ class _Picture:
         outline = self.outline
         yield _HEAD
         for rail in outline.rails:
-            along = _along(self.at, rail)[0]
+            along = unit_vectors(self.at[rail.toward] - self.at[rail.base])[0]
             way = np.real((self.at[rail.rider or rail.at] - self.at[rail.at][0]) / along)
             ends = [complex(self.at[rail.at][0] + along * end) for end in (way.min() - ROOM / 2, way.max() + ROOM / 2)]
             yield f'<path stroke-width="0.8" stroke-dasharray="3 1.5" d="{_way(ends)}"/>'
@@ -73,7 +73,7 @@ class _Picture:
             yield self._circle(wheel.centre, self.radii[wheel.centre] * self.scale, "")
             yield self._path([self.at[wheel.centre], self.at[wheel.contact]])
         for block in outline.blocks:
-            along = BLOCK * _along(self.at, block)
+            along = BLOCK * unit_vectors(self.at[block.toward] - self.at[block.base])
             yield self._path([self.at[block.at] + along * corner for corner in (2 + 1j, 2 - 1j, -2 - 1j, -2 + 1j)], closed=True)
         for name in dict.fromkeys([*(name for bar in outline.bars for name in bar.corners), *outline.hinges]):
             yield self._circle(name, JOINT, ' fill="currentColor"' if name in outline.hinges else ' fill="Canvas"')
@@ -96,12 +96,6 @@ def _line(poses: Poses, slot: Slot) -> tuple[Complex, Complex]:
     beside, low, high = poses.line(slot)
     start = poses.at[slot.at] + 1j * along * beside
     return np.asarray(start + along * min(low, 0.0)), np.asarray(start + along * max(high, 0.0))
-
-
-def _along(at: Mapping[str, Complex], part: Rail | Block) -> Complex:
-    """Return the direction of a guide or a block on the picture."""
-    way = at[part.toward] - at[part.base]
-    return np.asarray(way / np.where(way == 0, 1, np.abs(way)))
 
 
 def _way(places: list[complex]) -> str:

@@ -25,7 +25,7 @@ from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.symbols import decimal
-from coursework.drawing.plans.driven_lengths import driven_lengths
+from coursework.drawing.plans.given import driven_lengths
 from coursework.drawing.plans.moving import kinematics_of
 from coursework.drawing.plans.vectors import UNITS, VELOCITY
 from coursework.equations.reduction.equations import VelocityEquations

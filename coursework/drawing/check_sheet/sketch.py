@@ -16,8 +16,7 @@ from coursework.drawing.check_sheet.pose import Body, Pose, Slide
 from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses, read_poses
-from coursework.drawing.plans.driven_lengths import DrivenLengths
-from coursework.drawing.plans.given import given_points
+from coursework.drawing.plans.given import DrivenLengths, given_points
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion

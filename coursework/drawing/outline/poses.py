@@ -38,8 +38,7 @@ class Poses:
 
     def along(self, base: str, toward: str) -> Complex:
         """Return the unit vectors from one point to another."""
-        way = self.at[toward] - self.at[base]
-        return np.asarray(way / np.where(way == 0, 1, np.abs(way)))
+        return unit_vectors(self.at[toward] - self.at[base])
 
     def line(self, slot: Slot) -> tuple[float, float, float]:
         """Return how far the line of a slot is beside its point (m, to the left), and between which places its riders are."""
@@ -53,6 +52,11 @@ class Poses:
         start, along = complex(self.at[rail.at][0]), complex(self.along(rail.base, rail.toward)[0])
         ways = ((self.at[rail.rider] - start) * along.conjugate()).real if rail.rider else np.zeros(1)
         return start, along, float(ways.min()), float(ways.max())
+
+
+def unit_vectors(way: Complex) -> Complex:
+    """Return unit vectors (n,) along ways (n,), 0 where one has no length."""
+    return np.asarray(way / np.where(way == 0, 1, np.abs(way)))
 
 
 def read_poses(outline: Outline, equations: VelocityEquations) -> Callable[[Array, Array], Poses]:

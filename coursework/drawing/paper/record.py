@@ -26,8 +26,3 @@ class Drawing:
     exact: bool = False
     steps: tuple[str, ...] = ()
     letters: tuple[str, ...] = ()
-
-    @property
-    def wide(self) -> bool:
-        """Return whether it is wider than the text of an upright page (170 mm)."""
-        return self.width > 170.5

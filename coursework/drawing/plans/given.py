@@ -1,13 +1,25 @@
-"""Points whose velocity the drive gives without any construction.
+"""What the drive gives a plan without any construction: velocities of points, and the rate at which a slide along a link grows.
 
-Enters: an `Outline` and its variant.  Leaves: names of points.  Used by `plans.py` and `sketch.py`.
+Enters: an `Outline` and its variant, velocity equations and the exact rows.  Leaves: names of points, rates by link and rider.
+Used by `plans.py`, `graph_check.py` and `sketch.py`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
+
 from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.poses import all_rows, read_poses
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.motion.integration.motion import Motion
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
+
+ALIKE = 1e-9  # of the longest distance: a way and a coordinate that differ by less in every row are one
+
+DrivenLengths = Mapping[tuple[str, str], str]
 
 
 def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
@@ -24,3 +36,20 @@ def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
 
     drawn = dict.fromkeys(name for bar in outline.bars for name in bar.corners)
     return tuple(dict.fromkeys((*outline.driven, *(name for name in drawn if name in formulas and pushed(name)))))
+
+
+def driven_lengths(outline: Outline, equations: VelocityEquations, exact: Motion) -> DrivenLengths:
+    """Return (link, rider) -> the driven rate of the way along the link from its point to what slides on it, as in a cylinder."""
+    driven = [c for c in equations.variant.driven_coordinates if c.unit == "m"]
+    if not driven or not outline.slots or len(exact.t) < 2 or not all_rows(equations, exact):
+        return {}
+    poses = read_poses(outline, equations)(exact.t, exact.coordinates)
+    found = {}
+    for slot in outline.slots:
+        for rider in slot.riders:
+            ways = poses.at[rider] - poses.at[slot.at]
+            way = (ways * poses.along(slot.base, slot.toward).conjugate()).real
+            for coordinate in driven:
+                if np.max(np.abs(way - exact.column(coordinate.name))) <= ALIKE * np.max(np.abs(ways)):
+                    found[slot.link, rider] = coordinate.rate
+    return found

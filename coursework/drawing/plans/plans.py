@@ -16,8 +16,7 @@ from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import all_rows
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.plans.driven_lengths import DrivenLengths, driven_lengths
-from coursework.drawing.plans.given import given_points
+from coursework.drawing.plans.given import DrivenLengths, driven_lengths, given_points
 from coursework.drawing.plans.moving import Kinematics, kinematics_of
 from coursework.drawing.plans.polygons import polygons
 from coursework.drawing.plans.vectors import ACCELERATION, UNITS, VELOCITY, Polygons

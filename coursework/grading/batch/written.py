@@ -18,8 +18,8 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
 from coursework.grading.platforms.canvas import Gradebook
+from coursework.grading.platforms.downloads import feedback_zip
 from coursework.grading.platforms.escapes import text_cell
-from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.worksheet import Worksheet
 from coursework.system.csv_text import csv_text
 from coursework.system.whole_files import write_bytes

@@ -1,15 +1,19 @@
-"""Names in a platform's download -> whose work it is.
+"""Names in a platform's download -> whose work it is; and feedback packed under them as Moodle gives it back to students.
 
 Enters: the name of a folder or file.  Leaves: `Owner`, None where the name is not the platform's.
-Used by `file_lists.py`.
+Used by `file_lists.py` and by whoever grades a class.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable
+from pathlib import PurePosixPath
 
+from coursework.grading.platforms.names import file_stem
 from coursework.system.frozen import frozen
+from coursework.system.zipped import zipped
 
 # Moodle's importer takes "fullname_uniqueid_assignsubmission_plugin", then a blank end, or in flat mode the file's own name.
 _MOODLE = re.compile(
@@ -63,3 +67,9 @@ def canvas_owner(name: str) -> Owner | None:
     if not match:
         return None
     return Owner(match["user"], match["user"], match["name"], match["submission"], "", match["rest"], bool(match["late"]))
+
+
+def feedback_zip(pages: Iterable[tuple[str, str, bytes]]) -> bytes:
+    """Return a zip of (folder of the download, id, page), the page named `feedback-ID.html`; sorted, without a clock."""
+    tops = ((PurePosixPath(folder.replace("\\", "/")).name, student, page) for folder, student, page in sorted(pages))
+    return zipped(((f"{top}/feedback-{file_stem(student)}.html", page) for top, student, page in tops), 0o644)

@@ -75,7 +75,7 @@ def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
     names, rows = run.columns()
     yield Block(names, np.asarray(rows))
     if pages and run.asks(PLOTS):
-        yield Block(run.exact.names, np.asarray(run.exact.rows), say("gate.exact"))
+        yield Block(run.exact.names, np.asarray(run.exact.rows), say("graphs.exact"))
     for name, table in (run.own_tables | run.section_tables).items():
         rows = np.asarray(table.rows)
         yield Block(table.names, np.where(np.isnan(rows), 0.0, rows) if table.blanks else rows, name)

@@ -58,10 +58,9 @@ def _compared(context: PageContext, lines: list[Row]) -> Table:
         shown = [numbers.whole(one.slopes), numbers.scalar(one.error, 3), numbers.scalar(one.gained, 3)]
         cells.append([context.told(one.title), *map(numeral, shown)])
     units = ("", context.unit("rad/s"), context.unit("J"))
+    keys = ("dynamics.slopes", "accuracy.head.max_error", "dynamics.gained")
     heads = [Column(context.say("dynamics.method"), words=True)]
-    heads += [
-        Column(context.say(f"dynamics.{key}"), unit) for key, unit in zip(("slopes", "error", "gained"), units, strict=True)
-    ]
+    heads += [Column(context.say(key), unit) for key, unit in zip(keys, units, strict=True)]
     return Table(heads, cells, context.say("dynamics.lesson"), id="dynamics-lesson")
 
 

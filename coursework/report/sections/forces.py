@@ -96,7 +96,7 @@ def _known(context: PageContext, found: ForceAnalysis, row: int) -> Table:
         values = [float(rows.mass(body)[row]), float(rows.inertia(body)[row]), at.real, at.imag, force.real, force.imag, couple]
         lines.append([body.name, *(numeral(numbers.scalar(value)) for value in values)])
     symbols = [("m", "kg"), ("J", "kg·m²"), ("x_S", "m"), ("y_S", "m"), ("F_inx", "N"), ("F_iny", "N"), ("M_in", "N·m")]
-    heads = [Column(context.say("forces.link"), words=True)]
+    heads = [Column(context.say("structure.kind.link"), words=True)]
     heads += [Column(context.symbol_runs([name]), context.unit(unit)) for name, unit in symbols]
     return Table(heads, lines, context.say("forces.known", row=row + 1), id="forces-known")
 
@@ -180,8 +180,8 @@ def _compared(context: PageContext, plans: ForcePlans) -> list[Part]:
         lines.append([_text_of(lever.drive), unit, *map(numeral, values)])
     if not lines:
         return []
-    keys = ("force", "unit", "computed", "mm", "read", "apart")
-    heads = [Column(context.say(f"forces.{key}"), words=key in {"force", "unit"}) for key in keys]
+    keys = ("forces.force", "given.unit", "forces.computed", "units.mm", "forces.read", "forces.apart")
+    heads = [Column(context.say(key), words=place < 2) for place, key in enumerate(keys)]
     return [Table(heads, lines, context.say("forces.compare", row=plans.row + 1), id="forces-compare")]
 
 

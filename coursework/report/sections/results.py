@@ -59,8 +59,8 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
     say, numbers, motion = context.words, context.numbers, context.run.motion
     row = context.run.results.evidence.period_row or 0
     heads = {
-        "first": say("first_last.first", row=1, time=context.quantity(float(motion.t[0]), "s")),
-        "last": say("first_last.last", row=row + 1, time=context.quantity(float(motion.t[row]), "s")),
+        "first": say("first_last.row", row=1, time=context.quantity(float(motion.t[0]), "s")),
+        "last": say("first_last.row", row=row + 1, time=context.quantity(float(motion.t[row]), "s")),
         "total": say("first_last.total"),
         "scheme": say("first_last.scheme"),
         "period": say("first_last.period" if context.run.variant.time.period is not None else "first_last.motion"),

@@ -15,10 +15,10 @@ from typing import Any
 from coursework.drawing.paper.sheet import HALO
 from coursework.report.output.results import Results
 from coursework.scene.quantities import TRAJECTORIES
+from coursework.system.extras import require
 from coursework.takeaway.figures.drafting import Draft
 from coursework.takeaway.figures.drawings import Picture, pictures_of
 from coursework.takeaway.figures.shapes import shapes_of
-from coursework.takeaway.missing import require
 from coursework.words.errors import CourseworkError, NotToBeHad
 from coursework.words.sentences import say
 

@@ -38,7 +38,7 @@ class Word(_Office):
     def caption(self, kind: str, label: tuple[str, str, str], mark: str, said: Sequence[Node]) -> list[Node]:
         """Return the caption of a "figure" or "table": its word, number and what stands behind it, then what it says."""
         word, number, behind = label
-        field = _field(f"SEQ {word.strip().replace(' ', '_')} \\* ARABIC", number)
+        field = word_field(f"SEQ {word.strip().replace(' ', '_')} \\* ARABIC", number)
         inlines = [*text(word), raw("openxml", self._marked(mark, field)), *text(behind), *said]
         return [styled(CAPTIONS[kind], [paragraph(inlines)])]
 
@@ -51,7 +51,7 @@ class Word(_Office):
 
     def reference(self, mark: str, said: str) -> Node:
         """Return what leads to a mark."""
-        return raw("openxml", _field(f"REF {mark} \\h", said))
+        return raw("openxml", word_field(f"REF {mark} \\h", said))
 
     def turned(self, blocks: list[Node]) -> list[Node]:
         """Return blocks on a page that lies on its side."""
@@ -136,12 +136,18 @@ _TEX = {
 }  # fmt: skip
 
 
-def _field(instruction: str, shown: str) -> str:
-    def mark(kind: str) -> str:
-        return f'<w:r><w:fldChar w:fldCharType="{kind}"/></w:r>'
+def begun_field(instruction: str, more: str = "") -> str:
+    """Return the begin of a field of Word, up to what it shows; `more` are attributes of it."""
+    said = f'<w:r><w:instrText xml:space="preserve"> {escape(instruction, quote=False)} </w:instrText></w:r>'
+    return f'<w:r><w:fldChar w:fldCharType="begin"{more}/></w:r>{said}<w:r><w:fldChar w:fldCharType="separate"/></w:r>'
 
-    said = f'<w:r><w:instrText xml:space="preserve"> {escape(instruction)} </w:instrText></w:r>'
-    return f"{mark('begin')}{said}{mark('separate')}<w:r><w:t>{escape(shown)}</w:t></w:r>{mark('end')}"
+
+ENDED_FIELD = '<w:r><w:fldChar w:fldCharType="end"/></w:r>'
+
+
+def word_field(instruction: str, shown: str) -> str:
+    """Return a field of Word, with what it shows until Word brings it up to date."""
+    return f"{begun_field(instruction)}<w:r><w:t>{escape(shown)}</w:t></w:r>{ENDED_FIELD}"
 
 
 def tex_letter(letter: str) -> str:

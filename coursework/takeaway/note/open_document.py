@@ -9,9 +9,8 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from coursework.system.zipped import zipped
+from coursework.system.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
-from coursework.takeaway.note.archive import unpacked
 from coursework.takeaway.note.dialects import SEQUENCES
 from coursework.takeaway.note.sections import STRUCTURAL
 from coursework.takeaway.note.styles import PAGE, House, open_document_styles

@@ -9,10 +9,9 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from coursework.system.zipped import zipped
+from coursework.system.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
-from coursework.takeaway.note.archive import unpacked
-from coursework.takeaway.note.dialects import TURNED, UPRIGHT
+from coursework.takeaway.note.dialects import ENDED_FIELD, TURNED, UPRIGHT, begun_field, word_field
 from coursework.takeaway.note.sections import STRUCTURAL
 from coursework.takeaway.note.styles import PAGE, TWIPS, House, word_styles
 
@@ -32,21 +31,14 @@ _WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 
 def contents_of(title: str, listed: Sequence[tuple[str, str]], width: float) -> str:
     """Return the contents as a field that Word brings up to date, with what it shows until then."""
-
-    def mark(kind: str, more: str = "") -> str:
-        return f'<w:r><w:fldChar w:fldCharType="{kind}"{more}/></w:r>'
-
-    def said(instruction: str) -> str:
-        return f'<w:r><w:instrText xml:space="preserve"> {instruction} </w:instrText></w:r>'
-
     tab = f'<w:tabs><w:tab w:val="right" w:leader="dot" w:pos="{round(width * TWIPS)}"/></w:tabs>'
     lines = []
     for place, (name, text) in enumerate(listed):
-        opens = mark("begin", ' w:dirty="true"') + said('TOC \\o "1-2" \\h \\z \\u') + mark("separate") if place == 0 else ""
-        page = mark("begin") + said(f"PAGEREF {name} \\h") + mark("separate") + "<w:r><w:t> </w:t></w:r>" + mark("end")
+        opens = begun_field('TOC \\o "1-2" \\h \\z \\u', ' w:dirty="true"') if place == 0 else ""
+        page = word_field(f"PAGEREF {name} \\h", " ")
         shown = f'<w:r><w:t xml:space="preserve">{escape(text)}</w:t></w:r><w:r><w:tab/></w:r>{page}'
         entry = f'<w:hyperlink w:anchor="{name}">{shown}</w:hyperlink>'
-        closes = mark("end") if place == len(listed) - 1 else ""
+        closes = ENDED_FIELD if place == len(listed) - 1 else ""
         lines.append(f'<w:p><w:pPr><w:pStyle w:val="TOC1"/>{tab}</w:pPr>{opens}{entry}{closes}</w:p>')
     head = f'<w:p><w:pPr><w:pStyle w:val="TOCHeading"/></w:pPr><w:r><w:t>{escape(title)}</w:t></w:r></w:p>'
     return f'{head}{"".join(lines)}<w:p><w:r><w:br w:type="page"/></w:r></w:p>'
@@ -99,15 +91,9 @@ def _with_page(files: dict[str, bytes], document: str, house: House) -> str:
     """Return the document with an A4 page of the house, whose number stands where the standard wants it."""
     place, align = house.page_number.split()
     tag = {"footer": "ftr", "header": "hdr"}[place]
-    number = "".join(
-        f'<w:r>{inner}</w:r>' for inner in (
-            '<w:fldChar w:fldCharType="begin"/>', '<w:instrText xml:space="preserve"> PAGE </w:instrText>',
-            '<w:fldChar w:fldCharType="separate"/>', "<w:t>1</w:t>", '<w:fldChar w:fldCharType="end"/>',
-        )
-    )  # fmt: skip
     files[f"word/{place}9.xml"] = (
         f'<?xml version="1.0" encoding="UTF-8" standalone="yes"?><w:{tag} xmlns:w="{_WORD}"><w:p><w:pPr>'
-        f'<w:ind w:firstLine="0"/><w:jc w:val="{align}"/></w:pPr>{number}</w:p></w:{tag}>'
+        f'<w:ind w:firstLine="0"/><w:jc w:val="{align}"/></w:pPr>{word_field("PAGE", "1")}</w:p></w:{tag}>'
     ).encode()
     _related(files, "rIdPage", place, f"{place}9.xml")
     kind = f"application/vnd.openxmlformats-officedocument.wordprocessingml.{place}+xml"

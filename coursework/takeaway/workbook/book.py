@@ -15,7 +15,7 @@ from coursework.report.output.results import Results
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
-from coursework.takeaway.missing import require
+from coursework.system.extras import require
 from coursework.takeaway.workbook.by_forces import forced_columns
 from coursework.takeaway.workbook.cells import SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact

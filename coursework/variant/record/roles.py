@@ -39,7 +39,7 @@ def entries(shape: Shape, key: str, letters: Mapping[str, str], first: int = 1) 
     count = shape.counts[key][-1]
     if key == "guides" and count == 1:
         return role(shape, "guide", letters)
-    return joined((role(shape, key, letters, place) for place in range(first, count + 1)), "group.entries")
+    return joined((role(shape, key, letters, place) for place in range(first, count + 1)), "join.semicolon")
 
 
 def roles(shape: Shape, letters: Mapping[str, str]) -> dict[str, Sentence]:

@@ -1,7 +1,7 @@
 // Two texts of one name side by side: the own one and what another program or window wrote.
 
 import { EditorState, EditorView, MergeView, classHighlighter, lineNumbers, syntaxHighlighting } from "../editor/codemirror.js";
-import { make } from "../elements.js";
+import { button, make } from "../elements.js";
 import { variantLanguage } from "../text/language.js";
 import { say } from "../words.js";
 import { openDialog } from "./dialog.js";
@@ -18,15 +18,11 @@ export function compared(name, mine, theirs, nonce) {
     /** @type {"mine" | "theirs" | null} */
     let choice = null;
     /** @param {"mine" | "theirs"} one */
-    const button = (one) =>
-      make(
-        "button",
-        { type: "button", className: "main", "data-choice": one, onclick: () => ((choice = one), dialog.close()) },
-        say(`keep_${one}`),
-      );
+    const chooses = (one) =>
+      button(say(`keep_${one}`), () => ((choice = one), dialog.close()), { className: "main", "data-choice": one });
     const place = make("div", { className: "merge" });
     const heads = make("div", { className: "heads" }, make("h3", {}, say("mine")), make("h3", {}, say("theirs")));
-    const row = make("p", { className: "row" }, button("mine"), button("theirs"));
+    const row = make("p", { className: "row" }, chooses("mine"), chooses("theirs"));
     const { dialog } = openDialog(document.body, say("conflict", { name }), [row, heads, place], { wide: true });
     /** @param {string} label */
     const extensions = (label) => [

@@ -1,6 +1,6 @@
 // Dialogs: made when they are opened, closed by Escape, by their cross and by a click beside them.
 
-import { make } from "../elements.js";
+import { button, cross, make } from "../elements.js";
 import { say } from "../words.js";
 
 /**
@@ -11,16 +11,16 @@ import { say } from "../words.js";
  */
 export function openDialog(host, title, inside, { wide = false } = {}) {
   const head = make("h2", { id: "desk-dialog-title" }, title);
-  const close = make(
-    "button",
-    { type: "button", className: "close", "aria-label": say("close"), onclick: () => dialog.close() },
-    "×",
-  );
   const body = make("div", { className: "body" }, ...inside);
   const dialog = make(
     "dialog",
     { "aria-labelledby": "desk-dialog-title", className: wide ? "wide" : "" },
-    make("div", { className: "head" }, head, close),
+    make(
+      "div",
+      { className: "head" },
+      head,
+      cross(() => dialog.close()),
+    ),
     body,
   );
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
@@ -81,7 +81,7 @@ export function askLine({ title, label, value, verb, refuses }) {
 export function confirmed(title, sentence, verb) {
   return new Promise((answer) => {
     let given = false;
-    const sure = make("button", { type: "button", className: "main", onclick: () => ((given = true), dialog.close()) }, verb);
+    const sure = button(verb, () => ((given = true), dialog.close()), { className: "main" });
     const { dialog } = openDialog(document.body, title, [make("p", {}, sentence), make("p", { className: "row" }, sure)]);
     dialog.addEventListener("close", () => answer(given));
   });

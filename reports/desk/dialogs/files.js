@@ -1,6 +1,7 @@
 // Files: open, rename, duplicate, delete and bring back.
 
-import { make } from "../elements.js";
+import { button, make } from "../elements.js";
+import { whyNot } from "../requests.js";
 import { keptNames } from "../work/store.js";
 import { say } from "../words.js";
 import { askLine, openDialog, refusedName } from "./dialog.js";
@@ -20,7 +21,7 @@ export async function openFiles({ works, saving, view }) {
     try {
       await act();
     } catch (error) {
-      told.textContent = error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message;
+      told.textContent = whyNot(error);
     }
     await fill();
   }
@@ -71,14 +72,10 @@ export async function openFiles({ works, saving, view }) {
     make(
       "li",
       { "data-name": name },
-      make(
-        "button",
-        {
-          type: "button",
-          className: "name",
-          onclick: () => (dialog.close(), name !== saving.name && void saving.open(name, "", null), view.focus()),
-        },
+      button(
         name || say("unnamed"),
+        () => (dialog.close(), name !== saving.name && void saving.open(name, "", null), view.focus()),
+        { className: "name" },
       ),
       make("span", {}, say("state_new")),
     );
@@ -89,34 +86,29 @@ export async function openFiles({ works, saving, view }) {
      * @param {string} key
      * @param {() => unknown} act
      */
-    const button = (key, act) =>
-      make(
-        "button",
-        { type: "button", "data-act": key, "aria-label": `${say(key)}: ${name}`, onclick: () => void act() },
-        say(key),
-      );
+    const does = (key, act) => button(say(key), act, { "data-act": key, "aria-label": `${say(key)}: ${name}` });
     if (deleted)
       return make(
         "li",
         { className: "deleted", "data-name": name },
         make("span", {}, name),
-        button("restore", () => done(() => works.restore(name))),
+        does("restore", () => done(() => works.restore(name))),
       );
     return make(
       "li",
       { "data-name": name, ...(mine && { "aria-current": "true" }) },
-      make("button", { type: "button", className: "name", onclick: () => void open(name) }, name),
-      button("rename", () =>
+      button(name, () => open(name), { className: "name" }),
+      does("rename", () =>
         otherName(name, say("rename"), name, async (other) => {
           if (mine && saving.unsaved) await saving.save();
           await works.rename(name, other);
           if (mine) await open(other);
         }),
       ),
-      button("duplicate", () =>
+      does("duplicate", () =>
         otherName(name, say("duplicate"), unused(name), (other) => (mine ? copy(other) : works.duplicate(name, other))),
       ),
-      button("remove", () =>
+      does("remove", () =>
         done(async () => {
           await works.remove(name, etag);
           if (mine) saving.begin(name, view.state.doc.toString(), null);

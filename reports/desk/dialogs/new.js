@@ -1,6 +1,6 @@
 // New: the catalogue as pictures, searched by words, links and groups; or pieces that are put to what the text has already.
 
-import { make, moving } from "../elements.js";
+import { button, make, moving } from "../elements.js";
 import { get, request } from "../requests.js";
 import { say } from "../words.js";
 import { askLine, openDialog, refusedName } from "./dialog.js";
@@ -20,10 +20,10 @@ export async function openNew(host, desk) {
   const cards = make("div", { className: "cards", role: "list" }, make("p", { role: "listitem" }, say("waiting")));
   const pieces = make("div", { className: "cards pieces" });
   const count = make("output", { className: "count" });
-  const empty = make("button", { type: "button", onclick: () => start("", {}) }, say("new_empty"));
+  const empty = button(say("new_empty"), () => start("", {}));
   const parts = make("h3", {}, say("pieces"));
   // They stand below some forty pictures.
-  const down = make("button", { type: "button", onclick: () => parts.scrollIntoView() }, say("pieces"));
+  const down = button(say("pieces"), () => parts.scrollIntoView());
   const { dialog } = openDialog(
     host,
     say("new_title"),
@@ -64,14 +64,13 @@ export async function openNew(host, desk) {
   /** @param {CatalogueEntry[]} entries */
   function fill(entries) {
     const made = entries.map((entry) => {
-      const card = make(
-        "button",
-        { type: "button", className: "card", "data-variant": entry.name, onclick: () => void choose(entry) },
+      const inside = [
         entry.svg ? moving(entry.svg, entry.title) : make("span", { className: "none" }),
         make("b", {}, entry.name),
         make("span", {}, entry.title),
         make("small", {}, [say("links", { n: entry.links }), ...new Set(entry.groups)].join(" · ")),
-      );
+      ];
+      const card = button(inside, () => choose(entry), { className: "card", "data-variant": entry.name });
       if (entry.teaches) card.title = entry.teaches;
       const searched = [entry.name, entry.title, entry.teaches, say("links", { n: entry.links }), ...entry.groups]
         .join(" ")

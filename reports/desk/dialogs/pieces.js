@@ -1,7 +1,7 @@
 // A mechanism from pieces: a crank, groups, each with a picture; what is chosen is hung on a point that the text has.
 
-import { make, moving, picture } from "../elements.js";
-import { post } from "../requests.js";
+import { button, make, moving, picture } from "../elements.js";
+import { post, whyNot } from "../requests.js";
 import { declaredIn } from "../text/declared.js";
 import { written } from "../text/verdicts.js";
 import { say } from "../words.js";
@@ -15,13 +15,10 @@ import { openDialog } from "./dialog.js";
  * @param {() => void} chosen
  */
 export const pieceCard = (piece, chosen) =>
-  make(
-    "button",
-    { type: "button", className: "card", "data-piece": piece.kind, onclick: chosen },
-    moving(piece.svg, piece.title),
-    make("b", {}, piece.kind),
-    make("span", {}, piece.title),
-  );
+  button([moving(piece.svg, piece.title), make("b", {}, piece.kind), make("span", {}, piece.title)], chosen, {
+    className: "card",
+    "data-piece": piece.kind,
+  });
 
 /**
  * Ask on which points a piece hangs, and append its lines.
@@ -67,7 +64,7 @@ export function hangPiece(piece, desk) {
       written(desk.view, doc, found);
       desk.view.focus();
     } catch (error) {
-      why.textContent = /** @type {Error} */ (error).message;
+      why.textContent = whyNot(error);
     }
   });
 }

@@ -1,7 +1,7 @@
 // Try your own table: a file is dropped, and the page says what `precheck` says of it.  It goes nowhere else.
 
 import { make } from "../elements.js";
-import { faultless, post } from "../requests.js";
+import { faultless, post, whyNot } from "../requests.js";
 import { say } from "../words.js";
 import { openDialog } from "./dialog.js";
 
@@ -53,7 +53,7 @@ export function openTable({ view, given }) {
         make("ul", {}, ...sentences.map((/** @type {string} */ sentence) => make("li", {}, sentence))),
       );
     } catch (error) {
-      told.replaceChildren(error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message);
+      told.replaceChildren(whyNot(error));
     }
   }
   openDialog(document.body, say("table_title"), [make("p", {}, say("table_how")), drop, told]);

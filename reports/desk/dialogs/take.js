@@ -1,7 +1,7 @@
 // Give me: the page, the paper, the table, the text, in every format there is; all my work as one zip, and that opened again.
 
-import { download, make } from "../elements.js";
-import { faultless, request } from "../requests.js";
+import { button, download, make } from "../elements.js";
+import { faultless, request, whyNot } from "../requests.js";
 import { say } from "../words.js";
 import { unzipped, zipped } from "../work/zip.js";
 import { openDialog } from "./dialog.js";
@@ -20,23 +20,19 @@ export function openTake(host, { config, works, view, given, saving }) {
    * @param {string} key
    * @param {() => Promise<void>} act
    */
-  const button = (text, key, act) =>
-    make(
-      "button",
-      {
-        type: "button",
-        "data-format": key,
-        onclick: async () => {
-          told.textContent = say("waiting");
-          try {
-            await act();
-            told.textContent = "";
-          } catch (error) {
-            told.textContent = error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message;
-          }
-        },
-      },
+  const giving = (text, key, act) =>
+    button(
       text,
+      async () => {
+        told.textContent = say("waiting");
+        try {
+          await act();
+          told.textContent = "";
+        } catch (error) {
+          told.textContent = whyNot(error);
+        }
+      },
+      { "data-format": key },
     );
 
   /** @param {string} format */
@@ -79,8 +75,7 @@ export function openTake(host, { config, works, view, given, saving }) {
         await saving.open(only, there.text, there.etag);
         view.focus();
       } catch (error) {
-        told.textContent =
-          /** @type {Error} */ (error).message === "no zip" ? say("no_zip") : /** @type {Error} */ (error).message;
+        told.textContent = error instanceof Error && error.message === "no zip" ? say("no_zip") : whyNot(error);
       }
     },
   });
@@ -88,17 +83,17 @@ export function openTake(host, { config, works, view, given, saving }) {
     make(
       "p",
       { className: "row" },
-      ...config.formats.map((format) => button(say(`format_${format}`), format, () => take(format))),
-      button(say("format_toml"), "toml", async () =>
+      ...config.formats.map((format) => giving(say(`format_${format}`), format, () => take(format))),
+      giving(say("format_toml"), "toml", async () =>
         download(new Blob([view.state.doc.toString()], { type: "application/toml" }), `${name()}.toml`),
       ),
-      button(say("format_print"), "print", async () => print()),
+      giving(say("format_print"), "print", async () => print()),
     ),
     make("h3", {}, say("all_work")),
     make(
       "p",
       { className: "row" },
-      button(say("zip"), "zip", async () => download(await everything(), "coursework.zip")),
+      giving(say("zip"), "zip", async () => download(await everything(), "coursework.zip")),
       make("label", { className: "file" }, say("unzip"), file),
     ),
     told,

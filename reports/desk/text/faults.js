@@ -1,7 +1,7 @@
 // Faults: underlined where they are, listed below with a link to the place and a mend; remarks in another colour.
 
 import { EditorView, setDiagnostics } from "../editor/codemirror.js";
-import { make } from "../elements.js";
+import { button, make } from "../elements.js";
 import { say } from "../words.js";
 import { extent, offset } from "./places.js";
 
@@ -125,9 +125,7 @@ const mendWords = (insert) => {
  */
 function line(view, fault, kind) {
   const place = fault.nowhere ? [] : [make("b", {}, placeOf(fault)), " "];
-  const go = make("button", { type: "button", className: "go", onclick: () => goTo(view, fault) }, ...place, fault.sentence);
-  const mend =
-    fault.mend &&
-    make("button", { type: "button", className: "mend", onclick: () => mendIt(view, fault) }, mendWords(fault.mend.insert));
+  const go = button([...place, fault.sentence], () => goTo(view, fault), { className: "go" });
+  const mend = fault.mend && button(mendWords(fault.mend.insert), () => mendIt(view, fault), { className: "mend" });
   return make("li", { className: kind, "data-line": fault.line, "data-column": fault.column }, go, mend);
 }

@@ -1,6 +1,7 @@
 // One text under one name: what is saved of it, what only this browser keeps, what another program made of it meanwhile.
 
 import { rewrite } from "../text/editor.js";
+import { whyNot } from "../requests.js";
 import { say } from "../words.js";
 import { keep, kept, keptNames } from "./store.js";
 
@@ -84,10 +85,7 @@ export function savingIn({ works, view, state, notices, named, began, again, sur
       notices.drop("restored");
       changed();
     } catch (error) {
-      notices.show(
-        "refused",
-        say("not_saved", { why: error instanceof TypeError ? say("state_unreachable") : /** @type {Error} */ (error).message }),
-      );
+      notices.show("refused", say("not_saved", { why: whyNot(error) }));
       changed();
     }
   }

@@ -13,7 +13,7 @@ from coursework.grading.collecting.matching import Matched, match
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.cells_of_csv import read_cells
-from coursework.grading.platforms.feedback_zip import feedback_zip
+from coursework.grading.platforms.downloads import feedback_zip
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import read_worksheet
 from coursework.words.errors import InputError

@@ -82,7 +82,7 @@ def test_what_cannot_be_drawn_or_has_no_package_is_told_and_the_rest_written(fol
     called = call("run", "bare.toml", "--format", "csv,dxf,figures", "--out", "bare")
     assert (called.exit_code, "W041" in called.stderr, "W042" in called.stderr) == (2, True, True), called.output
     assert sorted(path.name for path in (folder / "bare").iterdir()) == ["run.json", "table.csv"]
-    monkeypatch.setattr("coursework.takeaway.missing.find_spec", lambda name: None)
+    monkeypatch.setattr("coursework.system.extras.find_spec", lambda name: None)
     called = call("run", "31", "--quantities", "table", "--format", "csv,dxf", "--out", "taken")
     assert called.exit_code == 2 and (folder / "taken/table.csv").is_file()
     assert "-m pip install" in called.stderr and "[dxf]" in called.stderr

@@ -228,7 +228,7 @@ def test_a_department_has_styles_of_its_own(folder):
 
 @pytest.mark.usefixtures("folder")
 def test_a_missing_package_is_told_with_the_line_that_installs_it(folder, monkeypatch):
-    monkeypatch.setattr("coursework.takeaway.missing.find_spec", lambda name: None)
+    monkeypatch.setattr("coursework.system.extras.find_spec", lambda name: None)
     called = call("run", "31", "--quantities", "table", "--format", "csv,docx,tex", "--out", "taken")
     assert called.exit_code == 2 and [path.name for path in (folder / "taken").iterdir() if path.suffix == ".csv"] == [
         "table.csv"

@@ -44,7 +44,7 @@ def test_starts_that_the_geometry_gives_are_left_to_the_student_without_help(tmp
 
 
 def test_a_missing_package_is_told_before_the_first_file(tmp_path, monkeypatch):
-    monkeypatch.setattr("coursework.takeaway.missing.find_spec", lambda name: None)
+    monkeypatch.setattr("coursework.system.extras.find_spec", lambda name: None)
     (tmp_path / "roster.csv").write_text(ROSTER, encoding="utf-8")
     options = ("--template", "31", "--seed", "1", "--format", "xlsx", "--out", tmp_path / "out")
     told = call("assign", tmp_path / "roster.csv", *options)

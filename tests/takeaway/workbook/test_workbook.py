@@ -235,6 +235,6 @@ def test_what_has_no_workbook_is_told_and_the_rest_written(folder, monkeypatch):
     assert told.exit_code == 2 and "W044" in told.stderr and (folder / "motor/table.csv").is_file()
     told = call("run", "example-1", "--scheme", "euler", "--project", "--format", "csv,xlsx", "--out", "projected")
     assert told.exit_code == 2 and "W045" in told.stderr
-    monkeypatch.setattr("coursework.takeaway.missing.find_spec", lambda name: None)
+    monkeypatch.setattr("coursework.system.extras.find_spec", lambda name: None)
     told = call("run", "31", "--quantities", "table", "--format", "csv,xlsx", "--out", "missing")
     assert told.exit_code == 2 and "-m pip install" in told.stderr and "[workbook]" in told.stderr
