@@ -24,7 +24,7 @@ from coursework.drawing.paper.board import Board, fit
 from coursework.drawing.paper.painter import DOT, Painter
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.paper.sheet import ITALIC, Sheet, inside
+from coursework.drawing.paper.sheet import AXIS, ITALIC, Sheet, inside
 from coursework.drawing.paper.symbols import lowered_name, name_word, rate_word, short
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
@@ -40,7 +40,6 @@ TALL, MANY = 110.0, 7  # mm, where so many links with their names stand too clos
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
 ARROWS = (ARROW, 10.5, 15.5, 8.5)  # the next ones where it would end in a hinge
 AT_HINGE = 7.0  # mm: so far the sense of a rotation still stands at its hinge
-AXIS = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 
 

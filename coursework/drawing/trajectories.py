@@ -19,7 +19,7 @@ from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.board import SPEEDS, Board, fit
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.paper.sheet import ITALIC, number
+from coursework.drawing.paper.sheet import AXIS, ITALIC, number
 from coursework.drawing.paper.symbols import decimal, short
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
@@ -112,7 +112,7 @@ def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
     pole = board.origin
     for way in (1.0 + 0j, 1j):
         ends = [pole + way * reach_to for reach_to in (-200.0, 200.0)]
-        sheet.line(ends[0], ends[1], 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"')
+        sheet.line(ends[0], ends[1], AXIS)
     sheet.path([pole + (z / speed).conjugate() for z in curve], f'{CURVE} data-hodograph="{short(name)}"')
     first = pole + complex(rows[0] / speed).conjugate()
     if abs(first - pole) > 0.5:

@@ -224,7 +224,8 @@ def _refuse_no_points(variant: Variant) -> Sentence | None:
 
 
 def _force_listing(found: ForceAnalysis) -> Listing:
-    from coursework.drawing.force_plans.force_plans import HEAD, make_force_plans
+    from coursework.drawing.force_plans.force_plans import make_force_plans
+    from coursework.drawing.plans.plans import HEAD
 
     return Listing("polygons.csv", HEAD, make_force_plans(found, 0).rows())
 

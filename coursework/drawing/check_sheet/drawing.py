@@ -21,13 +21,12 @@ from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.placing import Owner, Place
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.paper.sheet import BOLD, ITALIC, Sheet, Word, inside, plain
+from coursework.drawing.paper.sheet import AXIS, BOLD, ITALIC, Sheet, Word, inside, plain
 from coursework.drawing.paper.symbols import decimal, lowered_name, name_word, short
 from coursework.drawing.plans.foot import draw_foot
 from coursework.words.sentences import say
 
 VELOCITY = 'stroke="black" stroke-width="0.4"'
-CONSTRUCTION = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
 READ = 1e4  # 1/m: a place is read off a drawing 1:1 to 0.1 mm
 FAR = 12.0  # mm of way that the name of a centre off the sheet rather takes than standing nearer to the arrow of another
 MISTAKEN = 8.0  # mm of way that any other name rather takes
@@ -121,7 +120,7 @@ class _Drawing:
         """Draw the lines that lead from two points to a centre, or to where they leave the sheet."""
         if centre.at is not None:
             for name in centre.lines:
-                self.sheet.line(self.at[name], self.layout.put(centre.at), CONSTRUCTION)
+                self.sheet.line(self.at[name], self.layout.put(centre.at), AXIS)
 
     def cross(self, link: str, centre: Centre) -> None:
         """Mark a centre with a cross and its name; a far one with arrows at the border and its coordinates."""
@@ -136,7 +135,7 @@ class _Drawing:
         for name in centre.lines:
             if part := inside(self.at[name], at, self.sheet.field):
                 along = (at - self.at[name]) / abs(at - self.at[name])
-                self.sheet.arrow(part[1] - 5 * along, part[1], CONSTRUCTION, head=2.6)
+                self.sheet.arrow(part[1] - 5 * along, part[1], AXIS, head=2.6)
                 places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
                 arrows.append((part[1] - 8 * along, part[1]))
         decimals = max(0, math.ceil(math.log10(READ / layout.scale) - 1e-9))

@@ -17,8 +17,6 @@ from coursework.effects.analysis import ForceAnalysis
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import named
 
-HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
-
 
 @frozen
 class Reading:

@@ -17,7 +17,7 @@ from coursework.drawing.force_plans.vectors import word_of
 from coursework.drawing.paper.board import COLUMN, EDGE, SPEEDS, around
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.paper.sheet import ITALIC, Sheet
+from coursework.drawing.paper.sheet import AXIS, ITALIC, Sheet
 from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.foot import FOOT, draw_foot
 from coursework.drawing.plans.plan_scale import LONGEST, read_length
@@ -28,7 +28,6 @@ from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
 ARROW = 14.0  # mm of a force: on a lever its direction and its line count
-AXIS = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
 ARM = 'stroke="black" stroke-width="0.25" stroke-dasharray="1.2 0.8"'
 PEN = 'stroke="black" stroke-width="0.45"'
 

@@ -17,6 +17,7 @@ from coursework.drawing.paper.cover import Rectangle, Segment
 from coursework.drawing.paper.placing import BEYOND, MARGIN, Owner, Place, Taken
 from coursework.drawing.paper.ways import numbers_of, way
 
+AXIS = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'  # the pen of axes and construction lines
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
 SMALL_LETTER = 3.0  # mm, 8.5 pt, and 11 px where the screen shows the drawing at its size: as small as a word gets

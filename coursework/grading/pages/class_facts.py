@@ -12,7 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-PARTS = ("table", "equations", "answers")
+from coursework.grading.marking.rubric import PARTS
+
 SAME_FILE_KINDS = ("table", "equations", "answers", "variant", "attachment")
 
 

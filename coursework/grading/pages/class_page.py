@@ -10,7 +10,8 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from coursework.grading.marking.reasons.misconception import misconception_sentence
-from coursework.grading.pages.class_facts import PARTS, ClassFacts
+from coursework.grading.marking.rubric import PARTS
+from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.feedback import shown_points
 from coursework.report.graphs.strips import Strip, strip
 from coursework.report.text.symbols import symbol

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coursework.drawing.paper.sheet import FONT
 from coursework.drawing.paper.ways import numbers_of, way
 from coursework.motion.integration.hermite import hermite
 from coursework.report.text.numbers import Numbers
@@ -24,7 +25,6 @@ from coursework.system.frozen import frozen
 if TYPE_CHECKING:
     from coursework.report.text.page_context import PageContext
 
-FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTERS = 3.18  # mm: 9 points on paper, 12 pixels where a screen shows a graph at its size
 LEFT, RIGHT, TOP, BOTTOM = 13.5, 3.0, 6.0, 7.0  # mm around the field; longer words at the ticks take more at the left
 DIGIT = 0.68  # of the height of letters: the widest digit or sign
@@ -247,5 +247,5 @@ def picture(width: float, height: float, inside: str, more: str = "") -> str:
     """Return a whole SVG; `more` are attributes of it."""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" viewBox="0 0 {width:g} {height:g}" '
-        f'font-family="{FACE}" font-size="{LETTERS}" fill="{INK}"{more}>{inside}</svg>'
+        f'font-family="{FONT}" font-size="{LETTERS}" fill="{INK}"{more}>{inside}</svg>'
     )

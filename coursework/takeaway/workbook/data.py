@@ -21,8 +21,11 @@ from coursework.takeaway.workbook.tables import SHEET, Tables
 from coursework.variant.formula.tree import Formula, evaluate
 from coursework.variant.toml.positions import KeyPath
 
-COLUMNS = ("symbol", "meaning", "value", "unit", "as_given", "name")
-VALUE = COLUMNS.index("value")
+COLUMNS = (  # by the keys of their heads
+    "given.quantity", "workbook.head.meaning", "workbook.head.value", "given.unit", "workbook.head.as_given",
+    "workbook.head.name",
+)  # fmt: skip
+VALUE, UNIT = 2, 3
 ORIGINAL = len(COLUMNS)  # the hidden column of what the file says, beside which a changed cell turns bold
 TABLES = ORIGINAL + 2  # where the coefficients of tabulated laws begin
 HEAD = 2  # the row of heads, from 0
@@ -45,10 +48,11 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
     """Write the sheet and define its names; where not `solved`, start values that the geometry gives are left to the student."""
     variant = book.context.variant
     sheet.write_string(0, 0, plain(f"{variant.name}. {variant.title}"), book.bold)
-    book.heads(sheet, HEAD, [book.say(f"head.{key}") for key in COLUMNS])
+    heads = [plain(book.context.words(key)) for key in COLUMNS]
+    book.heads(sheet, HEAD, heads)
     work = Work(tables.end + 1)
-    sheet.write_string(HEAD, VALUE, book.say("head.value"), book.right)
-    sheet.write_string(HEAD, VALUE + 1, book.say("head.unit"), book.unit_head)
+    sheet.write_string(HEAD, VALUE, heads[VALUE], book.right)
+    sheet.write_string(HEAD, UNIT, heads[UNIT], book.unit_head)
     lines = [
         *_data(book, names),
         *_weights(book, names),
@@ -57,7 +61,7 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
     ]
     for row, line in enumerate(lines, start=HEAD + 1):
         for column, text in ((0, line.symbol), (1, line.meaning), (3, line.unit), (4, line.written), (5, line.name)):
-            sheet.write_string(row, column, plain(text), book.unit if COLUMNS[column] == "unit" else None)
+            sheet.write_string(row, column, plain(text), book.unit if column == UNIT else None)
         if line.is_start and line.formula and not solved:
             sheet.write_blank(row, VALUE, None, book.head)
         elif line.formula:

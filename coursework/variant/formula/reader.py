@@ -14,7 +14,7 @@ from math import pi
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import CYRILLIC_FUNCTIONS, foreign_letter, spell
 from coursework.variant.formula.tree import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
-from coursework.variant.formula.units import UNITS
+from coursework.variant.formula.units import MAX_NUMBER, UNITS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
@@ -23,7 +23,6 @@ MAX_CHARACTERS = 2000
 MAX_NODES = 500
 MAX_DEPTH = 60
 MAX_EXPONENT = 8
-MAX_NUMBER = 1e12
 
 _FUNCTION_ALIASES = {
     "tg": "tan", "arctg": "atan", "arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log",

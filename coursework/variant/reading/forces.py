@@ -10,7 +10,7 @@ from contextlib import suppress
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.reading import schema
-from coursework.variant.reading.parts import Parts
+from coursework.variant.reading.parts import ZERO, Parts
 from coursework.variant.reading.shape import of_motor
 from coursework.variant.record.forces import GRAVITY, MEASURED, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
 from coursework.variant.record.no_value import known_value
@@ -19,7 +19,6 @@ from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say, say_count
 
 _FRAME = "0"
-_ZERO = Formula("number", name="0")
 _OF_MOTOR = ("rates", "start", "flywheel")
 
 
@@ -83,8 +82,8 @@ def _gravity(value: str | int | float, parts: Parts) -> tuple[Formula, Formula]:
         tree = parts.formula(path, value, "any", "force")
         if tree.op == "pair":
             return tree.args[0], tree.args[1]
-        return _ZERO, Formula("neg", (tree,))
-    return _ZERO, Formula("neg", (parts.scalar(path, value, "force", "m/s^2"),))
+        return ZERO, Formula("neg", (tree,))
+    return ZERO, Formula("neg", (parts.scalar(path, value, "force", "m/s^2"),))
 
 
 def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[Load | Spring]:

@@ -22,7 +22,7 @@ from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
-_ZERO = Formula("number", name="0")
+ZERO = Formula("number", name="0")
 _NOTHING = units.Quantity(1.0, "", "", "1")
 # What may stand where: [drive] is a function of time; geometry knows no velocities.
 _SCOPES = {
@@ -139,7 +139,7 @@ class Parts:
             left, right = reader.parse_equation(text, vectors=closure)
         except FormulaFault as fault:
             self.say(path, fault.message, fault.column)
-            return _ZERO, _ZERO
+            return ZERO, ZERO
         scope = "geometry" if closure else "velocity"
         left, right = self._resolve(path, left, scope), self._resolve(path, right, scope)
         kinds = {self._kind(path, side) for side in (left, right)} if closure else {"scalar"}
@@ -154,7 +154,7 @@ class Parts:
         except FormulaFault as fault:
             advice = _without_unit(text)
             self.say(path, advice or fault.message, 0 if advice else fault.column)
-            return _ZERO
+            return ZERO
         tree = self._resolve(path, tree, scope)
         found = self._kind(path, tree)
         if kind != "any" and found not in {kind, "?"}:
