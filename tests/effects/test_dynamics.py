@@ -17,7 +17,6 @@ from coursework.effects.dynamics import Dynamics
 from coursework.effects.dynamics_checks import stiffness
 from coursework.effects.dynamics_lesson import lesson
 from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT
-from coursework.report.output.record import record
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
 from tests.effects.moved import free_31
