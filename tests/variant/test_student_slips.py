@@ -21,6 +21,7 @@ SLIPS = [
     ("[given] ", "[givens] ", {"V011": 'Did you mean "given"?'}),
     ("step      =", "stpe      =", {"V013": 'Write step = "0.02 s".', "V011": 'Did you mean "step"?'}),
     ('end       = "1 s"\n', "", {"V013": 'the key "end" is missing'}),
+    ("[drive]", '[drive]\nphi1 = "p*t"', {"V161": "Write the derivative of the law there, w1 = …"}),
     ("\n", "\r", {"V009": "line ends of Windows or Unix"}),
 ]
 
@@ -33,6 +34,12 @@ def test_a_slip_is_told_by_one_sentence_with_what_to_write(right: str, wrong: st
     assert sorted(fault.code for fault in caught.value.faults) == sorted(told)
     for fault in caught.value.faults:
         assert told[fault.code] in str(fault.message)
+
+
+def test_an_acceleration_for_a_drive_is_told_as_that() -> None:
+    text = TEMPLATE.replace('VMx = "V*cos(p*t)/5"\nVMy = "V*sin(p*t)"', 'eps1 = "p/2"').replace("VMx", "0").replace("VMy", "0")
+    with pytest.raises(coursework.InputError, match=r"V162 .*eps1 moves nothing.* a velocity, such as w1; of an acceleration"):
+        coursework.parse_variant(text.replace('driven = "M"', ""))
 
 
 def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:
