@@ -30,7 +30,6 @@ from coursework.variant.reading.shape import read_shape
 from coursework.variant.reading.tables import read_table
 from coursework.variant.reading.times import read_quote, read_time
 from coursework.variant.reading.unknowns import read_binding, read_unknown
-from coursework.variant.reading.unused import faults_of_unused_drives
 from coursework.variant.record.changes import with_changes
 from coursework.variant.record.texts import Texts
 from coursework.variant.record.variant import (
@@ -101,7 +100,6 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
     if not doubtful:
         told, broken = {fault.line for fault in parts.faults}, Broken(parts.broken)
         found = faults_of_the_whole(variant, source, parts.times, broken)
-        found += [] if parts.faults or shape.faults or found else faults_of_unused_drives(source, parts.names)
         # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
         found += [f for f in faults_at_start(variant, source, broken) if not slips or f.line in {slip.line for slip in slips}]
         parts.faults += [fault for fault in found if fault.line not in told]
