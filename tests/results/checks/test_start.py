@@ -66,3 +66,10 @@ def test_a_height_that_only_the_start_gives_is_said_to_be_not_judged():
     run, start = solved('["phi3 - phi2", "R.y - S.y"]')
     assert start.verdict == "SKIP"
     assert "; the start is not judged." in run.summary
+
+
+def test_a_mechanism_that_nothing_drives_is_no_table_that_passes():
+    text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=ROCKER, holds=LOOP).replace('w1 = "3"', 'w1 = "0"')
+    run = coursework.solve(coursework.parse_variant(text), "rk4")
+    assert next(one for one in run.checks if one.code == "STOP").verdict == "SKIP"
+    assert run.summary.startswith("Nothing moves: every velocity is zero in each of the 21 rows.")
