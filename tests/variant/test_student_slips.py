@@ -21,6 +21,7 @@ SLIPS = [
     ("[given] ", "[givens] ", {"V011": 'Did you mean "given"?'}),
     ("step      =", "stpe      =", {"V013": 'Write step = "0.02 s".', "V011": 'Did you mean "step"?'}),
     ('end       = "1 s"\n', "", {"V013": 'the key "end" is missing'}),
+    ("[drive]", '[drive]\nphi1 = "p*t"', {"V161": "Write the derivative of the law there, w1 = …"}),
     ("\n", "\r", {"V009": "line ends of Windows or Unix"}),
 ]
 
@@ -33,6 +34,29 @@ def test_a_slip_is_told_by_one_sentence_with_what_to_write(right: str, wrong: st
     assert sorted(fault.code for fault in caught.value.faults) == sorted(told)
     for fault in caught.value.faults:
         assert told[fault.code] in str(fault.message)
+
+
+SLIDER_CRANK = """
+[given]
+r = "0.1 m"
+l = "0.3 m"
+[drive]
+eps1 = "2"
+[coordinates]
+phi1 = { start = "0 deg", rate = "w1" }
+phi2 = { start = "0 deg", rate = "w2" }
+s = { start = "0.4 m", rate = "u" }
+[time]
+step = "0.01 s"
+end = "1 s"
+[[constraint]]
+closure = "r @ phi1 + l @ phi2 = (s, 0)"
+"""
+
+
+def test_an_acceleration_for_a_drive_is_told_as_that() -> None:
+    with pytest.raises(coursework.InputError, match=r"V404 .*Nothing is moved by eps1 .* a velocity, such as w1; of an acceler"):
+        assert coursework.solve(coursework.parse_variant(SLIDER_CRANK)).motion
 
 
 def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:

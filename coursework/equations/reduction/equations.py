@@ -148,7 +148,8 @@ def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> l
         both = Formula("-", (constraint.left, constraint.right))
         return [Position(constraint.name, symbols.scalar(both), "zero", _unit(both, variant))]
     left, right = symbols.vector(constraint.left), symbols.vector(constraint.right)
-    return [Position(f"{constraint.name}{axis}", a - b, "zero") for axis, a, b in zip("xy", left, right, strict=True)]
+    name = f"{constraint.name} " if constraint.name[-1:].isalpha() else constraint.name  # 1x, and "cylinder x"
+    return [Position(f"{name}{axis}", a - b, "zero") for axis, a, b in zip("xy", left, right, strict=True)]
 
 
 def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ...]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import match, over_and_under
+from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import LinearSystem, compile_system
 from coursework.system.arrays import Array
 from coursework.words.errors import Fault, InputError
@@ -165,11 +166,20 @@ def _fault(
         sentences.append(say("equation.missing", names=tuple(_undetermined(matrix, kept, unknowns))))
         sentences += _structure(equations, rows, owner)
         sentences.append(say_count("equation.ways", len(unknowns) - len(kept), drives=len(drive)))
+        if idle := tuple(law.name for law in drive if not _moves(law.name, equations)):
+            rate = equations.variant.coordinates[0].rate
+            sentences.append(say("equation.idle", names=idle, rate=rate))
     file = equations.variant.file
     lines = {equation.name: equation.line for equation in equations.equations}
     line = lines[conflicts[0][0]] if len(conflicts) == 1 else equations.variant.nearest_line("coordinates")
     code = "fault.V403" if conflicts else _MISSING
     return Fault(say_count(code, len(kept), **counts, why=joined(sentences)), file, line)
+
+
+def _moves(law: str, equations: VelocityEquations) -> bool:
+    """Return whether a law of [drive] is the rate of a coordinate or stands in an equation."""
+    parts = (part for one in equations.equations for part in (*one.coefficients.values(), one.right_side))
+    return law in equations.variant.rates or any(symbol(law) in part.free_symbols for part in parts)
 
 
 def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> list[str]:

@@ -40,13 +40,13 @@ class Agreement:
     unjudged: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
 
-def require_agreement(equations: VelocityEquations, closure: Closure | None) -> Agreement:
+def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreement:
     """Return which written equations the geometry confirms; raises `InputError` naming each that it contradicts.
 
     Judged is an equation whose velocities the geometry knows: an unknown that it does not know could have any coefficient.
     What is confirmed whatever the data is found once for all variants of a template.
     """
-    if closure is None or not any(equation.written for equation in equations.equations):
+    if not any(equation.written for equation in equations.equations):
         return Agreement()
     zeros = tuple(given.name for given in equations.variant.given if not given.value)
     always = equations.once(("agreed", zeros), lambda: _whatever_the_data(equations, closure))

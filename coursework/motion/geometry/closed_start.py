@@ -1,7 +1,7 @@
 """The closed position nearest to the start values of a file, and the refusal of a start that is wide open.
 
 Enters: a `Closure`.  Leaves: what is open at the start, and a closed position.
-Used by `scene/way_to_motion.py`, START and `grading/marking/branches.py`.
+Used by `scene/way_to_motion.py`, `open_loops.py`, START and `grading/marking/branches.py`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from coursework.motion.geometry.closure import CLOSED, MAX_NEWTON, Closure
 from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
-from coursework.variant.record.variant import Coordinate
+from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -34,9 +34,13 @@ def require_start(closure: Closure | None) -> None:
     unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in closure.names))
     told = say("fault.V312", residuals=listed, unit=unit)
     if closed is not None:
-        values = ", ".join(f"{c.name} = {_typed(c, q)}" for c, q in zip(variant.coordinates, closed.tolist(), strict=True))
-        told = say("fault.V313", residuals=listed, unit=unit, nearest=values)
+        told = say("fault.V313", residuals=listed, unit=unit, nearest=typed_start(variant, closed))
     raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
+
+
+def typed_start(variant: Variant, start: Array) -> str:
+    """Return start values (m,) as they are typed into the file."""
+    return ", ".join(f"{c.name} = {_typed(c, q)}" for c, q in zip(variant.coordinates, start.tolist(), strict=True))
 
 
 def _typed(coordinate: Coordinate, value: float) -> str:

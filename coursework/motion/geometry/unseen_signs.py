@@ -14,6 +14,7 @@ from dataclasses import replace
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.motion.geometry.agreement import agrees, require_agreement
 from coursework.motion.geometry.closure import Closure, compile_closure
+from coursework.motion.geometry.open_loops import require_loops_closed
 from coursework.motion.geometry.turning import require_turning
 from coursework.variant.formula.tree import Formula, on_axes, signed, spelled
 from coursework.variant.record.no_value import known_value
@@ -27,9 +28,13 @@ _ANY, _ZERO = 0.6180339887498949, 1e-12
 
 def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | None:
     """Return a closure with what it says of the written equations.  Raises `InputError` naming each that it contradicts."""
-    found = require_agreement(equations, closure)
     if closure is None:
         return None
+    try:
+        found = require_agreement(equations, closure)
+    except InputError:
+        require_loops_closed(equations, closure)
+        raise
     require_turning(equations, closure)
     closure = replace(closure, agreed=found.agreed, unjudged=found.unjudged)
     return replace(closure, unseen=_unseen_signs(equations, closure))

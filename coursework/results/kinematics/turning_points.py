@@ -74,7 +74,9 @@ def _turning_points(evidence: Evidence, exact: Motion, name: str, rate: str, of:
     if found is None or len(found.t) > MOST:
         return None
     rows = zip(found.t.tolist(), found.coordinates.tolist(), strict=True)
-    points = tuple(TurningPoint(time, row[place], tuple(row)) for time, row in rows)
+    # Sought a little beyond both ends, for a start in a dead position; what lies there is not of these rows.
+    begin, end = float(exact.t[0]), float(exact.t[last])
+    points = tuple(TurningPoint(time, row[place], tuple(row)) for time, row in rows if begin <= time <= end)
     closes = abs(exact.t[last] - evidence.period) < STILL * evidence.period
     both = len(points) > 1 and points[-1].time - points[0].time > evidence.period - STILL * evidence.period
     return points[:-1] if closes and both else points  # the end of a period is its beginning

@@ -113,7 +113,10 @@ class Names:
                 text = say("fault.V084", name=name, velocity=velocity, line=line)
             elif plain in seen:
                 first, line = seen[plain]
-                text = say("fault.V085", name=name, first=say(f"fault.kind.{first}"), line=line, kind=say(f"fault.kind.{kind}"))
+                known = {"name": name, "first": say(f"fault.kind.{first}"), "line": line, "kind": say(f"fault.kind.{kind}")}
+                rate = next((rate for rate, place in self.columns if place[:-1] == path), "")
+                a_law = (first, kind) == ("drive", "coordinate")  # of places, where one of velocities stands
+                text = say("fault.V161", rate=rate, name=name, line=line) if a_law else say("fault.V085", **known)
             found += [source.fault(path, text, at_key=kind != "rate")] if text else []
             seen.setdefault(plain, (kind, source.positions.find(path)[0]))
         return found

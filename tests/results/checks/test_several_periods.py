@@ -151,3 +151,10 @@ def test_a_wheel_nearly_back_is_told_the_same_by_positions_and_velocities():
     told = judged(wheel(repr(0.3 * 1.98), turns=1).replace('e = "0.1 m"', 'e = "0.5 m"'))
     assert [one.verdict for one in told] == ["SKIP", "SKIP"]
     assert all("after 50 periods" in one.sentence for one in told)
+
+
+@pytest.mark.parametrize(("period", "verdict"), [("10 s", "FAIL"), ("12*2*pi/w", "SKIP")])
+def test_of_a_period_too_long_to_be_followed_the_drive_says_whether_it_can_be_right(period, verdict):
+    positions, velocities = judged(wheel(0.9, period, law="w + w*cos(2*w*t)/2"))
+    assert (positions.verdict, velocities.verdict) == ("SKIP", verdict)
+    assert verdict == "SKIP" or "wc begins with 7.5 and has 7.1558 then" in velocities.sentence

@@ -97,3 +97,10 @@ def test_the_nearest_closed_start_is_found_from_far_and_told_without_whole_turns
     assert max(abs(rod - ROD), abs(rocker - ROCKER - off)) < math.pi
     assert math.cos(math.pi / 2) * A + math.cos(rod) * B == pytest.approx(D + math.cos(rocker) * C, abs=1e-9)
     assert A + math.sin(rod) * B == pytest.approx(math.sin(rocker) * C, abs=1e-9)
+
+
+def test_a_mechanism_that_nothing_drives_is_no_table_that_passes():
+    text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=ROCKER, holds=LOOP).replace('w1 = "3"', 'w1 = "0"')
+    run = coursework.solve(coursework.parse_variant(text), "rk4")
+    assert next(one for one in run.checks if one.code == "STOP").verdict == "SKIP"
+    assert run.summary.startswith("Nothing moves: every velocity is zero in each of the 21 rows.")

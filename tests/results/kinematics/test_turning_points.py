@@ -102,3 +102,12 @@ def test_turning_points_lie_where_a_fine_table_has_them() -> None:
 def test_what_turns_round_has_no_turning_point() -> None:
     assert turning_points(evidence(SHAPER), "phi1", "w1") == ()
     assert turning_points(evidence(SHAPER), "nothing", "w1") is None
+
+
+@pytest.mark.parametrize("past", [-0.05, 0.05])
+def test_a_turn_a_little_before_the_rows_or_behind_them_is_told_where_it_is_within(past: float) -> None:
+    start = math.degrees(math.asin(0.07 / 0.53)) + past
+    judged = evidence(SLIDER_CRANK.format(start=start, turns=1))
+    found = turning_points(judged, "s", "u")
+    assert found is not None
+    assert [0 <= point.time <= judged.period for point in found] == [True, True]

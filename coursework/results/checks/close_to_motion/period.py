@@ -12,6 +12,7 @@ from functools import cache
 
 import numpy as np
 
+from coursework.motion.geometry.drive import drive_values
 from coursework.motion.integration.finer import prolonged
 from coursework.motion.integration.motion import Motion
 from coursework.results.checks.close_to_motion.several_periods import (
@@ -88,7 +89,7 @@ def velocity(evidence: Evidence) -> Finding:
 def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     splits = evidence.once_of_rows("mismatch", lambda: mismatch(evidence))
     if splits is None:
-        return _behind_the_end(evidence, [name for name in names if name in evidence.names])
+        return _behind_the_end(evidence, [name for name in names if name in evidence.names], code)
     scale, unit = evidence.scale, evidence.say("unit.of_the_scale")
     judged = {split.name: split for split in splits if split.name in evidence.names}
     chosen = [split for name, split in judged.items() if name in names]
@@ -133,13 +134,18 @@ def _label(name: str, part: str) -> Sentence:
 _PARTS = ("first", "last", "total", "scheme", "period", "roundoff")
 
 
-def _behind_the_end(evidence: Evidence, names: list[str]) -> Finding:
-    """Return what is known of a period no row is at: where it ends behind the run, the exact motion may be followed there."""
+def _behind_the_end(evidence: Evidence, names: list[str], code: str) -> Finding:
+    """Return what is known of a period no row is at: where it ends behind the run, the exact motion may be followed there.
+
+    Where that is too far, the drive alone, a function of time, can say that nothing is back then.
+    """
     exact, period = evidence.exact, evidence.period
     stated = evidence.variant.time.period is not None and not evidence.restricted
     judged = stated and evidence.motion.stop is None and evidence.stop is None and evidence.period_row is None
-    if exact is None or not (judged and names and len(exact.t) > 1 and period <= FURTHEST * float(exact.t[-1])):
+    if exact is None or not (judged and names and len(exact.t) > 1):
         return skipped(_why_skipped(evidence))
+    if period > FURTHEST * float(exact.t[-1]):
+        return (_drive_strayed(evidence) if code == "PERIOD-VELOCITY" else None) or skipped(_why_skipped(evidence))
     longer = evidence.once(f"exact up to {period!r}", lambda: prolonged(exact, evidence.rates, period))
     if longer is None:
         return skipped(_why_skipped(evidence))
@@ -173,9 +179,26 @@ def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
             return skipped(evidence.say("check.PERIOD.never", period=evidence.period, most=MOST))
         end = float(evidence.motion.t[-1])
         return skipped(evidence.say("check.PERIOD.later_end", after=_periods(evidence, back), time=back.time, end=end))
-    if (strayed := _strayed(evidence, names)) is None:
+    strayed = _strayed(evidence, names)
+    return _not_back(evidence, *strayed) if strayed is not None else None
+
+
+def _drive_strayed(evidence: Evidence) -> Finding | None:
+    """Return that the drive is not after the stated period what it is at the start; None where it is, or that is not known."""
+    laws = [law.name for law in evidence.variant.drive if not law.table]
+    values = drive_values(evidence.equations, laws, np.append(evidence.true.t, evidence.period))
+    if not laws or not np.isfinite(values).all():
         return None
-    name, share, first, last = strayed
+    scale = np.ptp(values[:-1], axis=0)
+    shares = np.abs(values[-1] - values[0]) / np.where(scale > 0, scale, np.inf)
+    worst = int(np.argmax(shares))
+    return _not_back(evidence, laws[worst], *map(float, (shares[worst], values[0, worst], values[-1, worst])))
+
+
+def _not_back(evidence: Evidence, name: str, share: float, first: float, last: float) -> Finding | None:
+    """Return that a column has another value after the stated period; None where that is as good as the same."""
+    if share <= RETURNS:
+        return None
     sentence = evidence.say(
         "check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last
     )

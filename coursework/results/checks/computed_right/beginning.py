@@ -30,6 +30,9 @@ def stopped(evidence: Evidence) -> Finding:
     if stop is None and given_up is not None:
         told = say("check.STOP.given_up", rows=len(evidence.motion.t), time=given_up)
         return replace(skipped(told), headline=told)
+    if stop is None and evidence.variant.motor is None and not (evidence.restricted or np.any(evidence.motion.velocities)):
+        told = say("check.STOP.still", rows=len(evidence.motion.t))
+        return replace(skipped(told), headline=told)
     if stop is None:
         return Finding("PASS", say("check.STOP.pass", rows=len(evidence.motion.t)))
     row = int(stop.row) + 1

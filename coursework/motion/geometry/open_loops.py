@@ -1,0 +1,40 @@
+"""Whether written equations contradict the geometry only because the start leaves open what [closure] holds.
+
+Enters: velocity equations that do not agree, and their closure.  Leaves: nothing.  Raises `InputError` naming the start.
+Used by `unseen_signs.py`.  What is held keeps its start value: a slot whose pin starts beside it is a slot with an offset, and
+equations of the slot without one contradict it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.motion.geometry.agreement import agrees
+from coursework.motion.geometry.closed_start import closed_start, typed_start
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.start import START_TOLERANCE
+from coursework.variant.formula.tree import on_axes
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+
+def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` where the equations agree once all that is held but single parts of points is zero at the start."""
+    variant, holds = equations.variant, iter(equations.variant.holds)
+    zero = [one.target == "start" and on_axes(next(holds)).op != "part" for one in equations.positions]
+    near = replace(closure, origin=np.where(zero, 0.0, closure.origin), asked={})
+    residual, start = closed_start(near)
+    worst = int(np.argmax(np.abs(residual)))
+    if start is None or abs(residual[worst]) <= START_TOLERANCE * closure.scale:
+        return
+    try:
+        agrees(equations, replace(near, start=start, asked={}))
+    except InputError:
+        return
+    held = equations.positions[worst]
+    known = {"value": float(residual[worst]), "unit": held.unit, "nearest": typed_start(variant, start)}
+    told = say("fault.V310", held=held.written or held.name, **known)
+    raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])

@@ -1,0 +1,43 @@
+"""Where only the start is wrong it is told, not the equations; a wrong equation is told whatever the start."""
+
+import math
+
+import pytest
+
+import coursework
+
+# A slotted lever D that the pin of a crank turns; the pin stands in the slot at atan2(d, r) when the crank lies on x.
+LEVER = """
+[given]
+r = "0.1 m"
+d = "0.25 m"
+n = "60 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+phi1 = {{ start = "0 deg", rate = "w1" }}
+th = {{ start = "{start} deg", rate = "w3" }}
+[time]
+step = "0.02 s"
+end = "1 s"
+[[constraint]]
+name = "across"
+equation = "r*w1*{turns}(phi1 - th) = sqrt(r^2 + d^2 + 2*r*d*sin(phi1))*w3"
+[points]
+D = "(0, -d)"
+A = "r @ phi1"
+[closure]
+holds = ["(A - D).x*sin(th) - (A - D).y*cos(th)"]
+[ask]
+quantities = ["table"]
+"""
+
+
+@pytest.mark.parametrize(("start", "turns", "told"), [(60, "cos", "V310"), (60, "sin", "V302"), (68.19859051, "sin", "V302")])
+def test_the_start_or_the_equation_is_told(start, turns, told):
+    with pytest.raises(coursework.InputError) as caught:
+        assert coursework.solve(coursework.parse_variant(LEVER.format(start=start, turns=turns))).scene.closure
+    assert [fault.code for fault in caught.value.faults] == [told]
+    if told == "V310":
+        off = math.hypot(0.1, 0.25) * math.sin(math.radians(60) - math.atan2(0.25, 0.1))
+        assert f"{off:.6g} m. Correct the start; the nearest with zero is phi1 = 0 deg, th = 68.19859051" in str(caught.value)
