@@ -10,12 +10,14 @@ from collections.abc import Iterator
 
 from coursework.variant.formula.tree import Formula, named, signed, spelled
 from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
 
 _Arm = tuple[str, str, str, str]  # two points, the coordinate that their line turns with, where the file says so
-_RODS = {"crank", "RRR", "RRP"}  # kinds of groups whose coordinates begin with the angles of rods, from each point to the pin
+# Kinds of groups with a rod for each point that they hang on: their coordinates begin with the angles of the rods.
+_RODS = {kind for kind, shape in GROUP_SHAPES.items() if shape.counts["from"] == shape.counts["lengths"] != (0,)}
 
 
 def faults_of_rates(variant: Variant, source: Source) -> list[Fault]:
