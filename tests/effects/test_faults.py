@@ -116,3 +116,41 @@ def test_a_rate_that_neither_a_motor_frees_nor_anything_ties_is_named():
 def test_a_crank_that_a_motor_does_not_free_is_to_be_freed():
     with pytest.raises(coursework.InputError, match=r'V747 .*group 1: nothing turns its crank.*Add "w1" to rates in'):
         coursework.parse_variant(text_of("example-2-motor", ('rates = ["w1"]', 'rates = ["w2"]')))
+
+
+ARM = """
+[given]
+r = "0.5 m"
+n = "2 rad/s"
+[drive]
+w = "n"
+[coordinates]
+f = { start = "0.4 rad", rate = "w" }
+[unknowns]
+v = { unit = "m/s", of = "A", along = "90 deg" }
+[time]
+step = "0.1 s"
+end = "0.4 s"
+[[constraint]]
+equation = "v = r*w*cos(f)"
+[points]
+O = "(0, 0)"
+A = "O + r @ f"
+[links]
+1 = { points = ["O", "A"], rate = "w" }
+[frame]
+hinges = ["O"]
+[masses]
+1 = { mass = "3 kg", inertia = "0.25 kg*m^2", centre = "O" }
+[forces]
+load = { on = 1, torque = "5 N*m" }
+"""
+
+
+def test_a_link_whose_rate_counts_clockwise_has_no_forces():
+    """A couple of 5 N*m drives an arm that turns counter-clockwise, and would seem to drive one counted the other way too."""
+    run = coursework.solve(coursework.parse_variant(ARM), quantities=["forces"])
+    assert run.results.forces.table[0, list(run.results.forces.names).index("M")] == -5.0
+    clockwise = ARM.replace("r @ f", "r @ (-f)").replace("v = r", "v = -r")
+    with pytest.raises(coursework.InputError, match=r"V734 bad\.toml:20 .*points O and A of link 1 do not turn"):
+        _ = coursework.solve(coursework.parse_variant(clockwise, "bad.toml"), quantities=["forces"]).results.forces

@@ -164,7 +164,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     variant = equations.variant
     known = set(variant.known_rates)
     free = tuple(i for i, c in enumerate(variant.coordinates) if c.rate not in known)
-    if free and not positions:
+    if not positions and (free or not equations.equations):  # a crank alone has its group
         return None
     driven = tuple(i for i, c in enumerate(variant.coordinates) if c.rate in known)
     names = [symbol(variant.coordinates[place].name) for place in free]

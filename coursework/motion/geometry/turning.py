@@ -10,6 +10,8 @@ counts as vectors do, counter-clockwise.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from coursework.equations.reduction.bound import Speed, Turn
@@ -47,7 +49,8 @@ def _require(equations: VelocityEquations, closure: Closure) -> None:
     faults = []
     for link in dict.fromkeys(turn.link for turn in turns):
         mine = [place for place, turn in enumerate(turns) if turn.link == link and judged[place]]
-        fault = _of_link(turns[mine[0]], equations, times, found[:, mine], named[:, mine], largest) if mine else None
+        others = [(turn.rate, named[:, place]) for place, turn in enumerate(turns) if turn.link != link and told[place].all()]
+        fault = _of_link(turns[mine[0]], equations, times, found[:, mine], named[:, mine], largest, others) if mine else None
         faults += [fault] if fault is not None else []
     if faults:
         raise InputError(faults)
@@ -58,8 +61,14 @@ def _row(speed: Speed) -> VelocityEquation:
     return VelocityEquation("", "", dict(speed.coefficients), -speed.rest)
 
 
-def _of_link(turn: Turn, equations: VelocityEquations, times: Array, found: Array, named: Array, largest: float) -> Fault | None:
-    """Return what is wrong with the rate of one link, told by what is found in (c, k) places; None where nothing is."""
+def _of_link(
+    turn: Turn, equations: VelocityEquations, times: Array, found: Array, named: Array, largest: float,
+    others: Sequence[tuple[str, Array]],
+) -> Fault | None:  # fmt: skip
+    """Return what is wrong with the rate of one link, told by what is found in (c, k) places; None where nothing is.
+
+    `others` are the rates of other links, (c,) each, one of which may be the one that is meant.
+    """
     off = np.abs(found - named)
     if np.all(off <= _TOLERANCE * largest) or (
         not _counted_as_vectors(turn.link, equations) and np.all(np.abs(found + named) <= _TOLERANCE * largest)
@@ -67,11 +76,11 @@ def _of_link(turn: Turn, equations: VelocityEquations, times: Array, found: Arra
         return None
     row, place = np.unravel_index(int(np.argmax(off)), off.shape)
     shown = [0.0 if abs(value) <= _TOLERANCE * largest else float(value) for value in (found[row, place], named[row, place])]
-    known = {"found": shown[0], "named": shown[1], "time": float(times[row])}
+    meant = (rate for rate, of in others if np.all(np.abs(found - of[:, None]) <= _TOLERANCE * largest))
+    known = {"link": turn.link, "rate": turn.rate, "found": shown[0], "named": shown[1], "time": float(times[row])}
+    told = say("fault.V309.as", own=own, **known) if (own := next(meant, "")) else say("fault.V309.alone", **known)
     variant = equations.variant
-    return Fault(
-        say("fault.V309", link=turn.link, rate=turn.rate, **known), variant.file, variant.nearest_line("links", turn.link)
-    )
+    return Fault(told, variant.file, variant.nearest_line("links", turn.link))
 
 
 def _counted_as_vectors(link: str, equations: VelocityEquations) -> bool:

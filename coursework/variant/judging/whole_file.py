@@ -13,7 +13,6 @@ from coursework.variant.judging.broken import Broken
 from coursework.variant.judging.coordinate_order import faults_of_names
 from coursework.variant.judging.groups import faults_of_groups
 from coursework.variant.judging.lengths import faults_of_lengths
-from coursework.variant.judging.turning import faults_of_rates
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import GROUP_SHAPES
 from coursework.variant.toml.positions import KeyPath
@@ -48,6 +47,4 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
         message = say("fault.V048", point=variant.driven, missing=tuple(missing))
         faults.append(source.fault(("closure", "driven"), message))
     faults += faults_of_names(variant, source) + faults_of_groups(variant, GROUP_SHAPES, broken)
-    if not any(broken.has(section) for section in ("coordinates", "links", "points", "group")):
-        faults += faults_of_rates(variant, source)
     return faults + faults_of_lengths(broken.sound(variant), source)

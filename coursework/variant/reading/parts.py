@@ -13,7 +13,7 @@ from functools import partial
 from typing import Literal
 
 from coursework.variant.formula import reader, units
-from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, mapped, part_of_pi
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, part_of_pi
 from coursework.variant.reading.names import Names
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
@@ -75,7 +75,7 @@ class Parts:
                 self.grads.append((path, f"{read.text} {read.unit}"))
             return read
         except units.UnitFault as fault:
-            if advice := _without_unit(str(value)):
+            if advice := _written_out(str(value), wanted) or _without_unit(str(value)):
                 self.say(path, advice)
             elif fault.advised and not wanted:
                 self._unread.append((path, fault.advised))
@@ -224,14 +224,37 @@ def _readers(source: Source) -> tuple[Callable[[str | int | float, str], units.Q
 
 def _without_unit(text: str) -> Sentence | None:
     """Return what is said of a formula with a unit behind it, such as "1/90 s"; None for any other text."""
-    found = _FORMULA_AND_UNIT.fullmatch(text)
-    unit = units.plain_unit(found[2]) if found else ""
-    if found is None or unit not in units.UNITS:
+    tree, formula, unit = _split(text)
+    if tree is None or not unit:
         return None
-    try:
-        tree = reader.parse(found[1], vectors=False)
-    except FormulaFault:
-        return None
-    value = constant(tree)
-    advised = found[1] if value is None else f"{float(value):.9g} {found[2]}"
+    value = _value(tree)
+    advised = formula if value is None else f"{value:.9g} {unit}"
     return say("fault.V160", found=text[:60], advised=advised)
+
+
+def _written_out(text: str, wanted: str) -> Sentence | None:
+    """Return what is said of a formula of numbers where a number belongs, such as "pi/6" or "3/2"; None for any other text."""
+    tree, _, unit = _split(text)
+    value = None if tree is None else _value(tree)
+    if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
+        return None
+    meant = unit or {"": "rad" if "pi" in tree.names() else "", "1/s": "rad/s"}.get(wanted, wanted)
+    return say("fault.V162", found=text[:60], advised=f"{value:.9g} {meant}".strip())
+
+
+def _split(text: str) -> tuple[Formula | None, str, str]:
+    """Return a formula, its text and the unit behind it, "" without one; None for what is no formula."""
+    found = _FORMULA_AND_UNIT.fullmatch(text)
+    formula, unit = (found[1], found[2]) if found and units.plain_unit(found[2]) in units.UNITS else (text, "")
+    try:
+        return reader.parse(formula, vectors=False), formula, unit
+    except FormulaFault:
+        return None, formula, unit
+
+
+def _value(tree: Formula) -> float | None:
+    """Return the value of a formula of numbers and pi only, None of any other."""
+    try:
+        return evaluate(tree, {})
+    except (FormulaFault, KeyError):
+        return None

@@ -72,6 +72,14 @@ def test_a_link_that_turns_otherwise_than_its_rate_is_named(text, link, slips):
         closure(text, *slips)
 
 
+def test_the_rate_that_is_meant_is_named_where_another_link_has_it():
+    slips = [('["B", "C"], rate = "w2"', '["B", "C"], rate = "w3"'), ('["D", "C"], rate = "w3"', '["D", "C"], rate = "w2"')]
+    with pytest.raises(coursework.InputError) as told:
+        closure(CLOCKWISE.replace("-a*", "a*").replace("-b*", "b*").replace("-c*", "c*"), *slips)
+    assert ['rate = "w2"' in str(fault) for fault in told.value.faults] == [True, False]
+    assert ['rate = "w3"' in str(fault) for fault in told.value.faults] == [False, True]
+
+
 def test_angles_may_be_counted_clockwise():
     assert closure(CLOCKWISE) is not None
 
