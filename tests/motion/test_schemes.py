@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.variant.reading.reader import parse_variant
@@ -157,6 +158,13 @@ def test_the_exact_motion_runs_backwards_as_it_ran_forwards(text):
     backwards = coursework.solve(parse_variant(text), quantities=["table"]).exact
     assert np.max(np.abs(backwards.coordinates[::-1] - forwards.coordinates)) < 2e-10
     assert np.max(np.abs(backwards.velocities[::-1] + forwards.velocities)) < 1e-8
+
+
+@pytest.mark.parametrize(("count", "each"), [(100, 3 * 8), (2001, 3 * 2)])
+def test_a_long_table_takes_fewer_steps_between_its_rows(count, each):
+    """So many and twice as many, which have to agree."""
+    scene = solved("31").scene
+    assert refine(scene.rates, scene.start, np.linspace(0, 0.48, count))[2] == each * (count - 1)
 
 
 def test_two_steps_of_half_the_length_are_not_one():
