@@ -12,6 +12,7 @@ from tests.effects.massed import massed
 from tests.effects.moved import free_31
 
 STEPS = 10_000
+MOST, MOST_EXACT = 12, 5  # 7.6 and 2.9 measured
 
 
 def test_steps_of_dynamics_beside_steps_of_the_kinematic_march():
@@ -23,9 +24,9 @@ def test_steps_of_dynamics_beside_steps_of_the_kinematic_march():
     assert (len(made.t), made.ended) == (STEPS + 1, "")
     found = ratio(
         lambda: Dynamics(run.scene.free_equations, list(places)).rows(SCHEMES["euler"], state, 1e-6, STEPS),
-        lambda: march(driven.rates, "euler", driven.start, 0.48 / STEPS, 0.48, None, None, []),
-    )
-    assert found < 12  # 7.6 on a calm machine
+        lambda: march(driven.rates, "euler", driven.start, 0.48 / STEPS, 0.48, None, None, []), most=MOST,
+    )  # fmt: skip
+    assert found <= MOST
 
 
 def test_forces_of_a_mechanism_of_seven_links_beside_its_exact_rows():
@@ -33,6 +34,6 @@ def test_forces_of_a_mechanism_of_seven_links_beside_its_exact_rows():
     second = scene.exact_accelerations
     found = ratio(
         lambda: analyse(scene.mechanism, scene.equations, scene.exact, second),
-        lambda: scene.exact_at(np.array(scene.exact.t)),
-    )
-    assert found < 5
+        lambda: scene.exact_at(np.array(scene.exact.t)), most=MOST_EXACT,
+    )  # fmt: skip
+    assert found <= MOST_EXACT

@@ -9,6 +9,7 @@ import pymupdf
 import pytest
 
 from coursework.report.live.page import MOST_BYTES, MOST_ROWS
+from tests.report.live.test_work import rest
 
 pytestmark = pytest.mark.browser
 
@@ -124,6 +125,7 @@ def test_every_table_of_the_page_shows_the_row_that_is_reached(written: Any, ope
 
 def test_motion_is_not_forced_on_anyone(written: Any, opened: Any) -> None:
     page = opened(written("31"), before=lambda page: page.clock.install(time=0), reduced_motion="reduce")
+    rest(page.page)  # before a clock stands still by which it measures
     page.page.clock.pause_at(60_000)
     page.page.click("#play")
     page.page.clock.run_for(900)
