@@ -91,4 +91,5 @@ def real(values: Any, rows: int) -> Array:
     """Return a scalar value as an array (rows,).  Raises `NoValue` for a vector."""
     if np.iscomplexobj(values):
         raise NoValue("a vector stands where a number was expected")
-    return np.broadcast_to(np.asarray(values, dtype=float), (rows,))
+    found = np.asarray(values, dtype=float)
+    return found if found.shape == (rows,) else np.broadcast_to(found, (rows,))
