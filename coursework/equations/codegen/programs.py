@@ -12,7 +12,7 @@ import builtins
 import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, wraps
 from types import CodeType
 from typing import Any
 
@@ -205,8 +205,12 @@ def build(source: str, name: str, body: Bound, *, numpy: bool = False, outside: 
 
 
 def _quiet(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function over arrays that gives nan where there is no value, without a word; whoever reads it looks for nan."""
+    """Return a function over arrays that gives nan where there is no value, without a word; whoever reads it looks for nan.
 
+    The function itself is its `__wrapped__`, for whoever keeps quiet over many calls.
+    """
+
+    @wraps(function)
     def call(*values: Any, **named: Any) -> Any:
         with np.errstate(all="ignore"):
             return function(*values, **named)

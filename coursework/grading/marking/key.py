@@ -21,12 +21,14 @@ from coursework.grading.marking.decimals import SHARED, SHOWN, decimals_asked, g
 from coursework.grading.marking.misread import misread
 from coursework.grading.reading.expected import Grid, grid_of
 from coursework.many import Solutions, solve_many
+from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Model, model_of
 from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array, Flags
+from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
@@ -73,14 +75,22 @@ class Key:
 
     def misread(self, code: str) -> Callable[[Array, Array], Array] | None:
         """Return the velocities of the variant with one misconception in its formulas, None where that cannot be."""
-        changed = misread(self.variant, code)
-        if changed is None:
-            return None
-        try:
-            model = model_of(changed)
-        except CourseworkError:
-            return None
-        return lambda t, q: model.rates(t, q, self._assigned)
+        if code not in self._misread:
+            changed = misread(self.variant, code)
+            self._misread[code] = None
+            with suppress(CourseworkError):
+                self._misread[code] = model_of(changed) if changed else None
+        model = self._misread[code]
+        return (lambda t, q: model.rates(t, q, self._assigned)) if model else None
+
+    @cached_property
+    def _misread(self) -> dict[str, Model | None]:
+        return {}
+
+    @cached_property
+    def points(self) -> Sequence[tuple[str, Formula]]:
+        """Return the points and where they are, those of groups too, in an order in which none is used before it is there."""
+        return build(self.variant).points
 
     @cached_property
     def _assigned(self) -> Data:

@@ -7,6 +7,7 @@ Used by `results/accuracy/round_off.py` and `motion_results.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from inspect import unwrap
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,7 @@ def march_in(
 
     `running_time` adds up t += h instead of t = i*h.
     """
-    loop = generate_loop(SCHEMES[scheme], rates, numpy=True)
+    loop = unwrap(generate_loop(SCHEMES[scheme], rates, numpy=True))
     h = kind(step)
     q = tuple(map(kind, start))
     t = kind(0)

@@ -19,10 +19,11 @@ class Broken:
 
     def __init__(self, paths: Iterable[KeyPath] = ()) -> None:
         self._paths = {spell_path(path) for path in paths}
+        self._around = {path[:length] for path in self._paths for length in range(len(path) + 1)}
 
     def has(self, *path: str | int) -> bool:
         """Return whether something at a path, in it, or around it has a fault."""
-        return any(place[: len(path)] == path or path[: len(place)] == place for place in self._paths)
+        return path in self._around or any(path[:length] in self._paths for length in range(len(path)))
 
     def sound(self, variant: Variant) -> Variant:
         """Return the variant without the data that stand in for faulty ones: what needs them has no value."""

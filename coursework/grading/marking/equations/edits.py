@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from coursework.grading.marking.equations.numbers import NoValue, combined, value_of
+from coursework.grading.marking.equations.numbers import NoValue, combined, computed
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number, replaced
 
@@ -118,8 +118,8 @@ class Values:
         for place in edit.path:
             way.append(way[-1].args[place])
         try:
-            value = value_of(edit.replacement, self.names, self.known)
             with np.errstate(all="ignore"):
+                value = computed(edit.replacement, self.names, self.known)
                 for place, node in zip(reversed(edit.path), reversed(way[:-1]), strict=True):
                     args = [value if i == place else self.known[id(arg)] for i, arg in enumerate(node.args)]
                     value = combined(node, args, self.names)

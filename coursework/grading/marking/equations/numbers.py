@@ -38,7 +38,7 @@ def value_of(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any] |
     `known` gives values of nodes (by identity) that need not be computed again.  Raises `NoValue`.
     """
     with np.errstate(all="ignore"):
-        return _value(tree, names, known or {})
+        return computed(tree, names, known or {})
 
 
 def size_of(tree: Formula, names: Mapping[str, Any]) -> Any:
@@ -47,15 +47,18 @@ def size_of(tree: Formula, names: Mapping[str, Any]) -> Any:
         return _size(tree, names)
 
 
-def _value(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any]) -> Any:
+def computed(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any]) -> Any:
+    """Return what `value_of` returns, for whoever keeps NumPy quiet already."""
     if id(tree) in known:
         return known[id(tree)]
-    return combined(tree, [_value(arg, names, known) for arg in tree.args], names)
+    return combined(tree, [computed(arg, names, known) for arg in tree.args], names)
 
 
 def combined(tree: Formula, args: list[Any], names: Mapping[str, Any]) -> Any:
     """Return the value of one node from those of its arguments.  Raises `NoValue`."""
     op = tree.op
+    if op in _ARITHMETIC:
+        return _ARITHMETIC[op](*args)
     if op == "number":
         return float(tree.name)
     if op == "name":
@@ -68,8 +71,6 @@ def combined(tree: Formula, args: list[Any], names: Mapping[str, Any]) -> Any:
         return np.real(args[0]) if tree.name == "x" else np.imag(args[0])
     if op == "neg":
         return -args[0]
-    if op in _ARITHMETIC:
-        return _ARITHMETIC[op](*args)
     if any(np.iscomplexobj(arg) for arg in args):
         raise NoValue(f'"{op}" with a vector')
     return _OF_NUMBERS[op](*args)
@@ -83,12 +84,13 @@ def _size(tree: Formula, names: Mapping[str, Any]) -> Any:
     if tree.op == "*":
         return _size(tree.args[0], names) * _size(tree.args[1], names)
     if tree.op == "/":
-        return np.divide(_size(tree.args[0], names), np.abs(_value(tree.args[1], names, {})))
-    return np.abs(_value(tree, names, {}))
+        return np.divide(_size(tree.args[0], names), np.abs(computed(tree.args[1], names, {})))
+    return np.abs(computed(tree, names, {}))
 
 
 def real(values: Any, rows: int) -> Array:
     """Return a scalar value as an array (rows,).  Raises `NoValue` for a vector."""
     if np.iscomplexobj(values):
         raise NoValue("a vector stands where a number was expected")
-    return np.broadcast_to(np.asarray(values, dtype=float), (rows,))
+    found = np.asarray(values, dtype=float)
+    return found if found.shape == (rows,) else np.broadcast_to(found, (rows,))

@@ -15,7 +15,6 @@ import numpy as np
 from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
 from coursework.grading.marking.equations.numbers import value_of
 from coursework.grading.marking.key import Key
-from coursework.mechanism.mechanism import build
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Law, Variant
 
@@ -100,7 +99,7 @@ def names_at(key: Key, t: Array, q: Array) -> dict[str, Any]:
     names |= dict(zip(key.coordinates, q.T, strict=True))
     for law in (*key.variant.functions, *key.variant.drive):
         names[law.name] = _law(law, names)
-    for name, formula in build(key.variant).points:
+    for name, formula in key.points:
         names[name] = np.broadcast_to(value_of(formula, names), t.shape)
     return names
 

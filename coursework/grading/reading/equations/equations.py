@@ -200,7 +200,8 @@ class Names:
 
     def declared(self, name: Formula) -> Formula:
         """Return a name as the variant declares it."""
-        return replace(name, name=self.spellings.canonical(name.name) or name.name)
+        meant = self.spellings.canonical(name.name)
+        return name if meant in {None, name.name} else replace(name, name=meant)
 
     def is_name(self, word: str) -> bool:
         """Return whether a word means something here: a name, a function, several glued together, one of the student's own."""

@@ -44,6 +44,7 @@ class Spellings:
         return self.canonical(name) or next((one for one in (folded, turning) if one in self.rates), None)
 
 
+@lru_cache(512)  # the same few names stand in every line
 def _key(name: str) -> str:
     return re.sub("[_']", "", fold(name))
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 from itertools import accumulate
 
 ARROW = "⇒"  # between two equations of a line, or behind what a line says before its equation
@@ -16,6 +17,7 @@ _SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₒₓₕₖₗₘ�
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True))
 _RAISED = re.compile(f"[{''.join(_SUPERSCRIPTS)}]+")
 _DOT = "\u0307"
+_OF_NO_KEYBOARD = re.compile(r"[^\x00-\x7f]")
 _SIGNS = {
     **dict.fromkeys("≡≈≅≃≐≑≔≝", "="), **dict.fromkeys("−‐‑‒–—―﹣", "-"), "﹢": "+",
     **dict.fromkeys("∗•∙⋅·●∘×✕✖⨯⸱・\u2062", "*"), **dict.fromkeys("⁄∕÷", "/"), **dict.fromkeys("〖⟦❨", "("),
@@ -56,7 +58,7 @@ def plain_signs(text: str) -> str:
     >>> plain_signs("2𝑟₃𝜔₃⋅sin⁡〖𝜑_3〗 − ½r_{3}ω_3^z ≡ 0"), plain_signs("V_(M y) := φ ̇_3 sin²φ３")
     ('2r3ω3*sin(φ_3) - ½r_3ω_3 = 0', 'V_My = φ̇_3 sin^2 φ3')
     """
-    text = "".join(_plain(letter) for letter in text)
+    text = _OF_NO_KEYBOARD.sub(lambda found: _plain(found[0]), text)
     text = _RAISED.sub(lambda found: "^" + "".join(_SUPERSCRIPTS[digit] for digit in found[0]) + " ", text)
     text = re.sub(rf"([^\W\d])[\s]*(?:{_DOT}|˙)", rf"\1{_DOT}", text)
     text = _EQUALS.sub("=", ARROWS.sub(f" {ARROW} ", text))
@@ -67,9 +69,8 @@ def plain_signs(text: str) -> str:
     return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
 
 
+@lru_cache(4096)  # a text has few letters, again and again
 def _plain(letter: str) -> str:
-    if letter.isascii():
-        return letter
     if ord(letter) in _MATHEMATICAL or ord(letter) in _FULL_WIDTH:
         return unicodedata.normalize("NFKC", letter)
     if unicodedata.decomposition(letter).endswith(" 0307"):
