@@ -5,6 +5,7 @@ Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `earning.py` and wha
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
@@ -12,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import MISSING, Cells
+from coursework.grading.marking.table.cells import MISSING, WRONG, Cells
 from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -25,6 +26,9 @@ _CONSTANT = 1e-9
 _SPARE, _MOST, FOLLOWING = 0.25, 0.66, 0.75
 # Steps of one coordinate with a right velocity that may be others, before they are taken for no motion.
 _EXCUSED = 0.25
+# Half steps leave Euler's by half as much as Heun's, and round-off hides them: so many tolerances tell a step.  Up to which part
+# of what is told being Euler's nothing else counts, and from which part on all of it.
+_TOLD, _FEW_TOLD, _MOST_TOLD = 3.0, 0.25, 0.75
 
 
 Rule = Literal["cells", "start", "misconception", "own_equations"]
@@ -36,8 +40,8 @@ class TablePoints:
 
     `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
     with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right, and too few columns
-    ("rows"), the row belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted` (n, m + r) is where
-    they stand.
+    ("rows"), the digits do not tell a step from those that are not Euler's ("untold"), the row belongs to no motion ("motion"),
+    single right cells are chance ("chance").  `uncounted` (n, m + r) is where they stand.
     """
 
     share: float
@@ -86,6 +90,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
         "used_velocity": steps & ~used,
         "rows": steps & (not rows_enough),
+        "untold": _untold(key, cells, steps, rows),
         "motion": (velocities | still) & ~follows[:, None],
         "chance": right & ~_in_a_run(marks == KEY, rows) & (not works),
     }
@@ -108,6 +113,24 @@ def handed_in(cells: Cells) -> Places:
     found = np.asarray(~cells.missing.all(axis=1))
     found[:1] = True
     return np.flatnonzero(found)
+
+
+def _untold(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
+    """Return which of the right `steps` (n, m + r) the digits cannot tell from another rule's and do not count.
+
+    A step is told by how far those of other rules leave it.  Where most of them are Euler's, so are the others; where few, none.
+    """
+    m, gaps = len(key.coordinates), key.gaps(rows)
+    marks = cells.marks[rows[1:], :m]
+    told = np.where(marks == MISSING, 0.0, gaps)
+    euler = float((told * (marks != WRONG)).sum()) / (float(told.sum()) or 1.0)
+    open_by = next(way.tolerance for way in cells.ways if way.name == STEP)[rows[1:], :m]
+    found = np.zeros_like(steps)
+    found[rows[1:], :m] = steps[rows[1:], :m] & (gaps <= _TOLD * open_by)
+    places = np.argwhere(found)
+    kept = math.ceil(len(places) * min(1.0, max(0.0, (euler - _FEW_TOLD) / (_MOST_TOLD - _FEW_TOLD))))
+    found[tuple(places[:kept].T)] = False
+    return found
 
 
 def _constant(key: Key) -> Flags:
@@ -158,6 +181,8 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.usual_ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
+        for t in (key.t[rows[1:]], 2 * key.t[rows[:-1]] - key.t[rows[1:]]):  # with the velocity of a neighbour's time
+            near |= np.abs(np.diff(q, axis=0) - h * key.velocities_at(t, q[:-1])[:, :m]) <= spare
     steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
     steps |= marks[1:, :m] == KEY
     excused = ~(near | steps) & (marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
