@@ -14,7 +14,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.api import make_run
 from coursework.equations.reduction.structure import without_data
@@ -169,23 +168,10 @@ class Key:
         m = len(self.coordinates)
         if self.free is not None:
             return float(gap_of(np.zeros((1, m)), self.free.accelerations[:, :m] * self.step, self.step, self.ranges[:m]))
-        slopes, ahead, *_ = self._slopes
+        here, q = self.t[:-1], self.table[:-1, :m]
+        slopes = self.velocities_at(here, q)[:, :m]
+        ahead = self.velocities_at(here + self.step, q + self.step * slopes)[:, :m]
         return float(gap_of(slopes, ahead, self.step, self.ranges[:m]))
-
-    def gaps(self, rows: NDArray[np.intp]) -> Array:
-        """Return how near to Euler's steps from one of some rows to the next (n - 1, m) those of Heun or of another time come."""
-        slopes, ahead, later, sooner = self._slopes
-        off = self.step * np.stack([(ahead - slopes) / 2, later - slopes, sooner - slopes])
-        gone = np.cumsum(np.pad(np.nan_to_num(off), ((0, 0), (1, 0), (0, 0))), axis=1)
-        return np.asarray(np.min(np.abs(np.diff(gone[:, rows], axis=1)), axis=0))
-
-    @cached_property
-    def _slopes(self) -> tuple[Array, ...]:
-        """Return the rates (n - 1, m) of each row but the last, after a step of Euler from there, a step later, a step sooner."""
-        m, h, t, q = len(self.coordinates), self.step, self.t[:-1], self.table[:-1, : len(self.coordinates)]
-        slopes = self.velocities_at(t, q)[:, :m]
-        ahead = self.velocities_at(t + h, q + h * slopes)[:, :m]
-        return slopes, ahead, self.velocities_at(t + h, q)[:, :m], self.velocities_at(t - h, q)[:, :m]
 
     @property
     def least_decimals(self) -> int:
