@@ -128,6 +128,22 @@ def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen(
         close([found for found, _ in marked])
 
 
+@pytest.mark.parametrize("number", [0, *(pytest.param(number, marks=pytest.mark.long) for number in range(1, 6))])
+def test_steps_of_another_rule_are_worth_the_same_with_any_decimals(number):
+    desk = variants()[number]
+    machine, m, h = desk.machine, desk.machine.m, desk.machine.h
+
+    def rate(t, q):
+        return machine.velocities(t, q)[:m]
+
+    tables = [
+        machine.table(lambda t, q: h / 2 * (rate(t, q) + rate(t + h, q + h * rate(t, q)))),
+        machine.table(step=h / 2, rows=2 * machine.rows - 1)[::2],
+        machine.table(lambda t, q: h * rate(t + h, q)), machine.table(lambda t, q: h * rate(t - h, q)),
+    ]  # fmt: skip
+    close([desk.marked(table, digits=digits)[0] for table in tables for digits in (desk.key.least_decimals, 5)])
+
+
 def test_exchanged_columns_are_named_both():
     for desk in variants():
         names, m = desk.key.names, desk.machine.m

@@ -87,6 +87,19 @@ def test_right_tables_and_one_slip_are_worth_what_they_were(name):
         assert share(name, table) >= 0.94, (row, place)
 
 
+def test_no_single_row_decides_whether_a_table_is_work():
+    """Rows leave the motion one by one, each with the right velocities of its own angles; all points went at one of them."""
+    key, chance = marker("31").key, np.random.default_rng(5)
+    table, m, before = key.table.copy(), len(key.coordinates), 1.0
+    for row in chance.permutation(np.arange(1, len(table))):
+        table[row, :m] += chance.normal(size=m) * 0.05
+        table[row, m:] = key.velocities_at(key.t[[row]], table[[row], :m])[0]
+        after = share("31", table)
+        assert before - after <= 15 / 60, row
+        before = after
+    assert before <= MOST
+
+
 def test_the_floor_of_own_equations_is_not_paid_to_a_table_that_stands_still():
     key = marker("31").key
     still = np.tile(key.table[0], (len(key.table), 1))

@@ -191,6 +191,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "one-velocity-missing": {"table.csv": text(with_cell(5, 4, np.nan, with_cell(6, 1, 3.0)), NAMES)},
         "every-second-row": {"table.csv": text(np.where(np.arange(25)[:, None] % 2, np.nan, with_cell(8, 1, 9.0)), NAMES)},
         "rounded-w3": {"table.csv": rounded_w3()},
+        "heun-three-decimals": files(students.table(students.heun), decimals=3),
         "slips-in-most-rows": files(slips_in_most_rows()),
         "document": {"work.md": markdown(), "table.csv": files()["table.csv"]},
         "two-starts": files(students.table(start=(1.73, 3.3, 2.87))),

@@ -5,6 +5,7 @@ Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `earning.py` and wha
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
@@ -12,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import MISSING, Cells
+from coursework.grading.marking.table.cells import MISSING, WRONG, Cells
 from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -21,10 +22,14 @@ from coursework.system.frozen import frozen
 # are the task's in as many rows: one wrong throughout is one fault.  Right cells below each other, fewer of which are chance.
 ENOUGH_ROWS, _COLUMNS, RUN = 0.6, 0.5, 5
 _CONSTANT = 1e-9
-# Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow.
-_SPARE, _MOST, FOLLOWING = 0.25, 0.66, 0.75
+# Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow
+# for anything to count and for all of it.
+_SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
 # Steps of one coordinate with a right velocity that may be others, before they are taken for no motion.
 _EXCUSED = 0.25
+# Half steps leave Euler's by half as much as Heun's, and round-off hides them: so many tolerances tell a step.  Up to which part
+# of what is told being Euler's nothing else counts, and from which part on all of it.
+_TOLD, _FEW_TOLD, _MOST_TOLD = 3.0, 0.25, 0.75
 
 
 Rule = Literal["cells", "start", "misconception", "own_equations"]
@@ -36,8 +41,8 @@ class TablePoints:
 
     `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
     with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right, and too few columns
-    ("rows"), the row belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted` (n, m + r) is where
-    they stand.
+    ("rows"), the digits do not tell a step from those that are not Euler's ("untold"), the row belongs to no motion ("motion"),
+    single right cells are chance ("chance").  `uncounted` (n, m + r) is where they stand.
     """
 
     share: float
@@ -74,8 +79,8 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         np.mean(np.all(sound[rows, m:], axis=1)) >= ENOUGH_ROWS
         or np.mean(np.mean(marks[rows, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
     )
-    follows = rows_that_follow(key, cells)
-    works = rows_enough and bool(follows[1:].any())
+    follows, motion = rows_that_follow(key, cells)
+    works = motion if rows_enough and follows[1:].any() else 0.0
     steps = np.zeros_like(right)
     steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
     used = np.zeros_like(right)
@@ -86,8 +91,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
         "used_velocity": steps & ~used,
         "rows": steps & (not rows_enough),
-        "motion": (velocities | still) & ~follows[:, None],
-        "chance": right & ~_in_a_run(marks == KEY, rows) & (not works),
+        "untold": _untold(key, cells, steps, rows),
+        "motion": _but((velocities | still) & follows[:, None], motion) | ((velocities | still) & ~follows[:, None]),
+        "chance": _but(right & ~_in_a_run(marks == KEY, rows), works),
     }
     credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
     counts: dict[str, int] = {}
@@ -108,6 +114,43 @@ def handed_in(cells: Cells) -> Places:
     found = np.asarray(~cells.missing.all(axis=1))
     found[:1] = True
     return np.flatnonzero(found)
+
+
+def _untold(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
+    """Return which of the right `steps` (n, m + r) the digits cannot tell from another rule's and do not count.
+
+    A step is told by how far those of other rules leave it.  Where most of them are Euler's, so are the others; where few, none.
+    """
+    m, gaps = len(key.coordinates), _gaps(key, rows)
+    marks = cells.marks[rows[1:], :m]
+    told = np.where(marks == MISSING, 0.0, gaps)
+    euler = float((told * (marks != WRONG)).sum()) / (float(told.sum()) or 1.0)
+    open_by = next(way.tolerance for way in cells.ways if way.name == STEP)[rows[1:], :m]
+    found = np.zeros_like(steps)
+    found[rows[1:], :m] = steps[rows[1:], :m] & (gaps <= _TOLD * open_by)
+    return _but(found, _ramp(euler, _FEW_TOLD, _MOST_TOLD))
+
+
+def _gaps(key: Key, rows: Places) -> Array:
+    """Return how near to Euler's steps from one of some rows to the next (n - 1, m) those of Heun or of another time come."""
+    m, h, t, q = len(key.coordinates), key.step, key.t[:-1], key.table[:-1, : len(key.coordinates)]
+    rates = key.velocities_at(t, q)[:, :m]
+    others = [key.velocities_at(at, q)[:, :m] for at in (t + h, t - h)]
+    heun = (rates + key.velocities_at(t + h, q + h * rates)[:, :m]) / 2
+    off = np.pad(np.nan_to_num(h * (np.stack([heun, *others]) - rates)), ((0, 0), (1, 0), (0, 0)))
+    return np.asarray(np.min(np.abs(np.diff(np.cumsum(off, axis=1)[:, rows], axis=1)), axis=0))
+
+
+def _ramp(share: float, none: float, whole: float) -> float:
+    """Return which part (0 to 1) counts at a share: nothing up to `none`, all from `whole` on: no cell decides on many."""
+    return min(1.0, max(0.0, (share - none) / (whole - none)))
+
+
+def _but(found: Flags, part: float) -> Flags:
+    """Return the cells found without the first of them, which are this part."""
+    left, places = found.copy(), np.argwhere(found)
+    left[tuple(places[: math.ceil(part * len(places))].T)] = False
+    return left
 
 
 def _constant(key: Key) -> Flags:
@@ -137,18 +180,22 @@ def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bo
     steps = holds[rows[1:], :m] & holds[rows[:-1], m : 2 * m] & moves
     counts = np.zeros_like(holds)
     counts[rows[1:], :m] = steps
-    counts[rows, m:] = holds[rows, m:] & _following(cells.student.values[rows, :m], steps, np.asarray(moves.any(axis=1)))[:, None]
+    follows, motion = _following(cells.student.values[rows, :m], steps, np.asarray(moves.any(axis=1)))
+    found = np.zeros_like(holds)
+    found[rows, m:] = holds[rows, m:] & follows[:, None]
+    counts |= found & ~_but(found, motion)
     counts |= by_key & cells.counted & _in_a_run(by_key, rows) & ~_constant(key)
     if only_velocities:
         counts[:, :m] = False
     return float(counts.sum()) / max(int(cells.counted.sum()), 1)
 
 
-def rows_that_follow(key: Key, cells: Cells) -> Flags:
+def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
     """Return which rows (n,) belong to a motion: the way from or to a neighbour lies between what both velocities make of a step.
 
     Any scheme passes, with a part of the one-step gap to spare, and a coordinate in three may be wrong.  Rows that are copied,
-    shuffled or invented follow nothing, and what is right in them from each other is no work; where few rows follow, none does.
+    shuffled or invented follow nothing, and what is right in them from each other is no work; the second number is which part
+    of them counts (0 to 1), the less the fewer rows follow.
     """
     m, rows = len(key.coordinates), handed_in(cells)
     q, w, units = cells.student.values[rows, :m], cells.student.values[rows, m : 2 * m], cells.student.units[rows]
@@ -158,18 +205,20 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.usual_ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
+        for t in (key.t[rows[1:]], 2 * key.t[rows[:-1]] - key.t[rows[1:]]):  # with the velocity of a neighbour's time
+            near |= np.abs(np.diff(q, axis=0) - h * key.velocities_at(t, q[:-1])[:, :m]) <= spare
     steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
     steps |= marks[1:, :m] == KEY
     excused = ~(near | steps) & (marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
     steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
     follows = np.zeros(len(cells.marks), dtype=bool)
-    follows[rows] = _following(q, near | steps, moves)
-    return follows
+    follows[rows], motion = _following(q, near | steps, moves)
+    return follows, motion
 
 
-def _following(q: Array, near: Flags, moves: Flags) -> Flags:
-    """Return which rows follow where steps (n - 1, m) are `near` enough and rows (n - 1,) move.
+def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
+    """Return which rows follow where steps (n - 1, m) are `near` enough and rows (n - 1,) move, and which part of them counts.
 
     A step beside which those of its coordinate are may be broken: one slip, or one cell put right, is no other motion.
     """
@@ -180,10 +229,9 @@ def _following(q: Array, near: Flags, moves: Flags) -> Flags:
     follows[1:] |= joined
     follows[:-1] |= joined
     present = np.isfinite(q).any(axis=1)
-    if follows[present].sum() < FOLLOWING * present.sum():
-        follows[:] = False
+    motion = _ramp(float(follows[present].mean()), FEW_FOLLOWING, FOLLOWING) if present.any() else 0.0
     follows[:1] = True
-    return follows
+    return follows, motion
 
 
 def _in_a_run(right: Flags, rows: Places) -> Flags:
