@@ -10,7 +10,7 @@ import cmath
 import math
 import operator
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from fractions import Fraction
 from functools import reduce
 from typing import Any
@@ -57,15 +57,7 @@ class Formula:
 
     def names(self) -> tuple[str, ...]:
         """Return the symbols used, each once, in order of appearance."""
-        found: dict[str, None] = {}
-        waiting = [self]
-        while waiting:
-            node = waiting.pop()
-            if node.op == "name":
-                found[node.name] = None
-            else:
-                waiting += node.args[::-1]
-        return tuple(found)
+        return tuple(dict.fromkeys(node.name for node in self.walk() if node.op == "name"))
 
     @property
     def value(self) -> Fraction:
@@ -183,19 +175,19 @@ def on_axes(tree: Formula) -> Formula:
         return _component(tree.args[0], tree)
     args = tuple(on_axes(arg) for arg in tree.args)
     if tree.op in {"*", "/"} and args[0].op == "neg":
-        return Formula("neg", (replace(tree, args=(args[0].args[0], args[1])),))
-    return replace(tree, args=args)
+        return Formula("neg", (_with(tree, (args[0].args[0], args[1])),))
+    return _with(tree, args)
 
 
 def _component(vector: Formula, part: Formula) -> Formula:
     if vector.op in {"+", "-", "neg"}:
-        return replace(vector, args=tuple(_component(arg, part) for arg in vector.args))
+        return _with(vector, tuple(_component(arg, part) for arg in vector.args))
     if vector.op == "pair":
         return on_axes(vector.args["xy".index(part.name)])
     if vector.op == "@":
         length, angle = vector.args
         return Formula("*", (length, Formula("call", (angle,), "cos" if part.name == "x" else "sin")))
-    return replace(part, args=(vector,))
+    return _with(part, (vector,))
 
 
 _LEVELS = {"+": 1, "-": 1, "neg": 2, "*": 3, "/": 3, "@": 3, "^": 5}
