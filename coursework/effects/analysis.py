@@ -6,7 +6,6 @@ Used by `scene/quantities.py`, which computes it on request only.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,7 +16,7 @@ from coursework.effects.energy import Energy, energy_of, reduced_inertia
 from coursework.effects.force_scheme import drives_of
 from coursework.effects.groups import by_groups
 from coursework.effects.kinetostatics import Reactions, react
-from coursework.effects.rows import PLACE, RATE, SECOND, Program, Rows, compile_program
+from coursework.effects.rows import RATE, SECOND, Program, Rows, compile_program
 from coursework.effects.scheme import read_scheme
 from coursework.effects.virtual_power import drive_by_power
 from coursework.equations.reduction.equations import VelocityEquations
@@ -144,23 +143,6 @@ def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, 
     return ForceAnalysis(rows, react(rows), equations)
 
 
-def _turned_otherwise(rows: Rows, equations: VelocityEquations) -> Iterator[Fault]:
-    """Yield a fault for each link whose points turn otherwise than the rate that it is given, such as one counted clockwise."""
-    variant, wheels = equations.variant, {link.name for link in equations.variant.links if link.wheel}
-    kept = slice(None) if rows.motion.scheme == EXACT else slice(1)
-    for body in rows.scheme.bodies:
-        if not body.rate or body.span is None or body.span[0] == body.span[1] or body.name in wheels or not rows.count:
-            continue
-        way, moved = (rows.vector(body.span[1], level) - rows.vector(body.span[0], level) for level in (PLACE, RATE))
-        turned = 1j * rows.omega(body) * way
-        largest = _OFF_AXES * max(np.abs(moved[kept]).max(), np.abs(turned[kept]).max())
-        stretched = np.abs((np.conj(way) * moved).real / np.abs(way))[kept].max()
-        if stretched <= largest < np.abs(moved - turned)[kept].max():
-            path, ends = ("links", body.name), tuple(end.name for end in body.span)
-            told = say("fault.V734", name=body.name, rate=body.rate, points=ends)
-            yield Fault(told, variant.file, variant.nearest_line(*path, "rate"), 0, ".".join(path))
-
-
 def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
     """Refuse centres of mass that are not fixed in their links, and forces on a link at points that are none of it."""
     scheme, variant = rows.scheme, equations.variant
@@ -169,8 +151,8 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         (("masses", mass.body, "centre"), mass.body, centres[scheme.body_named(mass.body)]) for mass in scheme.forces.masses
     ]
     listed += [(("forces", load.name, "at"), load.on, load.at) for load in scheme.forces.loads if load.force is not None]
-    faults = [*_turned_otherwise(rows, equations)]
-    for path, name, at in () if faults else listed:
+    faults = []
+    for path, name, at in listed:
         body = scheme.by_name[scheme.body_named(name)]
         own = scheme.own_point(name)
         if own is None or at is None or own == at or not rows.count:

@@ -127,8 +127,8 @@ def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
     for body in scheme.bodies:
         for level in (PLACE, RATE, SECOND):
             yield body.centre, True, level
-        if body.span is not None:
-            levels = (PLACE, RATE) if body.rate else (PLACE, RATE, SECOND)
+        if body.span is not None and (not body.rate or isinstance(body.inertia, str)):
+            levels = (PLACE,) if body.rate else (PLACE, RATE, SECOND)
             yield from ((point, True, level) for point in body.span for level in levels)
         for formula in (body.mass, body.inertia):
             if isinstance(formula, Formula):
