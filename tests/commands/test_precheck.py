@@ -142,7 +142,7 @@ def test_a_person_reads_letters_as_pages_set_them_and_a_program_names(tmp_path: 
     assert result.exit_code in (0, 1), result.output
     lines = [line.split(",") for line in (tmp_path / "out" / "table.csv").read_text(encoding="utf-8").splitlines()]
     lines[5][3] = str(float(lines[5][3]) + 0.2)
-    table = "\n".join(",".join(line[:4] + line[5:]) for line in lines).encode()  # w1 is not handed in
+    table = "\n".join(",".join(line[:5] + line[6:]) for line in lines).encode()  # wj is not handed in
     options = ("--variant", str(tmp_path / "own.toml"))
     piped = precheck(tmp_path, table, "", *options).output
     monkeypatch.setattr("coursework.commands.screen.is_terminal", lambda: True)
@@ -151,5 +151,5 @@ def test_a_person_reads_letters_as_pages_set_them_and_a_program_names(tmp_path: 
     assert re.search(r"\n  θ₃ {7}column", shown)
     assert "Row 5: theta_3 does not follow from your own row 4 and its w_3" in piped
     assert "Row 5: θ₃ does not follow from your own row 4 and its ω₃" in shown
-    assert ("Missing columns: w1." in piped, "Missing columns: ω₁." in shown) == (True, True)
+    assert ("Missing columns: wj." in piped, "Missing columns: ωj." in shown) == (True, True)
     assert ("phij" in piped, "φ_j" in shown, "phij" in shown) == (True, True, False)
