@@ -151,5 +151,5 @@ def test_a_person_reads_letters_as_pages_set_them_and_a_program_names(tmp_path: 
     assert re.search(r"\n  θ₃ {7}column", shown)
     assert "Row 5: theta_3 does not follow from your own row 4 and its w_3" in piped
     assert "Row 5: θ₃ does not follow from your own row 4 and its ω₃" in shown
-    assert ("Missing columns: wj." in piped, "Missing columns: ωj." in shown) == (True, True)
+    assert ("Missing columns: wj." in piped, "Missing columns: ω_j." in shown) == (True, True)
     assert ("phij" in piped, "φ_j" in shown, "phij" in shown) == (True, True, False)
