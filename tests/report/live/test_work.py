@@ -109,7 +109,7 @@ def test_a_frame_makes_nothing_and_sets_only_what_moves(written: Any, opened: An
     assert written_a_frame <= 5 + 2 * words
 
 
-@pytest.mark.parametrize("name", ["31", "jansen"])
+@pytest.mark.parametrize("name", ["31", pytest.param("jansen", marks=pytest.mark.long)])
 def test_a_frame_leaves_the_layers_of_the_page_as_they_are(written: Any, opened: Any, browser: Any, name: str) -> None:
     """Layers made anew go through all that the page has painted, which costs more than all the rest of a frame."""
     page = opened(written(name), STEADY).page
