@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 from fractions import Fraction
 
-from coursework.variant.formula.units import KINDS, UNITS, kind_of, measured
+from coursework.variant.formula.units import KINDS, UNITS, advised_unit, kind_of, measured
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -117,7 +117,7 @@ def unit_like(unit: str, dimension: Dimension) -> str:
     second = "с" if cyrillic else "s"
     tried = [above, f"{above}/{below.removesuffix('^2')}", f"{above}/{below}", f"{above}/{second}", f"{above}/{second}^2"]
     fitting = [other for other in tried if other in UNITS and UNITS[other][1] == si]
-    usual = {"1/s": "rad/s", "1/s^2": "rad/s^2"}.get(si, si)
+    usual = advised_unit(si)
     return fitting[0] if fitting else _in_cyrillic(usual) if cyrillic else usual
 
 

@@ -35,7 +35,7 @@ _CYRILLIC = {
     "turn": {"об": 2 * _TURN},
 }
 
-_EXAMPLES = {"1/s": "rad/s", "1/s^2": "rad/s^2"}  # SI unit -> as advice writes it
+_ADVISED = {"1/s": "rad/s", "1/s^2": "rad/s^2"}  # SI unit -> as advice writes it
 
 
 def _all_units() -> dict[str, tuple[Fraction, str]]:
@@ -202,6 +202,15 @@ def is_quantity(text: str) -> bool:
     return not unit or unit in UNITS or (_WORDED.match(unit) is not None and not unit.startswith(("π", "pi")))
 
 
+def advised_unit(si: str) -> str:
+    """Return an SI unit as advice writes it.
+
+    >>> advised_unit("1/s"), advised_unit("m")
+    ('rad/s', 'm')
+    """
+    return _ADVISED.get(si, si)
+
+
 def size_of(unit: str) -> float:
     """Return a unit in SI, 0 where it is none."""
     return float(UNITS[unit][0]) if unit in UNITS else 0.0
@@ -247,7 +256,7 @@ def unknown(text: str, unit: str, wanted: str = "") -> Sentence:
     if not unit or not re.search(r"[^\W\d_]|°", unit):
         last = text.split()[-1:] or [""]
         fits = last[0] in UNITS and wanted in {"", UNITS[last[0]][1]}
-        return say("fault.V107", found=found, unit=last[0] if fits else _EXAMPLES.get(wanted, wanted or "m"))
+        return say("fault.V107", found=found, unit=last[0] if fits else advised_unit(wanted) or "m")
     if unit.lower() in _HERTZ:
         return say("fault.V108", found=found)
     meant = _nearest(unit, (wanted,) if wanted else tuple(KINDS))

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from coursework.variant.dimensions.exponents import LENGTH
 from coursework.variant.formula.tree import Formula, terms
-from coursework.variant.formula.units import UNITS, size_of
+from coursework.variant.formula.units import UNITS, advised_unit, size_of
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
 from coursework.variant.record.no_value import known_value
@@ -129,8 +129,7 @@ def _bare(variant: Variant, dimensions: Dimensions, phases: Collection[str]) -> 
 
 
 def _without_unit(name: str, text: str, si: str) -> Sentence:
-    usual = {"1/s": "rad/s", "1/s^2": "rad/s^2", "": "SI"}.get(si, si)
-    return say("remark.no_unit", name=name, text=text, unit=usual)
+    return say("remark.no_unit", name=name, text=text, unit=advised_unit(si) or "SI")
 
 
 def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
@@ -182,7 +181,7 @@ def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, S
             size = size_of(given.unit) or 1.0
             # Whoever counts turns a minute writes 2*pi for a turn, and may forget the minute.
             sizes = {size, math.pi / 30} - {1.0} | ({_TURN} if math.isclose(size, math.pi / 30) else set())
-            key = "remark.rpm" if any(abs(factor / size - 1) < _NEAR for size in sizes) else ""
+            key = "remark.rpm" if any(abs(factor / one - 1) < _NEAR for one in sizes) else ""
             if path[0] == "time" and factor == -_MINUTE and size < 1.0:
                 key = "remark.rpm_turn"
             if key:

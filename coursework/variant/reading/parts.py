@@ -238,7 +238,7 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
     value = None if tree is None else _value(tree)
     if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
         return None
-    meant = unit or {"": "rad" if "pi" in tree.names() else "", "1/s": "rad/s"}.get(wanted, wanted)
+    meant = unit or units.advised_unit(wanted) or ("rad" if "pi" in tree.names() else "")
     return say("fault.V162", found=text[:60], advised=f"{value:.9g} {meant}".strip())
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from coursework.system.arrays import Array
-from coursework.variant.formula.units import UNITS, plain_unit
+from coursework.variant.formula.units import UNITS, advised_unit, plain_unit
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, reason_of
@@ -133,7 +133,7 @@ def _require_si(name: str, header: str) -> None:
     for unit in _UNIT.findall(header):
         size, si = UNITS.get(plain_unit(unit), (1, ""))
         if size != 1:
-            raise TableFault(say("fault.V138", name=name, unit=unit, si={"1/s": "rad/s"}.get(si, si)))
+            raise TableFault(say("fault.V138", name=name, unit=unit, si=advised_unit(si)))
 
 
 def _is_uneven(arguments: Array, printed: list[str]) -> bool:
