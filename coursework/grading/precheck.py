@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.grading.marking.key import Key, key_of
-from coursework.grading.marking.student_table import student_of, with_given
+from coursework.grading.marking.student_table import lacking, student_of, with_given
 from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.clockwise import turned_back
@@ -79,7 +79,7 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
                 decimals=column.decimals,
             )
         )
-    missing = [name for name in key.names if table.column(name) is None and name not in key.given]
+    missing = lacking(key, table)
     if missing:
         told(say("screen.missing_columns", missing=named(", ".join(missing))))
     told(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))

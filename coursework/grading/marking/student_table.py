@@ -1,6 +1,7 @@
 """A table as it was read, on the grid and in the columns of the key.
 
-Enters: a `Key`, a `Table`.  Leaves: `StudentTable`.  Used by `grade.py` and `precheck.py`.
+Enters: a `Key`, a `Table`.  Leaves: `StudentTable`, the columns it lacks.
+Used by `grade.py`, `marking/reasons/table.py` and `precheck.py`.
 """
 
 from __future__ import annotations
@@ -28,15 +29,20 @@ def student_of(key: Key, table: Table) -> StudentTable:
     return StudentTable(*_filled(key, columns, count), np.array(turns, dtype=float), own)
 
 
+def lacking(key: Key, table: Table) -> tuple[str, ...]:
+    """Return the columns of the task that a table does not have, but for those that the task gives."""
+    return tuple(name for name in key.names if table.column(name) is None and name not in key.given)
+
+
 def with_given(key: Key, student: StudentTable) -> StudentTable:
     """Return a table with the columns that it leaves out because the task gives them, in the rows that it has."""
     there = np.isfinite(student.values)
-    lacking = [place for place, name in enumerate(key.names) if name in key.given and not there[:, place].any()]
-    if not lacking or not there.any():
+    left_out = [place for place, name in enumerate(key.names) if name in key.given and not there[:, place].any()]
+    if not left_out or not there.any():
         return student
     values, units = student.values.copy(), student.units.copy()
     rows = there.any(axis=1)
-    for place in lacking:
+    for place in left_out:
         values[rows, place] = key.given[key.names[place]]
         units[rows, place] = np.nanmin(student.units)
     return replace(student, values=values, units=units)

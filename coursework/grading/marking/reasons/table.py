@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import Reason, in_sum
+from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
@@ -58,7 +59,7 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
     found = counts(key, marked)
     yield from _causes(found, marked)
     yield from _odd_rows(key, marked)
-    if absent := tuple(name for name in key.names if marked.table.column(name) is None and name not in key.given):
+    if absent := lacking(key, marked.table):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
     for gate, number in shut(marked).items():
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
