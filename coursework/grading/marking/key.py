@@ -188,6 +188,15 @@ class Key:
         ahead = self.velocities_at(here + self.step, q + self.step * slopes)[:, :m]
         return float(gap_of(slopes, ahead, self.step, self.ranges[:m]))
 
+    @cached_property
+    def off_euler(self) -> Array:
+        """Return how far steps (3, n - 1, m) by Heun, or with the velocities of the time after or before, lie off Euler's."""
+        m, h, t, q = len(self.coordinates), self.step, self.t[:-1], self.table[:-1, : len(self.coordinates)]
+        rates = self.velocities_at(t, q)[:, :m]
+        others = [self.velocities_at(at, q)[:, :m] for at in (t + h, t - h)]
+        heun = (rates + self.velocities_at(t + h, q + h * rates)[:, :m]) / 2
+        return np.nan_to_num(h * (np.stack([heun, *others]) - rates))
+
     @property
     def least_decimals(self) -> int:
         """Return how many decimals a task sheet asks for."""

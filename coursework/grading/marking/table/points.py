@@ -133,11 +133,7 @@ def _untold(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
 
 def _gaps(key: Key, rows: Places) -> Array:
     """Return how near to Euler's steps from one of some rows to the next (n - 1, m) those of Heun or of another time come."""
-    m, h, t, q = len(key.coordinates), key.step, key.t[:-1], key.table[:-1, : len(key.coordinates)]
-    rates = key.velocities_at(t, q)[:, :m]
-    others = [key.velocities_at(at, q)[:, :m] for at in (t + h, t - h)]
-    heun = (rates + key.velocities_at(t + h, q + h * rates)[:, :m]) / 2
-    off = np.pad(np.nan_to_num(h * (np.stack([heun, *others]) - rates)), ((0, 0), (1, 0), (0, 0)))
+    off = np.pad(key.off_euler, ((0, 0), (1, 0), (0, 0)))
     return np.asarray(np.min(np.abs(np.diff(np.cumsum(off, axis=1)[:, rows], axis=1)), axis=0))
 
 
