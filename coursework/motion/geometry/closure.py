@@ -6,7 +6,7 @@ Enters: `VelocityEquations` with positions.  Leaves: `Closure`.  Used by `integr
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
@@ -69,6 +69,10 @@ class Closure:
         """Return the largest length of the data (m), 1 without any: what a residual is measured against."""
         lengths = [abs(given.value) for given in self.equations.variant.given if given.si == "m"]
         return max(lengths, default=1.0) or 1.0
+
+    def at_zero(self, zero: Sequence[bool]) -> Closure:
+        """Return the closure that keeps these of its positions at zero, not at what the start gives."""
+        return replace(self, origin=np.where(zero, 0.0, self.origin), asked={})
 
     def targets(self, times: Array) -> tuple[Array, Array]:
         """Return the kept values (n, equations) and the driven coordinates (n, driven) at times growing from 0."""

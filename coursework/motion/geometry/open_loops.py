@@ -27,7 +27,7 @@ def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None
         return
     variant, holds = equations.variant, iter(equations.variant.holds)
     zero = [one.target == "start" and on_axes(next(holds)).op != "part" for one in equations.positions]
-    near = replace(closure, origin=np.where(zero, 0.0, closure.origin), asked={})
+    near = closure.at_zero(zero)
     residual, start = closed_start(near)
     worst = int(np.argmax(np.abs(residual)))
     if start is None or abs(residual[worst]) <= START_TOLERANCE * closure.scale:

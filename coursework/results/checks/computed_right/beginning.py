@@ -86,7 +86,7 @@ def _with_loops(closure: Closure) -> Closure | None:
     hinged = [bool(pair) and {pair + axis for axis in "xy"} <= {*map("".join, apart)} for pair, _ in apart]
     loops = iter([_is_loop(formula) or one for formula, one in zip(written, hinged, strict=True)])
     zero = [one.target == "zero" or (one.target == "start" and next(loops)) for one in positions]
-    return replace(closure, origin=np.where(zero, 0.0, closure.origin), asked={}) if any(zero) else None
+    return closure.at_zero(zero) if any(zero) else None
 
 
 def _apart(formula: Formula) -> tuple[str, str]:
