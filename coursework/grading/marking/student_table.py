@@ -1,7 +1,7 @@
 """A table as it was read, on the grid and in the columns of the key.
 
 Enters: a `Key`, a `Table`.  Leaves: `StudentTable`, the columns it lacks.
-Used by `grade.py`, `marking/reasons/table.py` and `precheck.py`.
+Used by `grade.py`, the reasons and `precheck.py`.
 """
 
 from __future__ import annotations
