@@ -179,7 +179,7 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Place
     one, at = np.indices(shape)[1].ravel(), (np.arange(np.prod(shape)), np.repeat(places, shape[1] * shape[2]))
     times, moved = np.tile(key.t[rows], shape[0] * shape[1]), np.tile(was.values[rows], (shape[0] * shape[1], 1))
     beside = np.pad(was.values, ((1, 1), (0, 0)), mode="reflect")
-    middle = np.median([beside[rows + by] for by in range(3)], axis=0)  # a misprint leads astray
+    middle = np.median([beside[rows], key.table[rows], beside[rows + 2]], axis=0)  # a misprint leads astray
     middle = np.where(np.isfinite(middle), middle, was.values[rows])
     moved[at] = np.repeat(middle.T[places], shape[1], axis=0).ravel()
     with np.errstate(divide="ignore", invalid="ignore"):
