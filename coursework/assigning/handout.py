@@ -17,7 +17,7 @@ from coursework.drawing.paper.record import Drawing
 from coursework.grading.marking.decimals import SHARED, SHOWN, decimals_accepted, decimals_asked
 from coursework.grading.platforms.names import file_stem
 from coursework.grading.platforms.roster import Student
-from coursework.motion.integration.integrate import march
+from coursework.motion.integration.integrate import March
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings
@@ -75,7 +75,7 @@ def make_handout(student: Student, individual: Individual, of_class: int) -> Han
     variant = individual.variant
     scene = Scene(variant, Settings(DEFAULT_SCHEME.name))
     time = variant.time
-    motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, time.step, time.end)
+    motion = March(scene.rates, DEFAULT_SCHEME, time.step).until(scene.start, time.end)
     mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start, lambda: scene.exact)
     check = None
     if time.check_row is not None and variant.links:

@@ -32,10 +32,11 @@ from coursework.motion.geometry.start import start_values
 from coursework.motion.geometry.unseen_signs import judged
 from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
-from coursework.motion.integration.integrate import Correction, left_by_scheme, march
+from coursework.motion.integration.integrate import Correction, March, left_by_scheme
 from coursework.motion.integration.motion import Motion, Stop, rows_before
 from coursework.motion.integration.passage import through
 from coursework.motion.integration.rates import Rates, compile_rates
+from coursework.motion.schemes import scheme_of
 from coursework.motion.settings import Settings
 from coursework.motion.singular.event import NotFollowed
 from coursework.motion.singular.explain import explain, explain_passage
@@ -159,7 +160,8 @@ class WayToMotion:
         rates, passages = self.passing(self.rates), self.search.passages
         angles = angles_in_determinants([self.reduction.blocks[index] for index in rates.blocks], self.equations)
         guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
-        rows = march(rates, scheme, self.begin, step, self.variant.time.end, self.correction, self.stop, guarded, passages)
+        made = March(rates, scheme_of(scheme), step, self.correction, guarded, passages)
+        rows = made.until(self.begin, self.variant.time.end, self.stop)
         scaled = rows.determinants / np.array([self.flow.largest[index] for index in rates.blocks])
         return replace(rows, scaled=np.asarray(scaled), notes=self.passed)
 

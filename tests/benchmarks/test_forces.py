@@ -5,7 +5,7 @@ import numpy as np
 import coursework
 from coursework.effects.analysis import analyse
 from coursework.effects.dynamics import Dynamics
-from coursework.motion.integration.integrate import march
+from coursework.motion.integration.integrate import March
 from coursework.motion.schemes import SCHEMES
 from tests.benchmarks.timer import ratio
 from tests.effects.massed import massed
@@ -24,7 +24,7 @@ def test_steps_of_dynamics_beside_steps_of_the_kinematic_march():
     assert (len(made.t), made.ended) == (STEPS + 1, "")
     found = ratio(
         lambda: Dynamics(run.scene.free_equations, list(places)).rows(SCHEMES["euler"], state, 1e-6, STEPS),
-        lambda: march(driven.rates, "euler", driven.start, 0.48 / STEPS, 0.48, None, None, []), most=MOST,
+        lambda: March(driven.rates, SCHEMES["euler"], 0.48 / STEPS).until(driven.start, 0.48), most=MOST,
     )  # fmt: skip
     assert found <= MOST
 

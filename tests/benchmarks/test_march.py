@@ -15,7 +15,7 @@ from coursework.equations.algebra.expression import add, variable
 from coursework.equations.algebra.symbolic_objects import symbolic
 from coursework.equations.reduction.blocks import reduce
 from coursework.motion.integration.exact_motion import exact_motion
-from coursework.motion.integration.integrate import march
+from coursework.motion.integration.integrate import March
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from tests.benchmarks.timer import ratio
@@ -125,7 +125,7 @@ def c_loop(compiler, folder):
 
 def table_march(scene):
     """Return the call that makes the rows of a table as `coursework run` does: kept and watched."""
-    return lambda: march(scene.rates, "euler", START, 0.48 / STEPS, 0.48, guarded=(0, 1, 2))
+    return lambda: March(scene.rates, SCHEMES["euler"], 0.48 / STEPS, guarded=(0, 1, 2)).until(START, 0.48)
 
 
 def exact_rows(scene):

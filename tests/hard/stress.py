@@ -18,8 +18,9 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 import coursework
-from coursework.motion.integration.integrate import march
+from coursework.motion.integration.integrate import March
 from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import scheme_of
 from coursework.run import Run
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
@@ -167,7 +168,7 @@ def _scheme_fault(run: Run, exact: np.ndarray) -> str:
     while gap > AGREED:
         parts *= 4
         rates, passages = run.scene.passing(run.scene.rates), run.scene.search.passages
-        finer = march(rates, "rk4", run.scene.start, motion.step / parts, float(motion.t[-1]), passages=passages)
+        finer = March(rates, scheme_of("rk4"), motion.step / parts, passages=passages).until(run.scene.start, float(motion.t[-1]))
         if len(finer.t) < parts * (count - 1) + 1:
             return "" if parts < 4096 else "Runge-Kutta 4 with small steps leaves the motion"
         now = float(np.max(np.abs(finer.coordinates[::parts][:count] - exact[:count])))

@@ -10,7 +10,7 @@ import pytest
 
 import coursework
 from coursework.motion.integration.extended_precision import march_in
-from coursework.motion.integration.integrate import march
+from coursework.motion.integration.integrate import March
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy.trace import trace
@@ -152,10 +152,10 @@ def test_h27_more_than_a_drive_period_a_step_is_refused():
         _ = coursework.solve("31", step=0.3).motion
     # Without that guard the width of the first step speaks.
     scene = coursework.solve("31").scene
-    found = march(scene.rates, "euler", scene.start, 0.6, 0.6, guarded=[0, 1, 2])
+    found = March(scene.rates, SCHEMES["euler"], 0.6, guarded=[0, 1, 2]).until(scene.start, 0.6)
     assert found.stop.kind == "step too large"
     assert len(found.t) == 1
-    alone = march(scene.rates, "euler", scene.start, 0.6, 0.6, guarded=[2])
+    alone = March(scene.rates, SCHEMES["euler"], 0.6, guarded=[2]).until(scene.start, 0.6)
     assert any(abs(value - float(wanted["dphi3"])) < 5e-3 for value in numbers(alone.stop.sentence))
     after = 2 * math.cos(2.87 + float(wanted["dphi3"])) + math.sin(2.87 + float(wanted["dphi3"]))
     assert 0.457 * after == pytest.approx(float(wanted["det_after_value"]), abs=1e-9)  # the sign that nobody would have seen

@@ -20,14 +20,14 @@ from coursework.motion.integration.loops import generate_rows
 from coursework.motion.integration.motion import Motion, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
-from coursework.motion.schemes import Scheme, scheme_of
+from coursework.motion.schemes import Scheme
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
-Row = tuple[float, ...]  # coordinates, velocities, determinants
+Numbers = tuple[float, ...]  # of a row: coordinates, velocities, determinants
 # One step that turns a link whose angle stands in a determinant by more than this (rad) can cross a dead point unseen.
 WIDEST_STEP = 1.0
 # A coordinate (rad or m) beyond this is none of a mechanism: the rows of a step that is too large grow from row to row.
@@ -44,6 +44,21 @@ class Correction:
     newton: int = 0
     gain: float = 0.0
 
+    def corrected(self, targets: tuple[Array, Array], row: Row, step: float, moved: Array) -> Array:
+        """Return the position (m,) made of `moved`, which one step has made of a `row`.
+
+        `targets`: the values kept (n, k) and the driven coordinates (n, d) of all rows.
+        """
+        assert self.closure is not None
+        kept, known = targets
+        if self.gain:
+            return np.asarray(moved + step * self.gain * self.closure.linear(row.t, row.q, kept[row.index]))
+        moved = moved.copy()
+        moved[list(self.closure.driven)] = known[row.index + 1]
+        for _ in range(self.newton):
+            moved = moved + self.closure.correction(row.t + step, moved, kept[row.index + 1])
+        return moved
+
 
 def refuse_gain(gain: float, step: float) -> None:
     """Raise `InputError` for a Baumgarte gain outside 0 < gain*step < 2: the error is multiplied by 1 - gain*step a step."""
@@ -51,77 +66,131 @@ def refuse_gain(gain: float, step: float) -> None:
         raise InputError(say("fault.C018", gain=gain, step=step, number=1 - gain * step, number_2=2 / step, number_3=1 / step))
 
 
-def march(
-    rates: Rates, scheme: str, start: Sequence[float], step: float, end: float,
-    correction: Correction | None = None, stop: Stop | None = None, guarded: Sequence[int] = (),
-    passages: Sequence[Passage] = (),
-) -> Motion:  # fmt: skip
-    """March from `start` (rad, m) at t = 0 to `end` (s).
+@frozen
+class Row:
+    """Where a march stands: the coordinates `q` (m,) of row `index`, counted from 0, at `t` (s)."""
 
-    `stop`: where the true motion ends (rows beyond it are not computed).  `guarded`: the coordinates in determinants.
-    `passages`: where a determinant may change its sign.
-    The motion stops also where the scheme itself steps over a dead point or out of the numbers.
+    index: int
+    t: float
+    q: Array
+
+    def broken(self, what: str, step: float) -> Stop:
+        """Return the stop of a row that is no row of numbers; `what` it has none of."""
+        if self.has_outgrown:  # what then has no value has none because of the rows before
+            return self._stop(TOO_LARGE, {}, self._cause(say("event.overflow")), say("event.smaller_step"))
+        return self._stop("not finite", {}, self._cause(say(what)), say("event.rows_kept", step=step))
+
+    def stepped_over(self, rates: Rates, old: float, new: float, step: float) -> Stop:
+        """Return the stop of a row before which a determinant has changed its sign."""
+        between = {"row": self.index, "next": self.index + 1, "begin": self.t - step, "end": self.t}
+        cause = say("event.stepped_over", **between, old=old, new=new, step=step)
+        return self._stop(TOO_LARGE, self._named(rates), cause, say("event.better_scheme"))
+
+    def too_wide(self, rates: Rates, place: int, turned: float, step: float) -> Stop:
+        """Return the stop of a row whose step turns a coordinate that stands in a determinant by so much (rad)."""
+        turn = {"turned": turned, "degrees": float(np.degrees(turned)), "widest": WIDEST_STEP}
+        cause = say("event.too_wide", row=self.index + 1, time=self.t, step=step, name=rates.coordinates[place], **turn)
+        return self._stop(TOO_LARGE, self._named(rates), cause, say("event.smaller_step"))
+
+    @property
+    def has_outgrown(self) -> bool:
+        """Return whether a coordinate is none of a mechanism any more."""
+        return float(np.max(np.abs(self.q), initial=0.0)) > OUTGROWN
+
+    def _cause(self, what: str) -> str:
+        return say("event.broken", row=self.index + 1, time=self.t, what=what)
+
+    def _named(self, rates: Rates) -> dict[str, float]:
+        return dict(zip(rates.coordinates, self.q.tolist(), strict=True))
+
+    def _stop(self, kind: str, named: dict[str, float], cause: str, meaning: str) -> Stop:
+        return Stop(kind, self.t, float(self.index), (), named, cause, meaning)
+
+
+@frozen
+class March:
+    """How rows are made: `rates` with a `scheme` and its `step` (s), each position corrected if that is asked for.
+
+    `guarded`: the coordinates in determinants.  `passages`: where a determinant may change its sign.
     """
-    last = whole_steps(step, end)
-    if stop is not None:
-        last = min(last, rows_before(stop.time, step) - 1)
-    times: Array = np.arange(last + 1).astype(np.float64) * step
-    tableau = scheme_of(scheme)
-    rows = [] if correction else _generated(rates, tableau, start, step, last, guarded)
-    if len(rows) <= last:
-        own = _followed(rates, tableau, start, step, times, correction, guarded, rows, passages)
-        stop = stop if own is None else _first_stop(stop, own)
-    size, velocities = len(rates.coordinates), len(rates.velocities)
-    width = size + velocities + len(rates.blocks)
-    table = np.fromiter(itertools.chain.from_iterable(rows), float, len(rows) * width).reshape(len(rows), width)
-    known = table[:, size : size + velocities].copy(), table[:, size + velocities :].copy()
-    evaluations = max(0, len(rows) - 1) * tableau.slopes
-    return rates.motion(times[: len(rows)].copy(), table[:, :size].copy(), scheme, step, evaluations, known, stop=stop)
 
+    rates: Rates
+    scheme: Scheme
+    step: float
+    correction: Correction | None = None
+    guarded: Sequence[int] = ()
+    passages: Sequence[Passage] = ()
 
-def _generated(rates: Rates, scheme: Scheme, start: Sequence[float], step: float, last: int, guarded: Sequence[int]) -> list[Row]:
-    """Return the rows up to `last`, or up to the first one after which something is to be told."""
-    rows: list[Row] = []
-    with suppress(ZeroDivisionError, ValueError, OverflowError):
-        generate_rows(scheme, rates, guarded, WIDEST_STEP)(0, last, step, rates.may_look_until, rows.append, *start)
-    return rows
+    def until(self, start: Sequence[float], end: float, stop: Stop | None = None) -> Motion:
+        """Return the rows from `start` (rad, m) at t = 0 to `end` (s), or to where the true motion has its `stop`.
 
+        They end also where the scheme itself steps over a dead point or out of the numbers.
+        """
+        rates, step, last = self.rates, self.step, whole_steps(self.step, end)
+        if stop is not None:
+            last = min(last, rows_before(stop.time, step) - 1)
+        times: Array = np.arange(last + 1).astype(np.float64) * step
+        rows = [] if self.correction else self._generated(start, last)
+        if len(rows) <= last:
+            own = self._followed(start, times, rows)
+            stop = stop if own is None else _first_stop(stop, own)
+        size, velocities = len(rates.coordinates), len(rates.velocities)
+        width = size + velocities + len(rates.blocks)
+        table = np.fromiter(itertools.chain.from_iterable(rows), float, len(rows) * width).reshape(len(rows), width)
+        known = table[:, size : size + velocities].copy(), table[:, size + velocities :].copy()
+        evaluations = max(0, len(rows) - 1) * self.scheme.slopes
+        name = self.scheme.name
+        return rates.motion(times[: len(rows)].copy(), table[:, :size].copy(), name, step, evaluations, known, stop=stop)
 
-def _followed(
-    rates: Rates, scheme: Scheme, start: Sequence[float], step: float, times: Array, correction: Correction | None,
-    guarded: Sequence[int], rows: list[Row], passages: Sequence[Passage],
-) -> Stop | None:  # fmt: skip
-    """Add all further rows to those known, step by step from the last one; return why they end early."""
-    size, last = len(start), len(times) - 1
-    first = max(0, len(rows) - 1)
-    q = np.array(rows.pop()[:size] if rows else start, dtype=float)
-    targets = correction.closure.targets(times) if correction and correction.closure and last >= 0 else None
-    for index, t in enumerate(times[first:].tolist(), start=first):
-        try:
-            row = rates.evaluate(t, *q.tolist())
-        except (ZeroDivisionError, ValueError, OverflowError):
-            return _broken("event.singular", index, t, step, q)
-        if not all(map(math.isfinite, row)) and _has_outgrown(q):
-            return _broken("event.overflow", index, t, step, q)
-        if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
-            return found
-        rows.append((*q.tolist(), *row))
-        if index == last:
-            return None
-        try:
-            moved = scheme.step(rates.slopes((index + 1) * step), t, q, step, np.array(row[:size]))
-        except (ZeroDivisionError, ValueError, OverflowError):
-            return _broken("event.singular_inside", index, t, step, q)
-        wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
-        if wide:
-            turned = float(moved[wide[0]] - q[wide[0]])
-            return _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates)
-        if correction and targets is not None:
-            moved = corrected(correction, targets, index, step, t, q, moved)
-        q = moved
-        if not np.isfinite(q).all():
-            return _broken("event.overflow", index, t, step, q)
-    return None
+    def _generated(self, start: Sequence[float], last: int) -> list[Numbers]:
+        """Return the rows up to `last`, or up to the first one after which something is to be told."""
+        rows: list[Numbers] = []
+        with suppress(ZeroDivisionError, ValueError, OverflowError):
+            made = generate_rows(self.scheme, self.rates, self.guarded, WIDEST_STEP)
+            made(0, last, self.step, self.rates.may_look_until, rows.append, *start)
+        return rows
+
+    def _followed(self, start: Sequence[float], times: Array, rows: list[Numbers]) -> Stop | None:
+        """Add all further rows to those known, step by step from the last one; return why they end early."""
+        rates, step, size, last = self.rates, self.step, len(start), len(times) - 1
+        first = max(0, len(rows) - 1)
+        q = np.array(rows.pop()[:size] if rows else start, dtype=float)
+        correction = self.correction
+        targets = correction.closure.targets(times) if correction and correction.closure and last >= 0 else None
+        for index, t in enumerate(times[first:].tolist(), start=first):
+            here = Row(index, t, q)
+            try:
+                values = rates.evaluate(t, *q.tolist())
+            except (ZeroDivisionError, ValueError, OverflowError):
+                return here.broken("event.singular", step)
+            if not all(map(math.isfinite, values)) and here.has_outgrown:
+                return here.broken("event.overflow", step)
+            if rows and (found := self._crossed(rows[-1][size:], values, here)):
+                return found
+            rows.append((*q.tolist(), *values))
+            if index == last:
+                return None
+            try:
+                moved = self.scheme.step(rates.slopes((index + 1) * step), t, q, step, np.array(values[:size]))
+            except (ZeroDivisionError, ValueError, OverflowError):
+                return here.broken("event.singular_inside", step)
+            for place in self.guarded:
+                if abs(turned := float(moved[place] - q[place])) > WIDEST_STEP:
+                    return here.too_wide(rates, place, turned, step)
+            q = correction.corrected(targets, here, step, moved) if correction and targets is not None else moved
+            if not np.isfinite(q).all():
+                return Row(index, t, q).broken("event.overflow", step)
+        return None
+
+    def _crossed(self, before: Numbers, after: Numbers, here: Row) -> Stop | None:
+        """Return the stop where a determinant has changed its sign between two rows and may not."""
+        first, step = len(self.rates.velocities), self.step
+        # A scheme that is a little off meets the singular position a row early or late.
+        passing = {passage.block for passage in self.passages if here.t - 2 * step < passage.middle.time < here.t + step}
+        for block, old, new in zip(self.rates.blocks, before[first:], after[first:], strict=True):
+            if old * new <= 0 and old != 0 and block not in passing:
+                return here.stepped_over(self.rates, old, new, step)
+        return None
 
 
 def _first_stop(true: Stop | None, own: Stop) -> Stop:
@@ -131,64 +200,7 @@ def _first_stop(true: Stop | None, own: Stop) -> Stop:
     return replace(true, meaning=say("event.both", meaning=true.meaning, cause=own.cause))
 
 
-def corrected(
-    correction: Correction, targets: tuple[Array, Array], index: int, step: float, t: float, q: Array, moved: Array
-) -> Array:
-    """Return the position (m,) that a correction makes of `moved`, which one step has made of row `index`, `q` at `t`.
-
-    `targets`: the values kept (n, k) and the driven coordinates (n, d) of all rows.
-    """
-    closure = correction.closure
-    assert closure is not None
-    kept, known = targets
-    if correction.gain:
-        return np.asarray(moved + step * correction.gain * closure.linear(t, q, kept[index]))
-    moved = moved.copy()
-    moved[list(closure.driven)] = known[index + 1]
-    for _ in range(correction.newton):
-        moved = moved + closure.correction(t + step, moved, kept[index + 1])
-    return moved
-
-
-def _crossed(
-    before: tuple[float, ...], after: tuple[float, ...], rates: Rates, index: int, t: float, step: float, q: Array,
-    passages: Sequence[Passage],
-) -> Stop | None:  # fmt: skip
-    first = len(rates.velocities)
-    # A scheme that is a little off meets the singular position a row early or late.
-    passing = {passage.block for passage in passages if t - 2 * step < passage.middle.time < t + step}
-    for place in range(len(rates.blocks)):
-        old, new = before[first + place], after[first + place]
-        if old * new <= 0 and old != 0 and rates.blocks[place] not in passing:
-            between = {"row": index, "next": index + 1, "begin": t - step, "end": t}
-            cause = say("event.stepped_over", **between, old=old, new=new, step=step)
-            return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, say("event.better_scheme"))
-    return None
-
-
-def _too_wide(name: str, turned: float, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
-    turn = {"turned": turned, "degrees": float(np.degrees(turned)), "widest": WIDEST_STEP}
-    cause = say("event.too_wide", row=index + 1, time=t, step=step, name=name, **turn)
-    return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, say("event.smaller_step"))
-
-
-def _broken(what: str, index: int, t: float, step: float, q: Array) -> Stop:
-    if _has_outgrown(q):  # what then has no value has none because of the rows before
-        cause = say("event.broken", row=index + 1, time=t, what=say("event.overflow"))
-        return Stop(TOO_LARGE, t, float(index), (), {}, cause, say("event.smaller_step"))
-    cause = say("event.broken", row=index + 1, time=t, what=say(what))
-    return Stop("not finite", t, float(index), (), {}, cause, say("event.rows_kept", step=step))
-
-
 def left_by_scheme(motion: Motion) -> Motion:
     """Return rows that end where the true motion goes on: the scheme with its step has left it."""
     assert motion.stop is not None
     return replace(motion, stop=replace(motion.stop, kind=TOO_LARGE, meaning=say("event.smaller_step")))
-
-
-def _has_outgrown(q: Array) -> bool:
-    return float(np.max(np.abs(q), initial=0.0)) > OUTGROWN
-
-
-def _named(rates: Rates, q: Array) -> dict[str, float]:
-    return dict(zip(rates.coordinates, q.tolist(), strict=True))

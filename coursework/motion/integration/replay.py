@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.motion.integration.integrate import Correction, corrected
+from coursework.motion.integration.integrate import Correction, Row
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import Scheme
@@ -46,5 +46,5 @@ class Replay:
         moved = self.scheme.step(rates.slopes(index * step), t, q, step)
         if self.correction is not None and self.correction.closure is not None:
             targets = self.correction.closure.targets(motion.t)
-            moved = corrected(self.correction, targets, index - 1, step, t, q, moved)
+            moved = self.correction.corrected(targets, Row(index - 1, t, q), step, moved)
         return np.array([*moved, *own])

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.motion.integration.adaptive import integrate_adaptive
 from coursework.motion.integration.following import follow_closure
-from coursework.motion.integration.integrate import Correction, march
+from coursework.motion.integration.integrate import Correction, March
 from coursework.motion.integration.loops import Loop, generate_loop
 from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
 from coursework.results.accuracy.problem import TIMED, Bounds, Problem
@@ -101,9 +101,8 @@ def _by_loop(problem: Problem, loop: Loop, substeps: int, cost: int) -> tuple[Ar
 
 
 def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:
-    correction = Correction(problem.closure, newton)
-    end = problem.step * problem.rows
-    motion = march(problem.rates, DEFAULT_SCHEME.name, problem.start, problem.step / substeps, end, correction)
+    made = March(problem.rates, DEFAULT_SCHEME, problem.step / substeps, Correction(problem.closure, newton))
+    motion = made.until(problem.start, problem.step * problem.rows)
     steps = problem.rows * substeps
     return motion.coordinates, steps * (1 + newton)
 

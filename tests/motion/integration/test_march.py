@@ -1,13 +1,15 @@
 """The generated rows of a table are those of steps made one by one, to the last bit, and end for the same reason."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.integration import integrate
-from coursework.motion.integration.integrate import Correction, march
+from coursework.motion.integration.integrate import Correction, March, Row
 from coursework.motion.integration.loops import generate_rows
-from coursework.motion.schemes import SCHEMES
+from coursework.motion.schemes import SCHEMES, scheme_of
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.scenes import V31_IMPOSSIBLE
 from tests.solved import solved
@@ -16,7 +18,8 @@ from tests.solved import solved
 def both(run, scheme, step, end, start=None, guarded=()):
     """Return the motion by generated rows and the one by single steps (a correction that corrects nothing)."""
     rates, start = run.scene.rates, start or run.scene.start
-    return [march(rates, scheme, start, step, end, correction, None, guarded) for correction in (None, Correction())]
+    made = March(rates, scheme_of(scheme), step, guarded=guarded)
+    return [replace(made, correction=correction).until(start, end) for correction in (None, Correction())]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -81,8 +84,8 @@ def test_a_start_at_a_dead_point_leaves_no_row():
     assert rows.stop.kind == "not finite"
 
 
-def test_a_step_that_turns_too_far_is_told_with_the_row_it_leaves(monkeypatch):
-    monkeypatch.setattr(integrate, "_named", lambda rates, q: {})
-    stop = integrate._too_wide("phi", 1.7, 4, 0.08, 0.02, np.zeros(1), None)
+def test_a_step_that_turns_too_far_is_told_with_the_row_it_leaves():
+    rates = SimpleNamespace(coordinates=("phi",))
+    stop = Row(4, 0.08, np.zeros(1)).too_wide(rates, 0, 1.7, 0.02)
     assert (stop.row, stop.time) == (4.0, 0.08)
     assert "At row 5 (t = 0.08 s) one step of 0.02 s would turn phi by 1.7 rad (97°)" in str(stop.cause)

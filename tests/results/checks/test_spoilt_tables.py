@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.integration.integrate import march
+from coursework.motion.integration.integrate import March
+from coursework.motion.schemes import scheme_of
 from coursework.results.checks import check as records
 from coursework.results.checks.check import check_motion
 from tests.results.checks.scenes import CODES, V31, evidence_of, finding, found, solve, spoil, verdicts
@@ -155,7 +156,7 @@ def test_a_check_that_crashes_is_an_error_of_the_tool_and_the_others_go_on(run, 
 
 def test_the_march_keeps_its_first_row_whatever_the_scheme(run):
     for scheme in ("euler", "midpoint", "heun", "rk4"):
-        motion = march(run.scene.rates, scheme, run.scene.start, 0.02, 0.48)
+        motion = March(run.scene.rates, scheme_of(scheme), 0.02).until(run.scene.start, 0.48)
         assert np.array_equal(motion.rows[0], run.motion.rows[0])
         assert len(motion.t) == 25
         assert motion.t[3] == 3 * 0.02
