@@ -11,7 +11,7 @@ from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.misconceptions import Found, explanations, looked_for
 from coursework.grading.marking.table.points import ENOUGH_ROWS, FOLLOWING, table_points
-from coursework.grading.marking.table.ways import own_ways
+from coursework.grading.marking.table.ways import KEY, own_ways
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import Formula, spelled
@@ -86,6 +86,10 @@ def test_a_cell_put_right_never_lowers_the_points(seed):
 
 # Pairs that lost once: a variant, one of its tables, what is added to its cells, the one put right, whether to the key's number.
 LOST = [
+    (0, 3, {}, (22, 1), True),
+    (1, 4, {(2, 2): -0.014, (14, 1): -1.804, (22, 3): 0.044}, (21, 0), True),
+    (4, 3, {(1, 1): 0.997, (4, 1): -1.937, (6, 1): -0.015, (8, 1): -0.817}, (4, 1), True),
+    (4, 7, {(1, 1): 0.947, (19, 3): -0.018}, (1, 1), True),
     (0, 1, {(0, 2): 0.072, (1, 2): 7.512, (2, 2): 0.117, (24, 5): -0.064, (24, 6): 0.042}, (2, 2), True),
     (1, 3, {(7, 0): 0.034, (21, 6): -0.432}, (7, 0), False),
     (1, 4, {(10, 0): 0.125, (10, 1): 0.622, (10, 2): 0.779, (10, 3): -0.035, (10, 4): 0.9, (10, 5): -2.086, (10, 6): -0.225},
@@ -106,7 +110,7 @@ def test_what_lost_once_loses_no_more(number, which, added, cell, to_key):
     better = worse.copy()
     better[cell] = (desk.key.table if to_key else table)[cell]
     before, cells = earned(desk, worse)
-    assert cells.wrong[cell]
+    assert cells.marks[cell] != KEY
     assert earned(desk, better)[0].share >= before.share - 1e-9
 
 

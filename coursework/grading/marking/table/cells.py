@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.restored import restored
+from coursework.grading.marking.table.before.restored import restored
 from coursework.grading.marking.table.ways import (
     ANGLES,
     EARLIER,
