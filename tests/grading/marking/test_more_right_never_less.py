@@ -86,6 +86,7 @@ def test_a_cell_put_right_never_lowers_the_points(seed):
 
 # Pairs that lost once: a variant, one of its tables, what is added to its cells, the one put right, whether to the key's number.
 LOST = [
+    (1, 1, {(0, 0): 10.595, (1, 0): -0.242}, (0, 4), True),
     (0, 3, {}, (22, 1), True),
     (1, 4, {(2, 2): -0.014, (14, 1): -1.804, (22, 3): 0.044}, (21, 0), True),
     (4, 3, {(1, 1): 0.997, (4, 1): -1.937, (6, 1): -0.015, (8, 1): -0.817}, (4, 1), True),

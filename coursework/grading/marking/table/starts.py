@@ -32,16 +32,28 @@ def begins_elsewhere(key: Key, cells: Cells) -> bool:
 def own_start(key: Key, cells: Cells) -> OwnStart | None:
     """Return the table marked from its own start; None where that is the task's or row 1 does not follow from it.
 
-    The start is what row 1 prints, or what stood there before that was put right or misprinted.
+    The start is what row 1 prints, or what stood there before that was put right or misprinted, or the task's where a misprint
+    of that is printed: that by which most cells are.
     """
+    found = [(start, made) for start in _starts(key, cells) if (made := _marked_from(key, cells, start))]
+    if not found:
+        return None
+    start, made = max(found, key=lambda one: int((one[1].marks == KEY).sum()))
+    task = key.table[0, : len(start)]
+    return OwnStart(made, tuple(key.coordinates[place] for place in np.flatnonzero(start != task).tolist()))
+
+
+def _starts(key: Key, cells: Cells) -> list[Array]:
+    """Return the starts (m,) that a table may have been made from, other than the task's."""
     m, values, task = len(key.coordinates), cells.student.values[0], key.table[0, : len(key.coordinates)]
+    found = []
     for table in (cells.before, cells.student):
         if table is not None:
             start, units = table.values[0, :m], table.units[0, :m]
             other = np.abs(start - task) > np.where(start == values[:m], HALF, 1.0) * units
-            if other.any() and (found := _marked_from(key, cells, np.where(other, start, task))):
-                return OwnStart(found, tuple(key.coordinates[place] for place in np.flatnonzero(other).tolist()))
-    return None
+            found.append(np.where(other, start, task))
+            found += [np.where(np.arange(m) == place, start, task) for place in np.flatnonzero(other) if other.sum() > 1]
+    return [start for start in np.unique(found, axis=0) if (start != task).any()]
 
 
 def _marked_from(key: Key, cells: Cells, start: Array) -> Cells | None:
