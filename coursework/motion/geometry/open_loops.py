@@ -1,12 +1,13 @@
 """Whether written equations contradict the geometry only because the start leaves open what [closure] holds.
 
 Enters: velocity equations that do not agree, and their closure.  Leaves: nothing.  Raises `InputError` naming the start.
-Used by `unseen_signs.py`.  What is held keeps its start value: a slot whose pin starts beside it is a slot with an offset, and
-equations of the slot without one contradict it.
+Used by `unseen_signs.py`, `rigid.py`.  What is held keeps its start value: a slot whose pin starts beside it is a slot with an
+offset, and equations of the slot without one contradict it.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -16,6 +17,7 @@ from coursework.motion.geometry.agreement import agrees
 from coursework.motion.geometry.closed_start import closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.start import START_TOLERANCE
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import on_axes
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -25,18 +27,28 @@ def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None
     """Raise `InputError` where the equations agree once all that is held but single parts of points is zero at the start."""
     if not closure.names:
         return
-    variant, holds = equations.variant, iter(equations.variant.holds)
-    zero = [one.target == "start" and on_axes(next(holds)).op != "part" for one in equations.positions]
-    near = closure.at_zero(zero)
-    residual, start = closed_start(near)
+    near, residual = with_closed_loops(closure)
     worst = int(np.argmax(np.abs(residual)))
-    if start is None or abs(residual[worst]) <= START_TOLERANCE * closure.scale:
+    if near is None or abs(residual[worst]) <= START_TOLERANCE * closure.scale:
         return
     try:
-        agrees(equations, replace(near, start=start, asked={}))
+        agrees(equations, near)
     except InputError:
         return
-    held = equations.positions[worst]
-    known = {"value": float(residual[worst]), "unit": held.unit, "nearest": typed_start(variant, start)}
+    variant, held = equations.variant, equations.positions[worst]
+    known = {"value": float(residual[worst]), "unit": held.unit, "nearest": typed_start(variant, near.start)}
     told = say("fault.V310", held=held.written or held.name, **known)
     raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
+
+
+def with_closed_loops(closure: Closure, most: float = math.inf) -> tuple[Closure | None, Array]:
+    """Return the closure from the nearest start that leaves nothing open, None for none, and what its own start leaves (k,).
+
+    What is open by more than `most` is meant to be so, as the angle between two gears is.
+    """
+    equations, holds = closure.equations, iter(closure.equations.variant.holds)
+    held = np.array([one.target == "start" and on_axes(next(holds)).op != "part" for one in equations.positions], dtype=bool)
+    left = closure.residual(0.0, closure.start, np.where(held, 0.0, closure.origin))[0]
+    near = closure.at_zero((held & (np.abs(left) <= most)).tolist())
+    residual, start = closed_start(near)
+    return None if start is None else replace(near, start=start, asked={}), residual

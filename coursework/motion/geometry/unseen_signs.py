@@ -15,6 +15,7 @@ from coursework.equations.reduction.equations import VelocityEquation, VelocityE
 from coursework.motion.geometry.agreement import agrees, require_agreement
 from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.motion.geometry.open_loops import require_loops_closed
+from coursework.motion.geometry.rigid import require_rigid
 from coursework.motion.geometry.turning import require_turning
 from coursework.variant.formula.tree import Formula, on_axes, signed, spelled
 from coursework.variant.record.no_value import known_value
@@ -34,7 +35,9 @@ def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | N
         found = require_agreement(equations, closure)
     except InputError:
         require_loops_closed(equations, closure)
+        require_rigid(equations, closure)
         raise
+    require_rigid(equations, closure)
     require_turning(equations, closure)
     closure = replace(closure, agreed=found.agreed, unjudged=found.unjudged)
     return replace(closure, unseen=_unseen_signs(equations, closure))

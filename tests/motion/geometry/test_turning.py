@@ -82,7 +82,3 @@ def test_the_rate_that_is_meant_is_named_where_another_link_has_it():
 
 def test_angles_may_be_counted_clockwise():
     assert closure(CLOCKWISE) is not None
-
-
-def test_an_arm_that_grows_is_of_no_body_and_judges_nothing():
-    assert closure(CLOCKWISE, ('["A", "B"], rate', '["A", "B", "C"], rate')) is not None

@@ -1,0 +1,181 @@
+"""Whether [links] and [frame] are what the points of a file do: links keep their shape, guides and circles lie where points run.
+
+Enters: velocity equations and their closure.  Leaves: nothing.  Raises `InputError` naming each link, rail, circle.
+Used by `unseen_signs.py`.  No column of the table feels a guide across the way of its slider; drawing, plans and forces do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.system import compile_values
+from coursework.motion.geometry.agreement import configurations
+from coursework.motion.geometry.closed_start import OPEN
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.open_loops import with_closed_loops
+from coursework.system.arrays import Array
+from coursework.system.frozen import frozen
+from coursework.variant.formula.tree import Formula, evaluate, named, signed
+from coursework.variant.record.entries import Link
+from coursework.variant.record.variant import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+Track = NDArray[np.complex128]
+
+_TOLERANCE = 1e-6  # of the largest length, and of a way: far above round-off, far below another datum
+_ROUND_OFF = 1e-9  # of the largest length
+
+
+def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` for links and the frame where they contradict the points; what holds for some data does for all."""
+    equations.once("rigid", lambda: _require(equations, closure))
+
+
+def _require(equations: VelocityEquations, closure: Closure) -> None:
+    variant = equations.variant
+    if not (variant.links or variant.frame.rails):
+        return
+    # A start as typed leaves loops a little open, and what is held so is no distance of a link.
+    near, left = with_closed_loops(closure, OPEN * closure.scale)
+    allowed = _TOLERANCE * closure.scale + (float(np.max(np.abs(left), initial=0.0)) if near is None else 0.0)
+    times, positions = configurations(near or closure)
+    vectors = equations.symbols.vectors
+    found = compile_values(equations, [part for vector in vectors.values() for part in vector])[1](times, *positions.T)
+    parts = np.array([np.broadcast_to(np.asarray(part, dtype=float), times.shape) for part in found])
+    tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}
+    growing = [positions[:, place] for place, one in enumerate(variant.coordinates) if one.unit == "m"]
+    seen = _Seen(variant, times, tracks, growing, allowed)
+    if faults := [*seen.of_links(), *seen.of_rails(), *seen.of_circles()]:
+        raise InputError(faults)
+
+
+@frozen
+class _Seen:
+    """Where the points of a variant are at some `times` (c,): `tracks`, x + iy (c,) each; `allowed` (m) is no difference.
+
+    `growing` are the coordinates that are lengths, (c,) each.
+    """
+
+    variant: Variant
+    times: Array
+    tracks: dict[str, Track]
+    growing: list[Array]
+    allowed: float
+
+    def of_links(self) -> Iterator[Fault]:
+        """Yield the links of which two points do not keep their distance, and those that leave the bar they slide on."""
+        bars = {link.name: link.points for link in self.variant.links}
+        for link in self.variant.links:
+            points = [*link.points, *([link.wheel] if link.wheel else [])]
+            pairs = [pair for pair in combinations(points, 2) if not self._keeps(self._apart(*pair)) and not self._grows(*pair)]
+            if pairs:
+                yield self._fault(
+                    ("links", link.name), self._not_rigid(link, *max(pairs, key=lambda pair: np.ptp(self._apart(*pair))))
+                )
+                continue
+            offs = [[self._off(point, *pair) for pair in combinations(bars.get(link.slides or "", ()), 2)] for point in points]
+            lost = next((place for place, off in enumerate(offs) if off and not any(map(self._keeps, off))), None)
+            if lost is not None:
+                known = {"link": link.name, "point": points[lost], "bar": link.slides, **self._between(offs[lost][0])}
+                yield self._fault(("links", link.name), say("fault.V315", **known))
+
+    def of_rails(self) -> Iterator[Fault]:
+        """Yield the rails across the way of their point, and those that a wheel does not touch from the side."""
+        wheels = {link.contact: link for link in self.variant.links if link.wheel}
+        for place, (through, angle) in enumerate(self.variant.frame.rails):
+            if through.op != "name":
+                continue
+            track, along = self.tracks[through.name], np.exp(1j * evaluate(angle, self.variant.values))
+            way = track - track[0]
+            farthest = way[int(np.argmax(np.abs(way)))]
+            if self._leaves(way, along):
+                known = {"point": through.name, "angle": _degrees(along), "way": _degrees(farthest)}
+                told = say("fault.V316.curved" if self._leaves(way, farthest / abs(farthest)) else "fault.V316.straight", **known)
+                yield self._fault(("frame", "rails", place), told)
+            elif wheel := wheels.get(through.name):
+                yield from self._touched(wheel, np.full_like(track, 1j * along))
+
+    def of_circles(self) -> Iterator[Fault]:
+        """Yield the circles that no wheel touches, where wheels touch what is none of the rails."""
+        rails = {through.name for through, _ in self.variant.frame.rails if through.op == "name"}
+        rolling = [link for link in self.variant.links if link.wheel and link.contact and link.contact not in rails]
+        for place, (centre, size) in enumerate(self.variant.frame.circles):
+            if centre.op != "name" or not rolling:
+                continue
+            radius = evaluate(size, self.variant.values)
+            away = {link.name: float(self._apart(link.contact or "", centre.name)[0]) for link in rolling}
+            wheel = min(rolling, key=lambda link: abs(away[link.name] - radius))
+            known = {"centre": centre.name, "radius": radius, "contact": wheel.contact, "away": away[wheel.name]}
+            if abs(away[wheel.name] - radius) > self.allowed:
+                yield self._fault(("frame", "circles", place), say("fault.V317", **known))
+            else:
+                yield from self._touched(wheel, self.tracks[wheel.contact or ""] - self.tracks[centre.name])
+
+    def _touched(self, wheel: Link, across: Track) -> Iterator[Fault]:
+        """Yield a wheel whose radius to the contact does not stand `across` what it touches, (c,)."""
+        contact, centre = wheel.contact or "", wheel.wheel or ""
+        arm = self.tracks[contact] - self.tracks[centre]
+        if self._leaves(arm, across / np.abs(across)):
+            yield self._fault(("links", wheel.name), say("fault.V318", link=wheel.name, centre=centre, contact=contact))
+
+    def _not_rigid(self, link: Link, one: str, other: str) -> Sentence:
+        """Return that two points of a link do not keep their distance, and which points each of them does keep it to."""
+        kept = []
+        for point in (one, other):
+            if others := tuple(name for name in self.tracks if name != point and self._keeps(self._apart(point, name))):
+                kept.append(say("fault.V314.keeps", point=point, others=others))
+        known = {"link": link.name, "one": one, "other": other, **self._between(self._apart(one, other))}
+        return say("fault.V314.kept", **known, kept=joined(kept)) if kept else say("fault.V314.alone", **known)
+
+    def _between(self, sizes: Array) -> dict[str, float]:
+        """Return the first of some lengths (c,), and the one that differs from it most, with its time."""
+        place = int(np.argmax(np.abs(sizes - sizes[0])))
+        return {"first": float(sizes[0]), "last": float(sizes[place]), "time": float(self.times[place])}
+
+    def _apart(self, one: str, other: str) -> Array:
+        return np.abs(self.tracks[one] - self.tracks[other])
+
+    def _off(self, point: str, one: str, other: str) -> Array:
+        """Return how far (c,) a point lies beside the line through two others, nan where these are one."""
+        bar = self.tracks[other] - self.tracks[one]
+        with np.errstate(invalid="ignore"):
+            return np.asarray(((self.tracks[point] - self.tracks[one]) * bar.conj()).imag / np.abs(bar))
+
+    def _keeps(self, sizes: Array) -> bool:
+        return bool(np.ptp(sizes) <= self.allowed)
+
+    def _leaves(self, way: Track, along: Track | complex) -> bool:
+        """Return whether a way (c,) leaves the line along unit vectors."""
+        beside = np.max(np.abs((way * np.conj(along)).imag), initial=0.0)
+        return bool(beside > _TOLERANCE * np.max(np.abs(way), initial=0.0) + _ROUND_OFF * self.allowed / _TOLERANCE)
+
+    def _grows(self, one: str, other: str) -> bool:
+        """Return whether two points are the ends of an arm that grows: a vector in [points], or as long as a coordinate says."""
+        if any(self._keeps(self._apart(one, other) + sign * length) for length in self.growing for sign in (-1, 1)):
+            return True
+        placed = dict(self.variant.points)
+        return any(
+            _is_arm(placed[end], base, placed[base]) for end, base in ((one, other), (other, one)) if {end, base} <= {*placed}
+        )
+
+    def _fault(self, path: Sequence[str | int], told: Sentence) -> Fault:
+        return Fault(told, self.variant.file, self.variant.nearest_line(*path))
+
+
+def _is_arm(end: Formula, base: str, at: Formula) -> bool:
+    """Return whether a point is a base, which may be left out where it is (0, 0), and one vector."""
+    parts = [part for part, _ in signed(end) if part != named(base)]
+    whole = len([*signed(end)]) - len(parts) == 1 or (at.op == "pair" and all(part.name == "0" for part in at.args))
+    return whole and len(parts) == 1 and parts[0].op == "@"
+
+
+def _degrees(along: complex) -> float:
+    """Return the angle of a line, more than -90 to 90 degrees."""
+    return float(90.0 - (90.0 - np.degrees(np.angle(along))) % 180.0)

@@ -1,0 +1,135 @@
+"""Links that do not keep their shape, rails across the way of their point, circles that no wheel touches are told by name."""
+
+import pytest
+
+import coursework
+from tests.motion.geometry.test_turning import closure, of
+
+TRAMMEL = """
+[given]
+l = "300 mm"
+V = "10 cm/s"
+k = "2 rad/s"
+[drive]
+u = "V*cos(k*t)"
+[coordinates]
+x = { start = "18 cm", rate = "u" }
+y = { start = "24 cm", rate = "v" }
+th = { start = "53.13010235415598 deg", rate = "w" }
+[time]
+step = "2*pi/(80*k)"
+end = "2*pi/k"
+[points]
+A = "(x, 0)"
+B = "(0, y)"
+E = "A + 0.4*(B - A)"
+[links]
+1 = { points = ["A", "B", "E"], rate = "w" }
+[frame]
+rails = [{ through = "A", angle = "0 deg" }, { through = "B", angle = "90 deg" }]
+[[constraint]]
+name = "x"
+equation = "u + l*sin(th)*w = 0"
+because = "x = l cos th"
+[[constraint]]
+name = "y"
+equation = "v - l*cos(th)*w = 0"
+because = "y = l sin th"
+[closure]
+holds = ["x - l*cos(th)", "y - l*sin(th)"]
+[ask]
+quantities = ["table"]
+"""
+# A cylinder, whose two ends are a link: its length is a coordinate.
+CYLINDER = """
+[given]
+a = "0.5 m"
+d = "1.1 m"
+v = "0.05 m/s"
+[drive]
+u = "v"
+[coordinates]
+s = { start = "1.2 m", rate = "u", unit = "m" }
+f = { start = "24.62 deg", rate = "w1" }
+g = { start = "91.04 deg", rate = "w2" }
+[time]
+step = "0.1 s"
+end = "1 s"
+[[constraint]]
+closure = "K + s @ f = J + a @ g"
+[points]
+K = "(0, 0)"
+J = "(d, 0)"
+N = "J + a @ g"
+[links]
+2 = { points = ["K", "N"], rate = "w1" }
+3 = { points = ["J", "N"], rate = "w2" }
+[frame]
+hinges = ["K", "J"]
+[ask]
+quantities = ["table"]
+"""
+
+
+@pytest.mark.parametrize("text", [TRAMMEL, CYLINDER], ids=["trammel", "cylinder"])
+def test_what_keeps_its_shape_or_is_meant_to_grow_is_not_told(text):
+    assert closure(text).names
+
+
+@pytest.mark.parametrize(
+    ("text", "slip", "told"),
+    [
+        (
+            of("31"),
+            ('["M", "B", "C"]', '["M", "A", "C"]'),
+            r"V314 .*A and . of link 3 are .* keep their distance\. .*keeps it to",
+        ),
+        (
+            TRAMMEL,
+            ('through = "B", angle = "90 deg"', 'through = "B", angle = "0 deg"'),
+            r'V316 .*through B lies at 0°.*angle = "90 deg"',
+        ),
+        (TRAMMEL, ('through = "B", angle = "90 deg"', 'through = "E", angle = "90 deg"'), "V316 .*E leaves that line"),
+        (of("epicyclic"), ('radius = "R0"', 'radius = "1.01*R0"'), "V317 .*radius of 0.1.* contact P is 0.1"),
+        (of("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
+        (of("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
+    ],
+    ids=["link", "rail", "curved", "circle", "contact on a rail", "contact in a ring"],
+)
+def test_a_link_or_frame_that_contradicts_the_points_is_told(text, slip, told):
+    with pytest.raises(coursework.InputError, match=told):
+        closure(text, slip)
+
+
+@pytest.mark.parametrize(("turned", "told"), [("9e-7", False), ("1.2e-6", True)])
+def test_a_rail_may_be_off_by_a_millionth_of_the_way(turned, told):
+    slip = 'through = "B", angle = "90 deg"', f'through = "B", angle = "pi/2 + {turned}"'
+    if told:
+        with pytest.raises(coursework.InputError, match="V316"):
+            closure(TRAMMEL, slip)
+    else:
+        assert closure(TRAMMEL, slip).complete
+
+
+@pytest.mark.parametrize(("part", "told"), [(0.9e-6, False), (1.1e-6, True)])
+def test_a_circle_may_be_off_by_a_millionth_of_the_largest_length(part, told):
+    whole = closure(of("epicyclic"))
+    slip = 'radius = "R0"', f'radius = "R0*(1 + {part * whole.scale / whole.equations.variant.values["R0"]!r})"'
+    if told:
+        with pytest.raises(coursework.InputError, match="V317"):
+            closure(of("epicyclic"), slip)
+    else:
+        assert closure(of("epicyclic"), slip).names == whole.names
+
+
+def test_a_bar_that_its_sleeve_leaves_is_told():
+    with pytest.raises(coursework.InputError, match=r"V315 .*link 4 slides along link 2, and its point O lies"):
+        closure(of("v107"), ('slides = "3"', 'slides = "2"'))
+
+
+def test_a_start_with_few_digits_tells_nothing_of_links():
+    """What its loops leave open would be kept, and would not turn with the links."""
+    text = TRAMMEL.replace('start = "24 cm"', 'start = "23.99 cm"').replace(
+        'start = "53.13010235415598 deg"', 'start = "53.1 deg"'
+    )
+    assert closure(text).agreed == ("x", "y")
