@@ -101,7 +101,7 @@ def oddities() -> list[SceneRun]:
     table = coursework.load("variable-crank-table")
     smooth = replace(table, functions=tuple(replace(law, method="spline") for law in table.functions))
     more = 'rails  = [ { through = "C", angle = "0" }, {'
-    guides = changed({'through = "P"': 'through = "M"', "rails  = [ {": more})
+    guides = changed({'through = "P", angle = "0"': 'through = "M", angle = "90 deg"', "rails  = [ {": more})
     coarse = {'"0.02 s"': '"0.2 s"', '"0.48 s"': '"0.4 s"', "check_row = 4 ": "check_row = 2 "}
     dead = changed({'"4.35 rad"': '"0.02 rad"', **coarse})
     arm = (ROOT / "variants" / "robot-arm.toml").read_text(encoding="utf-8")

@@ -40,7 +40,8 @@ def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
 
 def _require(equations: VelocityEquations, closure: Closure) -> None:
     variant = equations.variant
-    if not (variant.links or variant.frame.rails):
+    contradictory = len(closure.names) > len(closure.free)  # more is held than can be: another fault, told by others
+    if contradictory or not (variant.links or variant.frame.rails):
         return
     # A start as typed leaves loops a little open, and what is held so is no distance of a link.
     near, left = with_closed_loops(closure, OPEN * closure.scale)
