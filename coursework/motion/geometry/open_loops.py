@@ -44,7 +44,7 @@ def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None
 def with_closed_loops(closure: Closure, most: float = math.inf) -> tuple[Closure | None, Array]:
     """Return the closure from the nearest start that leaves nothing open, None for none, and what its own start leaves (k,).
 
-    What is open by more than `most` is meant to be so, as the angle between two gears is.
+    What is open by more than `most` is meant to be so, as the angle between two gears is, and is kept.
     """
     equations, holds = closure.equations, iter(closure.equations.variant.holds)
     held = np.array([one.target == "start" and on_axes(next(holds)).op != "part" for one in equations.positions], dtype=bool)

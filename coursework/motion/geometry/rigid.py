@@ -39,22 +39,25 @@ def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
 
 
 def _require(equations: VelocityEquations, closure: Closure) -> None:
-    variant = equations.variant
     contradictory = len(closure.names) > len(closure.free)  # more is held than can be: another fault, told by others
-    if contradictory or not (variant.links or variant.frame.rails):
+    if contradictory or not (equations.variant.links or equations.variant.frame.rails):
         return
-    # A start as typed leaves loops a little open, and what is held so is no distance of a link.
-    near, left = with_closed_loops(closure, OPEN * closure.scale)
-    allowed = _TOLERANCE * closure.scale + (float(np.max(np.abs(left), initial=0.0)) if near is None else 0.0)
-    times, positions = configurations(near or closure)
-    vectors = equations.symbols.vectors
+    if faults := _faults(equations, closure):
+        # What the start leaves open is kept, and is no distance of a link: the same must be told of a closed one.
+        near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
+        if near is not None and _faults(equations, near):
+            raise InputError(faults)
+
+
+def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
+    variant, vectors = equations.variant, equations.symbols.vectors
+    times, positions = configurations(closure)
     found = compile_values(equations, [part for vector in vectors.values() for part in vector])[1](times, *positions.T)
     parts = np.array([np.broadcast_to(np.asarray(part, dtype=float), times.shape) for part in found])
     tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}
     growing = [positions[:, place] for place, one in enumerate(variant.coordinates) if one.unit == "m"]
-    seen = _Seen(variant, times, tracks, growing, allowed)
-    if faults := [*seen.of_links(), *seen.of_rails(), *seen.of_circles()]:
-        raise InputError(faults)
+    seen = _Seen(variant, times, tracks, growing, _TOLERANCE * closure.scale)
+    return [*seen.of_links(), *seen.of_rails(), *seen.of_circles()]
 
 
 @frozen
