@@ -77,7 +77,7 @@ class Key:
     def misread(self, code: str) -> Callable[[Array, Array], Array] | None:
         """Return the velocities of the variant with one misconception in its formulas, None where that cannot be."""
         if code not in self._misread:
-            changed = misread(self.variant, code)
+            changed = misread(self.variant, self.model.equations, code)
             self._misread[code] = None
             with suppress(CourseworkError):
                 self._misread[code] = model_of(changed) if changed else None
