@@ -205,6 +205,24 @@ def test_a_row_too_many_or_too_few_costs_a_row():
     assert min(points) > 57
 
 
+def test_a_chain_of_groups_under_a_steady_drive_is_marked_like_the_others():
+    """Its sines stand in no written equation, and behind a row that stands twice the next ones follow each other again."""
+    desk = Desk(coursework.load("example-4"))
+    begun = desk.key.table[0, : desk.machine.m]
+    lines = {
+        "x": "-r1*w1*sin(theta1) - u2*cos(theta3) + s2*w3*sin(theta3)",
+        "y": "r1*w1*cos(theta1) - u2*sin(theta3) - s2*w3*cos(theta3)",
+    }
+    found, table = desk.marked(Machine(desk.variant, lines, degrees=("geometry",)).table(start=begun))
+    assert found == pytest.approx(24, abs=0.3)
+    assert codes(table)[0] == "degree_mode"
+    long = Machine(desk.variant, lines).table(start=begun, rows=desk.machine.rows + 1)
+    for shifted in (long[1:], np.vstack([long[:19], long[18:]])[: desk.machine.rows]):
+        found, table = desk.marked(shifted)
+        assert found > 57
+        assert table.earned.cause == "rows_shifted"
+
+
 def sign_faults(constraint):
     """Give the equation with the sign of one of its terms turned."""
     text = f"{spelled(constraint.left)} - ({spelled(constraint.right)})"

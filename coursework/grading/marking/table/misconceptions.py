@@ -86,11 +86,9 @@ def looked_for(key: Key, cells: Cells, count: int) -> bool:
     Under a steady drive the rows behind one that stands twice follow each other again, and few cells are wrong.
     """
     wrong = int(cells.wrong.sum())
-    return (
-        wrong > max(FEWEST, FEWEST_SHARE * count)
-        or begins_elsewhere(key, cells)
-        or (wrong > 0 and bool(displaced_rows(key, cells)))
-    )
+    if wrong > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells):
+        return True
+    return wrong > 0 and bool(displaced_rows(key, cells))
 
 
 def explanations(
