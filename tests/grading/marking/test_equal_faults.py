@@ -126,6 +126,8 @@ def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen(
         marked = [desk.marked(table, **how) for table, how in ways]
         assert all("other_step" in codes(table) for _, table in marked)
         close([found for found, _ in marked])
+        coarse = machine.table(step=2 * machine.h, rows=(machine.rows + 1) // 2)
+        assert codes(desk.marked(coarse, times=np.arange(len(coarse)) * 2 * machine.h)[1]) == ("other_step",)
 
 
 @pytest.mark.parametrize("number", [0, *(pytest.param(number, marks=pytest.mark.long) for number in range(1, 6))])

@@ -148,6 +148,8 @@ def explanations(
     if own := _other_step(key, cells):
         share, fit = own
         if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
+            # Its own times say so; of rows that leave steps of the task out, other rules explain the velocities alone.
+            named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
             named.setdefault(OTHER_STEP, (share, euler_share, ()))
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
