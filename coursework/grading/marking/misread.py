@@ -24,11 +24,11 @@ def misread(variant: Variant, equations: VelocityEquations, code: str) -> Varian
     """
     if code == "sign_drive":
         return _with_drive_turned(variant)
+    if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
+        return None  # without a sine in the drive it is the same as all of them
     if code != "degree_drive" and (variant.groups or any(one.is_closure for one in variant.constraints)):
         written = _written_out(variant, equations)
-        if written is None or (code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant):
-            return None  # without a sine in the drive it is the same as all of them
-        return _in_degrees(written, drive=code == "degree_mode", geometry=True)
+        return written and _in_degrees(written, drive=code == "degree_mode", geometry=True)
     changed = _in_degrees(variant, drive=code != "degree_geometry", geometry=code != "degree_drive")
     return None if changed == variant else changed
 
