@@ -67,8 +67,9 @@ def _add_told(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[i
             places[next(iter(meant))] = Place(at, "header")
             unread.remove(at)
     lacking = [name for name in grid.names if name not in places and name not in grid.given]
-    if len(lacking) > 1 and len(unread) >= len(lacking):
-        heads = tuple(layout.heads[at].text for at in unread)
+    heads = tuple(layout.heads[at].text for at in unread)
+    described = len(heads) == 1 and " " in heads[0]  # a symbol of its own, as V_M, is another column
+    if len(heads) >= len(lacking) > 1 or (len(lacking) == 1 and described):
         raise doubtful("unread_heads", heads=heads, names=tuple(lacking))
 
 
