@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from coursework.assigning.handout import Handout, guide_number
 from coursework.assigning.page_words import Equation, Plain, datum, drives, lettered, symbol_runs, symbol_text, time_text
 from coursework.assigning.senses import sense_rows
+from coursework.grading.marking.decimals import SOLVED
 from coursework.grading.marking.rubric import PARTS, Answer, Rubric
 from coursework.report.formulas.svg import Drawn, draw
 from coursework.report.graphs.figures import scale_on_paper
@@ -25,7 +26,6 @@ from coursework.words.templates import clean, filled
 
 LONGEST = 200
 TYPED = "\ue002"  # around a name as it is typed; no text has it
-SOLVED = 2  # decimals of a start that the geometry gives, beyond those that the table needs
 
 
 def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plain:

@@ -19,6 +19,7 @@ NO_GAP = 1e-9
 SHOWN, ASKED = 0.6, 5.0
 # One number of decimals holds for a class; the gap of a student's own data may be so much smaller than the template's.
 SHARED = 2.0
+SOLVED = 2  # decimals of a start that the geometry gives, beyond those that the table needs, on a task sheet
 
 
 def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:

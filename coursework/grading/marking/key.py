@@ -17,7 +17,7 @@ import numpy as np
 from coursework.api import make_run
 from coursework.equations.reduction.structure import without_data
 from coursework.grading.marking.branches import other_assemblies
-from coursework.grading.marking.decimals import SHARED, SHOWN, decimals_asked, gap_of
+from coursework.grading.marking.decimals import SHARED, SHOWN, SOLVED, decimals_asked, gap_of
 from coursework.grading.marking.misread import misread
 from coursework.grading.reading.expected import Grid, grid_of
 from coursework.many import Solutions, solve_many
@@ -29,6 +29,7 @@ from coursework.scene.model.model import Model, model_of
 from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array, Flags
 from coursework.variant.formula.tree import Formula
+from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
@@ -76,7 +77,7 @@ class Key:
     def misread(self, code: str) -> Callable[[Array, Array], Array] | None:
         """Return the velocities of the variant with one misconception in its formulas, None where that cannot be."""
         if code not in self._misread:
-            changed = misread(self.variant, code)
+            changed = misread(self.variant, self.model.equations, code)
             self._misread[code] = None
             with suppress(CourseworkError):
                 self._misread[code] = model_of(changed) if changed else None
@@ -201,6 +202,12 @@ class Key:
     def least_decimals(self) -> int:
         """Return how many decimals a task sheet asks for."""
         return decimals_asked(self.gap)
+
+    @cached_property
+    def told_to(self) -> Array:
+        """Return the last place (m,), SI, to which the task sheet tells each start that it solves, 0 for one that is given."""
+        solved = determined(self.variant)
+        return np.where([name in solved for name in self.coordinates], 10.0 ** -(self.least_decimals + SOLVED), 0.0)
 
     @cached_property
     def coarsest(self) -> Array:

@@ -8,23 +8,39 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.variant.formula.tree import Formula, mapped, named, number
-from coursework.variant.record.variant import Law, Variant
+from coursework.variant.record.variant import Constraint, Law, Variant
 
 _TURNING = ("sin", "cos", "tan")
 _DEGREE = Formula("/", (named("pi"), number(180)))
 
 
-def misread(variant: Variant, code: str) -> Variant | None:
+def misread(variant: Variant, equations: VelocityEquations, code: str) -> Variant | None:
     """Return the variant with the signs of its drive turned ("sign_drive") or degrees taken for radians: in all ("degree_mode"),
     in what is a function of time ("degree_drive"), in what is one of the position ("degree_geometry").
+
+    `equations` are those of the variant: whoever has them from its geometry puts positions into these, not into the geometry.
     """
     if code == "sign_drive":
         return _with_drive_turned(variant)
-    if code != "degree_drive" and variant.groups:
-        return None  # a group's closed form has its sines inside
+    if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
+        return None  # without a sine in the drive it is the same as all of them
+    if code != "degree_drive" and (variant.groups or any(one.is_closure for one in variant.constraints)):
+        written = _written_out(variant, equations)
+        return written and _in_degrees(written, drive=code == "degree_mode", geometry=True)
     changed = _in_degrees(variant, drive=code != "degree_geometry", geometry=code != "degree_drive")
     return None if changed == variant else changed
+
+
+def _written_out(variant: Variant, equations: VelocityEquations) -> Variant | None:
+    """Return the variant with its velocity equations in place of the geometry, None where a term of them has no name."""
+    sides = [(one.name, one.shown(equations.order)) for one in equations.equations]
+    if variant.functions or any(not {*tree.names()} <= {*variant.names, "pi"} for _, both in sides for tree in both):
+        return None
+    begun = tuple(replace(one, start=one.start or 0.0) for one in variant.coordinates)  # where it begins changes no velocity
+    lines = tuple(Constraint(name, "", *both) for name, both in sides)
+    return replace(variant, constraints=lines, coordinates=begun, groups=(), points=(), links=(), holds=(), driven=None)
 
 
 def _with_drive_turned(variant: Variant) -> Variant:

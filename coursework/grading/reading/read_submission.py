@@ -6,7 +6,6 @@ Used by whoever marks a submission, and by `precheck`.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -40,11 +39,11 @@ from coursework.grading.reading.files.kinds import (
 from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, other_kind, unreadable
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
+from coursework.grading.reading.table.parts import alike, put_beside
 from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read_spreadsheet, table_of_text
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-_ROUNDED = 0.505  # of the last place: what printing takes from a number
 _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
 
 
@@ -250,8 +249,13 @@ def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:
             return None, instead[0]
         return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
     ordered = sorted(found.tables, key=lambda table: (table.weight, _decimals(table)), reverse=True)
-    best, others = ordered[0], ordered[1:]
-    equal = [other for other in others if other.weight == best.weight and not _agree(other, best)]
+    best, others = ordered[0], []
+    for other in ordered[1:]:
+        if whole := put_beside(best, other):
+            best = whole
+        else:
+            others.append(other)
+    equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
     if equal:
         names = tuple(_named(table) for table in (best, *equal))
         return None, Trouble("needs-review", "two_tables", say("reading.trouble.two_tables", names=names))
@@ -268,19 +272,3 @@ def _named(table: Table) -> str | Sentence:
 
 def _decimals(table: Table) -> int:
     return sum(column.decimals for column in table.columns)
-
-
-def _agree(first: Table, second: Table) -> bool:
-    """Return whether two tables say the same; a report repeats the table of the file beside it, with digits of its own."""
-    others = {column.name: column for column in second.columns}
-    if {column.name for column in first.columns} != others.keys():
-        return False
-    digits = _ROUNDED if first.place or second.place else 0.0
-    return all(
-        math.isfinite(value) is math.isfinite(other)
-        and (not math.isfinite(value) or abs(value - other) <= digits * (unit + other_unit))
-        for column in first.columns
-        for value, unit, other, other_unit in zip(
-            column.values, column.last_place, others[column.name].values, others[column.name].last_place, strict=True
-        )
-    )

@@ -84,6 +84,8 @@ def test_further_columns_are_kept_and_the_student_reads_what_is_said_to_him(tmp_
     page = (tmp_path / "out" / "feedback" / "ada.html").read_text(encoding="utf-8")
     assert "See &lt;me&gt; on Friday." in page
     assert "Dr. K" not in page
+    sentence = next(csv.DictReader((tmp_path / "out" / "grades.csv").read_text(encoding="utf-8-sig").splitlines()))["sentence"]
+    assert "60 points. scan. See <me> on Friday. " in sentence and sentence.endswith(" x.")
 
 
 CAN = [("Yes", "No"), ("Да", "Нет"), ("Так", "Ні"), ("Ja", "Nein"), ("Oui", "Non"), ("Sí", "No"), ("是", "否")]

@@ -27,6 +27,19 @@ def test_a_right_table_has_no_wrong_cell(name):
             assert not cells.missing[:, : len(key.coordinates)].any()
 
 
+@pytest.mark.parametrize("name", ["homework", "whitworth"])
+def test_a_solved_start_is_right_as_the_sheet_rounds_it(name):
+    """With six decimals or in a workbook stands what the sheet told; half a place more is not the task's."""
+    key = key_of(coursework.load(name))
+    told = 10.0 ** -(key.least_decimals + 2)
+    begun = key.table[0, 1]
+    for start, wrong in ((round(begun / told) * told, 0), (begun + 0.6 * told, 1)):
+        table = key.table.copy()
+        table[0, 1] = start
+        cells = mark_cells(key, StudentTable(table, np.full(table.shape, 1e-9)))
+        assert cells.wrong[0, : len(key.coordinates)].sum() == wrong
+
+
 @pytest.mark.parametrize("name", ["31", "cardan", "variable-crank", "watt"])
 def test_a_wrong_table_is_looked_into_whatever_the_variant_is_written_with(name):
     """A crank of variable length has no equation without a term that has no name."""

@@ -126,6 +126,8 @@ def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen(
         marked = [desk.marked(table, **how) for table, how in ways]
         assert all("other_step" in codes(table) for _, table in marked)
         close([found for found, _ in marked])
+        coarse = machine.table(step=2 * machine.h, rows=(machine.rows + 1) // 2)
+        assert codes(desk.marked(coarse, times=np.arange(len(coarse)) * 2 * machine.h)[1]) == ("other_step",)
 
 
 @pytest.mark.parametrize("number", [0, *(pytest.param(number, marks=pytest.mark.long) for number in range(1, 6))])
@@ -203,6 +205,24 @@ def test_a_row_too_many_or_too_few_costs_a_row():
         points.append(desk.marked(np.vstack([right[:1], right]), with_time=False)[0])
     close(points)
     assert min(points) > 57
+
+
+def test_a_chain_of_groups_under_a_steady_drive_is_marked_like_the_others():
+    """Its sines stand in no written equation, and behind a row that stands twice the next ones follow each other again."""
+    desk = Desk(coursework.load("example-4"))
+    begun = desk.key.table[0, : desk.machine.m]
+    lines = {
+        "x": "-r1*w1*sin(theta1) - u2*cos(theta3) + s2*w3*sin(theta3)",
+        "y": "r1*w1*cos(theta1) - u2*sin(theta3) - s2*w3*cos(theta3)",
+    }
+    found, table = desk.marked(Machine(desk.variant, lines, degrees=("geometry",)).table(start=begun))
+    assert found == pytest.approx(24, abs=0.3)
+    assert codes(table)[0] == "degree_mode"
+    long = Machine(desk.variant, lines).table(start=begun, rows=desk.machine.rows + 1)
+    for shifted in (long[1:], np.vstack([long[:19], long[18:]])[: desk.machine.rows]):
+        found, table = desk.marked(shifted)
+        assert found > 57
+        assert table.earned.cause == "rows_shifted"
 
 
 def sign_faults(constraint):

@@ -230,6 +230,21 @@ def test_of_two_tables_the_fuller_one_counts_and_equal_ones_need_a_person() -> N
     assert same.table is not None
 
 
+def test_positions_in_one_table_and_velocities_in_another_are_one_table() -> None:
+    """A page is too narrow for eight columns: each half has the time; halves of other rows, or that differ, stay two tables."""
+    rows = [line.split(b",") for line in table("excel_en").splitlines()]
+    halves = [[b",".join([row[0], *row[part]]) for row in rows] for part in (slice(1, 4), slice(4, 8), slice(3, 8))]
+    whole = read(("t.csv", table("excel_en")))
+    for second in halves[1:]:
+        two = read(("a.csv", b"\n".join(halves[0])), ("b.csv", b"\n".join(second)))
+        assert two.table is not None and whole.table is not None
+        assert {column.name: column.values for column in two.table.columns} == {c.name: c.values for c in whole.table.columns}
+        assert "two_tables" not in codes(two)
+    for other in (halves[1][:20], [line.replace(b"2.", b"3.") for line in halves[2]]):
+        apart = read(("a.csv", b"\n".join(halves[0])), ("b.csv", b"\n".join(other)))
+        assert apart.table is None or "two_tables" in codes(apart)
+
+
 def test_a_zip_is_opened_once_in_memory() -> None:
     inner = archive({"deep.csv": table()})
     files = {"work/table.csv": table(), "__MACOSX/work/._table.csv": b"x", "work/equations.txt": EQUATIONS, "more.zip": inner}

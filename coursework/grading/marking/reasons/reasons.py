@@ -57,10 +57,15 @@ def decided(entry: Mapping[str, Any], most: float) -> list[Reason]:
     """Return what the instructor decided about a part, and says about it, in the place of all that was found in it."""
     part = say(f"feedback.part.{entry['check']}")
     key = "feedback.override_why" if entry["reason"] else "feedback.override"
-    reason = clean(str(entry["reason"]), LONGEST)
+    reason = _closed(clean(str(entry["reason"]), LONGEST))
     text = say(key, check=part, points=float(entry["points"]), most=most, reason=reason)
-    told = [Reason(entry["check"], "decided", clean(str(entry["say"]), LONGEST))] if entry.get("say") else []
+    told = [Reason(entry["check"], "decided", _closed(clean(str(entry["say"]), LONGEST)))] if entry.get("say") else []
     return [Reason(entry["check"], "decided", text), *told]
+
+
+def _closed(text: str) -> str:
+    """Return what a person typed as a sentence: another one follows in a comment of the platform."""
+    return f"{text}." if text[-1:].isalnum() else text
 
 
 def lost_by_time(minutes: int | None, lost: float, most: float) -> Reason:

@@ -117,7 +117,7 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
 def _nearest(key: Key, cells: Cells, row: int, place: int) -> tuple[str, float, float]:
     """Return the way that comes nearest to a cell: its name, what it expects, its tolerance."""
     if row == 0 and place < len(key.coordinates):
-        return START, float(key.table[0, place]), float(0.5 * cells.student.units[0, place])
+        return START, float(key.table[0, place]), float(0.5 * (cells.student.units[0, place] + key.told_to[place]))
     found = float(cells.student.values[row, place])
     said = [(way.name, float(way.expected[row, place]), float(way.tolerance[row, place])) for way in cells.ways]
     said = [entry for entry in said if np.isfinite(entry[1])]

@@ -16,6 +16,7 @@ from coursework.grading.marking.key import Key, MisreadKey
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
+from coursework.grading.marking.table.odd_rows import displaced_rows
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
 from coursework.grading.marking.table.points import explained_share, stands_still
@@ -80,8 +81,14 @@ class Found:
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
-    """Return whether a table of `count` cells is wrong in so many, or in its start, that a misconception is looked for."""
-    return int(cells.wrong.sum()) > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells)
+    """Return whether a table of `count` cells is wrong in so many, or in its start, that a misconception is looked for.
+
+    Under a steady drive the rows behind one that stands twice follow each other again, and few cells are wrong.
+    """
+    wrong = int(cells.wrong.sum())
+    if wrong > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells):
+        return True
+    return wrong > 0 and bool(displaced_rows(key, cells))
 
 
 def explanations(
@@ -105,13 +112,14 @@ def explanations(
     euler_fit = explained_share(key, cells, explained)
     began = own_start(key, cells)
     elsewhere = began is not None or begins_elsewhere(key, cells)
-    key_share = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if elsewhere else euler_share
+    by_key = np.asarray(cells.marks == KEY)
+    key_share = _share(by_key & spoken, spoken) if elsewhere else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
     part = 1.0
     # A closer look is for what does not explain everything.
-    by_key, most = cells.marks == KEY, int(spoken.sum())
+    most = int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
             continue
@@ -135,10 +143,13 @@ def explanations(
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
             part = claim.part if code == OTHER_STEP else part
-    fits = {code: fit for code, fit in fits.items() if fit.share > euler_fit + BETTER}
+    against_rows = explained_share(key, cells, by_key)  # rows that were shifted whole follow Euler's rules as well as before
+    fits = {code: fit for code, fit in fits.items() if fit.share > (against_rows if code == ROWS_SHIFTED else euler_fit) + BETTER}
     if own := _other_step(key, cells):
         share, fit = own
         if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
+            # Its own times say so; of rows that leave steps of the task out, other rules explain the velocities alone.
+            named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
             named.setdefault(OTHER_STEP, (share, euler_share, ()))
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)

@@ -50,7 +50,7 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
     for table in (cells.before, cells.student):
         if table is not None:
             start, units = table.values[0, :m], table.units[0, :m]
-            other = np.abs(start - task) > np.where(start == values[:m], HALF, 1.0) * units
+            other = np.abs(start - task) > np.where(start == values[:m], HALF, 1.0) * (units + key.told_to)
             found.append(np.where(other, start, task))
             found += [np.where(np.arange(m) == place, start, task) for place in np.flatnonzero(other) if other.sum() > 1]
     return [start for start in np.unique(found, axis=0) if (start != task).any()]

@@ -18,6 +18,7 @@ _MATRIX = re.compile(
     r"\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\1\}", re.DOTALL
 )
 _LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline)")
+_PREAMBLE = re.compile(r"\A.*?\\begin\s*\{document\}", re.DOTALL)
 _OPENS, _CLOSES = re.compile(r"\\begin|(?<!\\)\\\["), re.compile(r"\\end|(?<!\\)\\\]")
 _REMARK = re.compile(r"(?<!\\)%.*")
 _DELIMITERS = re.compile(r"\\[\[\]()]|\$\$?")
@@ -47,9 +48,12 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
 
     >>> logical_lines("\\begin{align}\na &= b\n + c \\\\\nd &= e\n\\end{align}\nf = g")
     [(2, 'a &= b + c'), (4, 'd &= e'), (6, 'f = g')]
+    >>> logical_lines("\\documentclass{article}\\begin{document}\nSo\n\\begin{align}\na &= b\n\\end{align}\n\\end{document}")
+    [(2, 'So'), (4, 'a &= b')]
     """
     if "\\" not in text:
         return list(enumerate(text.split("\n"), start=1))
+    text = _PREAMBLE.sub(lambda found: "\n" * found[0].count("\n"), text).replace("\\end{document}", "")  # its lines end as text
     text = matrices_in_one_piece(text)
     lines: list[tuple[int, str]] = []
     inside, first, kept = False, 0, ""

@@ -13,7 +13,7 @@ from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import PrintedNumber
-from coursework.grading.reading.table.headers import INDEX, TIME, Head
+from coursework.grading.reading.table.headers import INDEX, TIME, Head, named_in
 from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
 
@@ -51,9 +51,26 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
         places |= _in_order(layout, rest, [name for name in names if name not in lacking])
     else:
         places |= _lost_letters(layout, rest, [name for name in names if name not in places])
+        _add_told(layout, grid, places, rest)
     if not any(name in places for name in names):
         raise unreadable("no_columns", columns=len(rest), names=tuple(names))
     return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})))
+
+
+def _add_told(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> None:
+    """Find the columns whose heads say more than their names.  Raises `Refused` where as many are unread as are missing."""
+    missing = {name for name in grid.names if name not in places}
+    unread = [at for at in rest if layout.heads[at].text and not layout.heads[at].candidates]
+    told = [(at, named_in(layout.heads[at].text, grid.units) & missing) for at in unread]
+    for at, meant in told:
+        if len(meant) == 1 and sum(meant == other for _, other in told) == 1:
+            places[next(iter(meant))] = Place(at, "header")
+            unread.remove(at)
+    lacking = [name for name in grid.names if name not in places and name not in grid.given]
+    heads = tuple(layout.heads[at].text for at in unread)
+    described = len(heads) == 1 and " " in heads[0]  # a symbol of its own, as V_M, is another column
+    if len(heads) >= len(lacking) > 1 or (len(lacking) == 1 and described):
+        raise doubtful("unread_heads", heads=heads, names=tuple(lacking))
 
 
 def _by_head(layout: Layout, filled: list[int]) -> tuple[dict[str, Place], set[int]]:

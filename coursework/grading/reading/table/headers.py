@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
 from coursework.system.frozen import frozen
@@ -60,6 +60,7 @@ _SYMBOLS = {
 }  # fmt: skip
 _TURNING = [*_SYMBOLS["phi"], *_SYMBOLS["theta"]]
 _BY_UNIT = {"rad": _TURNING, "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}
+_FUNCTIONS = {"sin", "cos", "tan", "tg", "cot", "ctg"}  # a column of one is none of its argument
 _STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega")
 
 
@@ -114,6 +115,20 @@ def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
         fitting = tuple(name for name in found if name not in units or _fits(unit, units[name]))
         found = fitting or found
     return Head(text.strip(), found, unit)
+
+
+def named_in(text: str, columns: Sequence[tuple[str, str]]) -> frozenset[str]:
+    """Return the columns whose symbols stand among the words of a head that says more: "angle of the crank phi1, rad".
+
+    >>> sorted(named_in("rate of link w1 (rad/s)", [("phi1", "rad"), ("w1", "1/s")]))
+    ['w1']
+    """
+    words = re.findall(r"\w+", _without_unit(fold(" ".join(text[:_LONGEST].split())))[0])
+    if len(words) < 2 or {*words} & _FUNCTIONS:
+        return frozenset()
+    own = {fold(name) for name, _ in columns}
+    heads = (read_head(word, columns) for word in words if word in own or any(map(str.isdigit, word[1:])))
+    return frozenset(head.candidates[0] for head in heads if head.is_certain) - {TIME, INDEX}
 
 
 def _indexed(columns: tuple[tuple[str, str], ...], index: str) -> tuple[str, ...]:
