@@ -1,6 +1,7 @@
 """What equal accuracy costs is interpolated between the runs, and steps too coarse for an order are told."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -46,8 +47,9 @@ def test_steps_too_coarse_for_an_order_are_told():
     assert "0.2, then 2.0" in str(told)
     assert local_slopes([24, 48, 96], [0.09, 0.08, 0.02], 1e-15)[1] == pytest.approx(2.0)
     assert unsettled(study(1e-5)[:5], 1e-15) == ()
-    just = [row(DEFAULT_SCHEME, count, 0.05 / count**power) for count, power in ((1, 1), (2, 1), (4, 1 + 0.48 / 2))]
-    assert unsettled(just, 1e-15) == ()
+    for apart, settled in ((0.48, True), (0.52, False)):
+        just = [row(DEFAULT_SCHEME, count, 0.05 / count**power) for count, power in ((1, 1), (2, 1), (4, 1 + apart / 2))]
+        assert (unsettled(just, 1e-15) == ()) == settled
 
 
 def test_errors_that_do_not_fall_yet_have_no_order_and_no_better_scheme():
@@ -73,6 +75,37 @@ def test_what_round_off_forbids_is_not_promised():
     told = [one.key for one in sentences_of(rows, {}, {}, rows[0])]
     assert "study.never" in told
     assert not any(key.startswith("study.equal") for key in told)
+
+
+@pytest.mark.parametrize(("best", "is_never"), [(3.2e-11, True), (3.5e-11, False)])
+def test_round_off_of_many_steps_grows_as_the_root_of_their_number(best, is_never):
+    """3/E steps of 2^-53 each: at E = 3.33e-11 they add up to the error itself."""
+    rows = study(best)
+    keys = [one.key.partition(".equal")[0] for one in sentences_of(rows, {}, {}, rows[0])]
+    assert ("study.never" in keys) == is_never
+    assert ("study" in keys) != is_never
+
+
+@pytest.mark.parametrize(("part", "is_better"), [(0.94, True), (0.96, False)])
+def test_a_scheme_that_takes_no_twentieth_off_the_error_is_no_better(part, is_better):
+    rows = study(part * 3.0 / 24)
+    keys = [one.key for one in sentences_of(rows, {}, {}, rows[0])]
+    assert (keys[1].startswith("study.best"), keys[1] == "study.no_better") == (is_better, not is_better)
+    assert any(key.startswith(("study.equal", "study.never")) for key in keys) == is_better
+
+
+@pytest.mark.parametrize(("times", "told"), [(1.09, False), (1.11, True)])
+def test_an_end_row_that_understates_the_error_by_a_tenth_is_told(times, told):
+    usual, *others = study(1e-3)
+    rows = [replace(usual, end_error=usual.max_error / times), *others]
+    assert ("study.end_row" in [one.key for one in sentences_of(rows, {}, {}, rows[0])]) == told
+
+
+@pytest.mark.parametrize(("apart", "told"), [(0.49, False), (0.51, True)])
+def test_an_order_at_the_end_that_is_half_an_order_higher_only_seems_so(apart, told):
+    rows, title = study(1e-3), title_of(DEFAULT_SCHEME)
+    found = sentences_of(rows, {title: 1.0}, {title: 1.0 + apart}, rows[0])
+    assert ("study.end_order" in [one.key for one in found]) == told
 
 
 def test_what_has_no_error_has_no_ratio():
