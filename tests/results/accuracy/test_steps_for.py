@@ -9,8 +9,8 @@ import coursework
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, title_of
 from coursework.report.output.tables import study_csv
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
-from coursework.results.accuracy.sentences import sentences_of, unsettled
-from coursework.results.accuracy.trace import local_slopes
+from coursework.results.accuracy.sentences import _clock, sentences_of, unsettled
+from coursework.results.accuracy.trace import local_slopes, orders_of, slope
 
 COUNTS = (24, 96, 1536, 24576, 98304)
 
@@ -115,3 +115,24 @@ def test_what_has_no_error_has_no_ratio():
     assert not any("times less" in str(one) for one in study.sentences)
     rows = [row(DEFAULT_SCHEME, 24, 1e-3), row(PRECISE, 24, 0.0, 4)]
     assert "many times less" in str(sentences_of(rows, {}, {}, rows[0])[1])
+
+
+@pytest.mark.parametrize(("least", "told"), [(0.99, True), (1.01, False)])
+def test_an_order_is_told_where_it_is_more_than_the_least(least, told):
+    assert (title_of(DEFAULT_SCHEME) in orders_of(study(1e-3), 1e-15, least)) == told
+
+
+@pytest.mark.parametrize(
+    ("errors", "order"), [((0.099, 0.0099), 1.0), ((0.101, 0.0101), None), ((1e-3, 1.1e-4), 0.96), ((1e-3, 0.9e-4), None)]
+)
+def test_errors_between_ten_times_round_off_and_a_tenth_have_an_order(errors, order):
+    found = slope([1, 10], errors, 1e-5)
+    assert found == (order if order is None else pytest.approx(order, abs=2e-3))
+
+
+@pytest.mark.parametrize(
+    ("seconds", "told"),
+    [(12.0, "12 s"), (1.0, "1 s"), (0.99, "990 ms"), (1e-3, "1 ms"), (0.99e-3, "990 µs"), (1e-6, "1 µs"), (9e-9, "9 ns")],
+)
+def test_times_are_told_in_the_largest_unit_that_they_reach(seconds, told):
+    assert str(_clock(seconds)).replace("\u202f", " ").replace("\xa0", " ") == told

@@ -200,3 +200,11 @@ def later_of(monkeypatch, gain, second=None, slid=0.0):
     return several_periods._later(
         SimpleNamespace(true=exact, variant=variant, period=1.0, unit=names.get, scale=dict.fromkeys(names, 1.0))
     )
+
+
+@pytest.mark.parametrize(("end", "missed", "is_back"), [(1.01, 0.02, True), (1.01, 0.04, False), (0.99, 0.04, True)])
+def test_as_far_as_twice_the_run_every_column_must_be_back(monkeypatch, end, missed, is_back):
+    monkeypatch.setattr(several_periods, "after", lambda *_: np.zeros(1))
+    monkeypatch.setattr(several_periods, "missed", lambda *_: missed)
+    judged = SimpleNamespace(motion=SimpleNamespace(t=np.array([0.0, end])), names=("q",))
+    assert several_periods._is_back(judged, 2.0) == is_back
