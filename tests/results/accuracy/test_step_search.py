@@ -10,6 +10,7 @@ from coursework.motion.integration import loops
 from coursework.motion.integration.extended_precision import march_in
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy import round_off, step_search
+from coursework.results.accuracy import step_rules as ruling
 from coursework.results.accuracy.round_off import RoundOffRow, round_off_curve
 from coursework.results.accuracy.step_rules import StepRules, _pace, step_rules
 from coursework.results.accuracy.step_search import choose_step
@@ -216,3 +217,18 @@ def curve_of(monkeypatch, errors, rows, running=None):
     monkeypatch.setattr(loops, "generate_loop", lambda *_: lambda *_: [0.0])
     monkeypatch.setattr(round_off, "march_in", lambda *_, **__: np.array([[left.pop(0)]]))
     return list(round_off_curve(None, "euler", [0.0], 0.1, rows, np.zeros(1)))
+
+
+@pytest.mark.parametrize(
+    ("rate", "shown_from", "fewest"),
+    [(1.0, 0, 20), (1 + 0.9e-9, 0, 20), (1 + 1.1e-9, 0, 21), (1.0, 21, 25), (1.0, 26, 32), (1.0, 33, 40), (1.0, 41, 50)],
+)
+def test_rows_are_made_finer_by_a_quarter_until_they_show_every_pulse(monkeypatch, rate, shown_from, fewest):
+    """A drive of one turn a second, for a second, whose pulse shows from so many rows on."""
+    monkeypatch.setattr(ruling, "drive_frequency", lambda _: 2 * np.pi * rate)
+    monkeypatch.setattr(ruling, "turning_cranks", lambda _: {})
+    monkeypatch.setattr(ruling, "breaks", lambda _: ())
+    monkeypatch.setattr(ruling, "between_rows", lambda _, step: None if round(1 / step) >= shown_from else "pulse")
+    variant = SimpleNamespace(coordinates=(), time=SimpleNamespace(end=1.0))
+    found = step_rules(SimpleNamespace(variant=variant), SimpleNamespace(fastest=lambda _: None))
+    assert found == StepRules(fewest, 1)

@@ -123,7 +123,7 @@ def test_an_order_is_told_where_it_is_more_than_the_least(least, told):
 
 
 @pytest.mark.parametrize(
-    ("errors", "order"), [((0.099, 0.0099), 1.0), ((0.101, 0.0101), None), ((1e-3, 1.1e-4), 0.96), ((1e-3, 0.9e-4), None)]
+    ("errors", "order"), [((0.099, 0.0099), 1.0), ((0.101, 0.0101), None), ((1e-3, 1.1e-4), 0.96), ((1e-3, 0.95e-4), None)]
 )
 def test_errors_between_ten_times_round_off_and_a_tenth_have_an_order(errors, order):
     found = slope([1, 10], errors, 1e-5)
