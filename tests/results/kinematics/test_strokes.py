@@ -161,3 +161,15 @@ def test_the_first_of_two_strokes_is_taken_that_differ_by_less_than_a_hundredth(
     none: Any = None
     crank: Any = SimpleNamespace(name="phi", rate="w")
     assert strokes.longest_way(none, none, crank, crank) == (chosen, chosen + 1)
+
+
+def test_a_dead_position_is_looked_for_a_tenth_of_a_step_around_the_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[float] = []
+    monkeypatch.setattr(strokes, "at_times", lambda exact, rates, times: asked.extend(times))
+    monkeypatch.setattr(strokes, "closer", lambda exact, rates: exact)
+    monkeypatch.setattr(strokes, "_together", lambda exact, rates, parts: parts)
+    exact: Any = SimpleNamespace(t=np.array([1.0, 1.5, 2.0]), step=0.5)
+    none: Any = None
+    found = strokes.samples_of(exact, none)
+    assert asked == pytest.approx([0.95, 2.05])
+    assert (found.motion, found.begins, found.ends) == ([exact], True, True)
