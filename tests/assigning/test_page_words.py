@@ -56,3 +56,12 @@ def test_a_datum_is_shown_between_the_ends_of_its_range(choice, monkeypatch):
     (first, _), (second, _) = shown.marks
     assert float(first) < float(second) and float(first) + float(second) == pytest.approx(2 * float(shown.centre), abs=0.11)
     assert float(shown.band[1]) == pytest.approx(2 * (float(second) - float(first)), abs=0.21)
+
+
+@pytest.mark.parametrize(("texts", "equal"), [("ab", []), ("aab", [["1", "2"]]), ("abaab", [["1", "3", "4"], ["2", "5"]])])
+def test_students_with_the_same_data_are_told_together_whatever_their_times(texts, equal):
+    given = [
+        SimpleNamespace(id=str(place), values={("time", "end"): str(place), ("given", "r"): text})
+        for place, text in enumerate(texts, start=1)
+    ]
+    assert class_page._equal(given) == equal

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from coursework.desk.answering import contradicted
 from coursework.desk.job import Policy
 from coursework.grading.marking.equations.equations import Judge
+from coursework.variant.formula.reader import parse
 from tests.desk.desks import TEXT, VARIANTS, desk
 
 OWN = '\n[[constraint]]\nequation = "m*w1*sin(phi1) + j*wj*sin(phij) - b*wb*sin(phib) = 0"\n\n[links]'
@@ -106,3 +108,8 @@ def test_in_each_language_the_term_is_named_and_the_right_equation_is_not(client
 def test_nothing_is_searched_where_nothing_is_wrong(client, monkeypatch):
     monkeypatch.setattr(Judge, "slips", None)
     assert all(one["right"] for one in asked(client, TEXT)["equations"])
+
+
+@pytest.mark.parametrize(("letters", "told"), [(60, "a" * 60), (61, "a" * 60 + "…")])
+def test_a_term_is_shown_with_at_most_sixty_letters(letters, told):
+    assert contradicted._shown(parse("a" * letters)) == told

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 import xml.etree.ElementTree as tree
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
+from coursework.desk.serving import library
 from coursework.variant.catalogue import names
 from coursework.variant.reading.schema import VariantFile
 from tests.desk.desks import VARIANTS, desk
@@ -60,3 +63,19 @@ def test_every_key_of_the_schema_has_its_line(client, language):
     assert (sections["coordinates"]["lines"][0].split()[0], sections["time"]["lines"]) == ("phi1", [])
     assert "deg" in found["units"]
     assert {"name": "rk4"}.items() <= found["schemes"][-2].items()
+
+
+@pytest.mark.parametrize(("status", "asked"), [(200, 1), (503, 2)])
+def test_what_was_answered_is_kept_here_and_by_the_browser_and_a_refusal_is_not(monkeypatch, status, asked):
+    calls = []
+
+    async def answer(request, kind, data):
+        calls.append(kind)
+        return SimpleNamespace(status=status)
+
+    monkeypatch.setattr(library, "language_of", lambda _: "en")
+    monkeypatch.setattr(library, "reply", lambda answer, headers: headers)
+    request = SimpleNamespace(url=SimpleNamespace(path="/api/schema"), headers={})
+    kept = library.Library(answer)
+    found = [asyncio.run(kept.made_once(request)) for _ in range(2)]
+    assert (calls, found) == (["schema"] * asked, [library.KEPT if status == 200 else None] * 2)

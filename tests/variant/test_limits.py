@@ -258,3 +258,10 @@ def test_a_name_of_a_file_that_is_no_text(tmp_path):
     assert variant.name == "v%FF%E9"
     run = coursework.solve(variant, quantities=["table"])
     assert json.loads(json.dumps(record(run), ensure_ascii=False).encode("utf-8"))["variant"] == "v%FF%E9"
+
+
+def test_the_line_of_what_is_not_there_is_that_of_what_it_would_stand_in():
+    variant = parse_variant(PLAIN)
+    for path, line in ((("given", "r"), 2), (("given", "x"), 1), (("points", "A"), 1), ((), 1), (("time", "period"), 9)):
+        assert variant.nearest_line(*path) == line
+    assert (variant.line_of("time", "end"), variant.line_of("time", "period")) == (11, 0)

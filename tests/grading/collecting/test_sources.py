@@ -235,3 +235,10 @@ def test_no_text_becomes_a_formula(text: str) -> None:
 def test_harmless_text_stays_and_hidden_letters_show() -> None:
     assert text_cell("Іван О'Ніл =") == "Іван О'Ніл ="
     assert shown("a\u202eb\u200bc\x07\n") == "a⟨U+202E⟩b⟨U+200B⟩c⟨U+0007⟩\n"
+
+
+@pytest.mark.parametrize(("deep", "is_read"), [(5, True), (6, False)])
+def test_folders_are_opened_five_deep(tmp_path: Path, deep: int, is_read: bool) -> None:
+    write(tmp_path, "/".join([*"abcdef"[:deep], "t.csv"]))
+    found = collect_one(tmp_path)
+    assert (names(found), len(found.notes)) == (["a/b/c/d/e/t.csv"] if is_read else [], 0 if is_read else 1)

@@ -7,9 +7,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.table import odd_rows, points
+from coursework.grading.marking.table import clockwise, odd_rows, other_data, points, shifted, starts
 from coursework.grading.marking.table.cells import GIVEN, KEY, MISSING, STEP, WRONG
-from coursework.grading.marking.table.odd_rows import Shift, displaced_rows
+from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
+from coursework.grading.marking.table.ways import StudentTable
 
 
 @pytest.mark.parametrize("by", [1, 2, 3, -3, 4, -4])
@@ -44,3 +45,89 @@ def test_a_wrong_start_value_is_a_slip_of_the_pen_where_the_first_value_below_is
 def test_a_column_is_constant_that_changes_by_no_more_than_round_off() -> None:
     key = SimpleNamespace(ranges=5 * np.array([0.0, 0.9e-9, 1.1e-9]), table=np.full((3, 3), -5.0))
     assert points._constant(key).tolist() == [True, True, False]
+
+
+@pytest.mark.parametrize(
+    ("printed", "moved", "told"),
+    [
+        ((1.0, 2.0, 3.0, 4.0), 0.02, (2,)), ((1.0, 2.0, 3.0, 4.0), 0.005, ()), ((1.0, 2.0, 3.0, None), 0.02, (2,)),
+        ((1.0, 2.0, None, None), 0.02, ()), ((1.0, 2.0, 3.0, 4.5), 0.02, ()),
+    ],
+)  # fmt: skip
+def test_a_row_is_repeated_where_more_than_half_of_it_stands_again_and_moves_in_the_key(
+    printed: tuple[float | None, ...], moved: float, told: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    values = np.array([[1.0, 2.0, 3.0, 4.0], printed], dtype=float)
+    table = np.array([[1.0, 2.0, 3.0, 4.0], [1.0 + moved, 2.0, 3.0, 4.0]])
+    monkeypatch.setattr(odd_rows, "_tolerance", lambda key, cells: np.full(values.shape, 0.01))
+    assert repeated_rows(SimpleNamespace(table=table), SimpleNamespace(student=SimpleNamespace(values=values))) == told
+
+
+@pytest.mark.parametrize(
+    ("late", "early", "made"),
+    [
+        ([0] * 4 + [1] * 6, [0] * 10, [0, 1, 2, 4, 5, 6, 7, 8, 9, None]),
+        ([0] * 10, [0] * 3 + [1] * 7, [0, 1, 2, None, 3, 4, 5, 6, 7, 8]),
+        ([0] * 9 + [2.1], [0] * 10, [0, 1, 2, 4, 5, 6, 7, 8, 9, None]), ([0] * 9 + [1.9], [0] * 10, None),
+        ([0] * 10, [0] * 9 + [2.1], [0, 1, 2, None, 3, 4, 5, 6, 7, 8]), ([0] * 10, [0] * 9 + [1.9], None),
+    ],
+)  # fmt: skip
+def test_rows_are_put_back_where_half_of_all_and_a_tenth_more_than_before_is_then_right(
+    late: list[float], early: list[float], made: list[int | None] | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three rows of ten are right where they stand."""
+    right = {0: np.array([1.0] * 3 + [0.0] * 7), -1: np.array(late, dtype=float), 1: np.array(early, dtype=float)}
+    monkeypatch.setattr(shifted, "_right", lambda printed, by: right[by])
+    student = StudentTable(np.arange(10.0)[:, None], np.ones((10, 1)))
+    found = shifted.put_back(SimpleNamespace(student=student))
+    told = None if found is None else [None if np.isnan(one) else int(one) for one in found.values[:, 0]]
+    assert told == made
+
+
+@pytest.mark.parametrize(
+    ("first", "is_mirrored"),
+    [(-0.409, True), (-0.411, False), (-0.391, True), (-0.389, False), (0.4, False), (-0.4 + 2 * np.pi, True)],
+)
+def test_an_angle_begins_mirrored_within_the_last_digit_of_the_start_s_negative(
+    first: float, is_mirrored: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(clockwise, "_angular", lambda key: np.array([True]))
+    key = SimpleNamespace(table=np.array([[0.4]]))
+    key.coordinates = ("q",)
+    assert clockwise._begins_mirrored(key, StudentTable(np.array([[first]]), np.array([[0.01]]))) == is_mirrored
+    key.table = np.array([[0.004]])  # its own negative but for a digit
+    assert not clockwise._begins_mirrored(key, StudentTable(np.array([[-0.004]]), np.array([[0.01]])))
+
+
+@pytest.mark.parametrize(
+    ("before", "off", "is_own"), [(None, 0.49, False), (None, 0.52, True), (0.0, 0.99, False), (0.0, 1.01, True)]
+)
+def test_a_start_is_another_by_more_than_its_rounding(
+    before: float | None, off: float, is_own: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Half a digit as it is printed; a whole one where what stood there was put right."""
+    monkeypatch.setattr(starts, "_marked_from", lambda key, cells, start: SimpleNamespace(marks=np.zeros((1, 1))))
+    key = SimpleNamespace(coordinates=("q",), table=np.array([[3.0]]))
+    table = StudentTable(np.array([[3.0 + 0.1 * off]]), np.array([[0.1]]))
+    student = table if before is None else StudentTable(np.array([[3.0]]), np.array([[0.1]]))
+    found = starts.own_start(key, SimpleNamespace(student=student, before=None if before is None else table))
+    assert (found is not None) == is_own
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize(
+    ("shift", "told"),
+    [(np.pi / 2 + 0.019, True), (np.pi / 2 - 0.021, False), (-np.pi + 0.021, False), (-np.pi - 0.019, True), (0.019, False)],
+)
+def test_an_angle_counted_from_another_axis_is_a_whole_number_of_quarters_off(
+    sign: float, shift: float, told: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(other_data, "_exchanged", lambda _: iter(()))
+    monkeypatch.setattr(other_data, "_as_euler", lambda code, student: (code, student.values[:, 0]))
+    table = np.array([[0.3], [1.4], [2.9]])
+    variant = SimpleNamespace(coordinates=(SimpleNamespace(unit="rad"),))
+    key = SimpleNamespace(variant=variant, names=("q",), table=table)
+    student = StudentTable(sign * table + shift, np.zeros((3, 1)))
+    found = [*other_data.other_columns(SimpleNamespace(key=key, student=student, m=1))]
+    assert [code for code, _ in found] == (["origin_q"] if told else [])
+    assert all(values == pytest.approx(table[:, 0], abs=0.02) for _, values in found)

@@ -1,12 +1,14 @@
 """PEAK: the fastest link is found between the rows and between the steps of the search, a constant rate has no moment."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
 import coursework
+from coursework.motion.singular.peaks import Peaks
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.drives import Law, four_bar
 from tests.solved import solved
@@ -67,3 +69,15 @@ def test_the_tables_that_are_judged_share_what_was_sought_between_the_steps():
     before = flow.evaluations
     assert search.fastest([0, 1, 2]) == first
     assert flow.evaluations == before
+
+
+@pytest.mark.parametrize(
+    ("repeats", "step", "way"), [(False, 0.4, 0.8), (False, 2.5, 2.0), (True, 0.4, 0.8), (True, 1.0, 2.0), (True, 2.5, 5.0)]
+)
+def test_only_where_the_motion_repeats_a_step_goes_on_behind_the_end(repeats, step, way):
+    """An angle that grows by 2 rad in a second, which is the end."""
+    slope = np.array([2.0, 1.0])
+    clock = SimpleNamespace(step=lambda state, slope, length: (state + slope * length, None), slope=lambda state: slope)
+    pairs = [(slope * time, slope) for time in (0.0, 0.5)]
+    peaks = SimpleNamespace(way=pairs, last=SimpleNamespace(clock=clock, state=pairs[1][0], slope=slope, length=0.5))
+    assert Peaks.way_within(peaks, 0, 1.0, repeats)(step) == pytest.approx(way)

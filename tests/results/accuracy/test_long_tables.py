@@ -54,6 +54,13 @@ def test_from_2001_rows_on_some_are_looked_at(problem):
     assert "The table has 2002 rows: errors are looked for in 1002 of them, one in 2." in left_out(thinned, PAGE)
 
 
+@pytest.mark.parametrize(("operations", "pace"), [(99, 500), (100, 504), (1983, 9995), (1985, 10_000), (10_000, 10_000)])
+def test_of_a_long_program_fewer_rows_are_looked_at_down_to_a_hundred(problem, monkeypatch, operations, pace):
+    """126 evaluations a row looked at, 25 million operations in all, at most 2000 rows and at least 100."""
+    monkeypatch.setattr(Problem, "operations", operations)
+    assert replace(problem, rows=999_999).pace == pace
+
+
 @pytest.mark.parametrize("bounds", [PAGE, TIMED])
 def test_runs_end_where_their_work_does(problem, bounds):
     """A run of twice the table's steps, and one with two Newton corrections a step, just inside their bound and just outside."""

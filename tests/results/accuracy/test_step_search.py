@@ -1,14 +1,18 @@
 """--step auto: the smallest number of steps for a wish; single precision; refusals."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.integration import loops
 from coursework.motion.integration.extended_precision import march_in
 from coursework.motion.schemes import SCHEMES
-from coursework.results.accuracy import step_search
+from coursework.results.accuracy import round_off, step_search
+from coursework.results.accuracy import step_rules as ruling
 from coursework.results.accuracy.round_off import RoundOffRow, round_off_curve
-from coursework.results.accuracy.step_rules import StepRules, step_rules
+from coursework.results.accuracy.step_rules import StepRules, _pace, step_rules
 from coursework.results.accuracy.step_search import choose_step
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
@@ -44,7 +48,7 @@ def test_what_would_take_minutes_is_refused_with_the_time(scene):
         choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, 1e-7)
 
 
-@pytest.mark.parametrize("wish", [0.0, -1.0, float("nan"), 1e-14])
+@pytest.mark.parametrize("wish", [0.0, -1.0, float("nan"), 1e-14, 0.99e-10])
 def test_wishes_below_round_off_are_refused(scene, wish):
     with pytest.raises(InputError, match="round-off decides"):
         choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, wish)
@@ -65,20 +69,28 @@ def test_adding_up_the_time_spoils_single_precision(scene):
     assert fine.single < coarse.single / 2
 
 
-def test_no_step_of_a_wish_is_tried_beyond_the_rows_of_a_table(scene, monkeypatch):
-    """A wish that needs more rows than a table has is refused after some coarse trials, not after minutes."""
+def searched(monkeypatch, error, step, wish, most=1000, runs=lambda scheme, step: True):
+    """Return the steps that a search of Euler tries where `error(steps)` is the error, and those it finds or why it does not."""
     tried = []
-    rows = step_search._rows
+    monkeypatch.setattr(step_search, "SCHEMES", {"euler": SCHEMES["euler"]})
+    monkeypatch.setattr(step_search, "MOST_STEPS", most)
+    monkeypatch.setattr(step_search, "seconds", lambda *_, **__: 1.0)
+    monkeypatch.setattr(step_search._Search, "measured", lambda _, steps: tried.append(steps) or error(steps))
+    try:
+        return tried, choose_step(None, "euler", (), step, 1.0, wish, runs=runs).need.steps
+    except InputError as refused:
+        return tried, str(refused)
 
-    def counted(loop, rates, start, end, steps, inner):
-        tried.append(steps)
-        return rows(loop, rates, start, end, steps, inner)
 
-    monkeypatch.setattr(step_search, "_rows", counted)
-    for wish in (2.5e-6, 1e-9):
-        with pytest.raises(InputError, match="a table has at most 200000 rows"):
-            choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, wish)
-    assert max(tried) <= 200_000
+@pytest.mark.parametrize(("wish", "most"), [(2.5e-6, 200_000), (1e-9, 16 * 24)])
+def test_no_step_of_a_wish_is_tried_beyond_the_rows_of_a_table(monkeypatch, wish, most):
+    """A wish that needs more rows than a table has is refused after some coarse trials, not after minutes.
+
+    One that needs hardly more rows is looked at until that is sure, one that needs many more only coarsely.
+    """
+    tried, told = searched(monkeypatch, lambda steps: 0.6 / steps, 0.02 / 0.48, wish, most=step_search.MOST_STEPS)
+    assert "a table has at most 200000 rows" in told
+    assert max(tried) == most
     assert len(tried) < 100
 
 
@@ -147,3 +159,76 @@ def test_a_step_of_the_file_that_is_too_large_does_not_keep_auto_from_a_smaller_
     )
     assert result.exit_code == 0, result.output
     assert "Runge-Kutta 4 needs 20 steps" in result.stdout
+
+
+@pytest.mark.parametrize(("wish", "is_searched"), [(1.01e-10, True), (0.99e-10, False)])
+def test_the_smallest_wish(monkeypatch, wish, is_searched):
+    assert bool(searched(monkeypatch, lambda steps: wish / 2, 0.1, wish)[0]) == is_searched
+
+
+@pytest.mark.parametrize(("fewest", "found"), [(10, 10), (11, 11), (12, 14), (14, 14), (15, 19), (20, 27)])
+def test_where_a_run_stops_a_tenth_more_steps_are_tried_then_two_tenths(monkeypatch, fewest, found):
+    """10, 11 = 10 + 1, 14 = 11 + 2.2, 19 = 14 + 4.2, 27 = 19 + 7.6 steps."""
+    runs = lambda scheme, step: 1 / step > fewest - 0.5  # noqa: E731
+    assert searched(monkeypatch, lambda steps: 10 / steps, 0.1, 1.0, runs=runs)[1] == found
+
+
+@pytest.mark.parametrize(("first", "looked"), [(10, [10, 160]), (11, [11, 176])])
+def test_coarse_steps_that_foretell_too_many_are_followed_by_one_look_at_sixteen_times_as_many(monkeypatch, first, looked):
+    tried, found = searched(monkeypatch, lambda steps: 1.0, 1 / first, 1e-3, most=500)
+    assert tried[:2] == looked and "a table has at most" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("scheme", "steps", "parts"), [("euler", 999, 4), ("euler", 1000, 1), ("heun", 1000, 1), ("rk4", 999, 4), ("rk4", 1000, 4)]
+)
+def test_from_a_thousand_steps_on_the_reference_of_a_lower_order_has_the_same_steps(monkeypatch, scheme, steps, parts):
+    asked = []
+    monkeypatch.setattr(step_search, "generate_loop", lambda scheme, rates: scheme)
+    monkeypatch.setattr(step_search, "_rows", lambda *given: asked.append(given[-1]) or np.zeros(1))
+    monkeypatch.setattr(step_search, "resolution", lambda *_: SimpleNamespace(shorter=lambda step: (np.array([]),)))
+    rates = SimpleNamespace(equations=None)
+    step_search._Search(SCHEMES[scheme], rates, (), 0.1, 1.0, 1.0, StepRules(), lambda *_: True).measured(steps)
+    assert asked == [1, parts]
+
+
+@pytest.mark.parametrize(
+    ("times", "pace"),
+    [((1 / 1000,), 1000), ((1 / 1001,), 1), ((1 / 32, 1 / 27), 864), ((1 / 32, 1 / 37), 1), ((0.5, 1.0), 2), ((1.0,), 1)],
+)
+def test_breaks_stand_in_rows_where_a_thousand_parts_of_the_run_can(times, pace):
+    assert _pace(times, 1.0) == pace
+
+
+@pytest.mark.parametrize(("rows", "last"), [(24, 24 * 16384), (25, 25 * 4096)])
+def test_the_curve_of_single_precision_ends_before_four_hundred_thousand_steps(monkeypatch, rows, last):
+    assert curve_of(monkeypatch, [1.0] * 8, rows)[-1].steps == last
+
+
+@pytest.mark.parametrize(("risen", "rows"), [(0.39, 8), (0.41, 3)])
+def test_it_ends_where_both_errors_are_four_times_their_least(monkeypatch, risen, rows):
+    assert len(curve_of(monkeypatch, [1.0, 0.1, risen, *[0.1] * 5], 1)) == rows
+    assert len(curve_of(monkeypatch, [1.0, 0.1, risen, *[0.1] * 5], 1, running=[0.1] * 8)) == 8
+
+
+def curve_of(monkeypatch, errors, rows, running=None):
+    """Return the curve where single precision has these errors, row by row."""
+    left = [one for pair in zip(errors, running or errors, strict=True) for one in pair]
+    monkeypatch.setattr(loops, "generate_loop", lambda *_: lambda *_: [0.0])
+    monkeypatch.setattr(round_off, "march_in", lambda *_, **__: np.array([[left.pop(0)]]))
+    return list(round_off_curve(None, "euler", [0.0], 0.1, rows, np.zeros(1)))
+
+
+@pytest.mark.parametrize(
+    ("rate", "shown_from", "fewest"),
+    [(1.0, 0, 20), (1 + 0.9e-9, 0, 20), (1 + 1.1e-9, 0, 21), (1.0, 21, 25), (1.0, 26, 32), (1.0, 33, 40), (1.0, 41, 50)],
+)
+def test_rows_are_made_finer_by_a_quarter_until_they_show_every_pulse(monkeypatch, rate, shown_from, fewest):
+    """A drive of one turn a second, for a second, whose pulse shows from so many rows on."""
+    monkeypatch.setattr(ruling, "drive_frequency", lambda _: 2 * np.pi * rate)
+    monkeypatch.setattr(ruling, "turning_cranks", lambda _: {})
+    monkeypatch.setattr(ruling, "breaks", lambda _: ())
+    monkeypatch.setattr(ruling, "between_rows", lambda _, step: None if round(1 / step) >= shown_from else "pulse")
+    variant = SimpleNamespace(coordinates=(), time=SimpleNamespace(end=1.0))
+    found = step_rules(SimpleNamespace(variant=variant), SimpleNamespace(fastest=lambda _: None))
+    assert found == StepRules(fewest, 1)

@@ -1,6 +1,7 @@
 """What equal accuracy costs is interpolated between the runs, and steps too coarse for an order are told."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -8,8 +9,8 @@ import coursework
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, title_of
 from coursework.report.output.tables import study_csv
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
-from coursework.results.accuracy.sentences import sentences_of, unsettled
-from coursework.results.accuracy.trace import local_slopes
+from coursework.results.accuracy.sentences import _clock, sentences_of, unsettled
+from coursework.results.accuracy.trace import local_slopes, orders_of, slope
 
 COUNTS = (24, 96, 1536, 24576, 98304)
 
@@ -46,8 +47,9 @@ def test_steps_too_coarse_for_an_order_are_told():
     assert "0.2, then 2.0" in str(told)
     assert local_slopes([24, 48, 96], [0.09, 0.08, 0.02], 1e-15)[1] == pytest.approx(2.0)
     assert unsettled(study(1e-5)[:5], 1e-15) == ()
-    just = [row(DEFAULT_SCHEME, count, 0.05 / count**power) for count, power in ((1, 1), (2, 1), (4, 1 + 0.48 / 2))]
-    assert unsettled(just, 1e-15) == ()
+    for apart, settled in ((0.48, True), (0.52, False)):
+        just = [row(DEFAULT_SCHEME, count, 0.05 / count**power) for count, power in ((1, 1), (2, 1), (4, 1 + apart / 2))]
+        assert (unsettled(just, 1e-15) == ()) == settled
 
 
 def test_errors_that_do_not_fall_yet_have_no_order_and_no_better_scheme():
@@ -75,6 +77,37 @@ def test_what_round_off_forbids_is_not_promised():
     assert not any(key.startswith("study.equal") for key in told)
 
 
+@pytest.mark.parametrize(("best", "is_never"), [(3.2e-11, True), (3.5e-11, False)])
+def test_round_off_of_many_steps_grows_as_the_root_of_their_number(best, is_never):
+    """3/E steps of 2^-53 each: at E = 3.33e-11 they add up to the error itself."""
+    rows = study(best)
+    keys = [one.key.partition(".equal")[0] for one in sentences_of(rows, {}, {}, rows[0])]
+    assert ("study.never" in keys) == is_never
+    assert ("study" in keys) != is_never
+
+
+@pytest.mark.parametrize(("part", "is_better"), [(0.94, True), (0.96, False)])
+def test_a_scheme_that_takes_no_twentieth_off_the_error_is_no_better(part, is_better):
+    rows = study(part * 3.0 / 24)
+    keys = [one.key for one in sentences_of(rows, {}, {}, rows[0])]
+    assert (keys[1].startswith("study.best"), keys[1] == "study.no_better") == (is_better, not is_better)
+    assert any(key.startswith(("study.equal", "study.never")) for key in keys) == is_better
+
+
+@pytest.mark.parametrize(("times", "told"), [(1.09, False), (1.11, True)])
+def test_an_end_row_that_understates_the_error_by_a_tenth_is_told(times, told):
+    usual, *others = study(1e-3)
+    rows = [replace(usual, end_error=usual.max_error / times), *others]
+    assert ("study.end_row" in [one.key for one in sentences_of(rows, {}, {}, rows[0])]) == told
+
+
+@pytest.mark.parametrize(("apart", "told"), [(0.49, False), (0.51, True)])
+def test_an_order_at_the_end_that_is_half_an_order_higher_only_seems_so(apart, told):
+    rows, title = study(1e-3), title_of(DEFAULT_SCHEME)
+    found = sentences_of(rows, {title: 1.0}, {title: 1.0 + apart}, rows[0])
+    assert ("study.end_order" in [one.key for one in found]) == told
+
+
 def test_what_has_no_error_has_no_ratio():
     """A drive that stands still: nothing is better than nothing."""
     study = coursework.solve(coursework.load("31").with_data(given={"V1": 0.0}), quantities=("accuracy",)).accuracy
@@ -82,3 +115,24 @@ def test_what_has_no_error_has_no_ratio():
     assert not any("times less" in str(one) for one in study.sentences)
     rows = [row(DEFAULT_SCHEME, 24, 1e-3), row(PRECISE, 24, 0.0, 4)]
     assert "many times less" in str(sentences_of(rows, {}, {}, rows[0])[1])
+
+
+@pytest.mark.parametrize(("least", "told"), [(0.99, True), (1.01, False)])
+def test_an_order_is_told_where_it_is_more_than_the_least(least, told):
+    assert (title_of(DEFAULT_SCHEME) in orders_of(study(1e-3), 1e-15, least)) == told
+
+
+@pytest.mark.parametrize(
+    ("errors", "order"), [((0.099, 0.0099), 1.0), ((0.101, 0.0101), None), ((1e-3, 1.1e-4), 0.96), ((1e-3, 0.95e-4), None)]
+)
+def test_errors_between_ten_times_round_off_and_a_tenth_have_an_order(errors, order):
+    found = slope([1, 10], errors, 1e-5)
+    assert found == (order if order is None else pytest.approx(order, abs=2e-3))
+
+
+@pytest.mark.parametrize(
+    ("seconds", "told"),
+    [(12.0, "12 s"), (1.0, "1 s"), (0.99, "990 ms"), (1e-3, "1 ms"), (0.99e-3, "990 µs"), (1e-6, "1 µs"), (9e-9, "9 ns")],
+)
+def test_times_are_told_in_the_largest_unit_that_they_reach(seconds, told):
+    assert str(_clock(seconds)).replace("\u202f", " ").replace("\xa0", " ") == told

@@ -1,7 +1,9 @@
 """A wheel on a crank, rolling in a ring: back after as many turns of the crank as its ratio asks for, or never."""
 
 import math
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from coursework.results.checks.close_to_motion import several_periods
@@ -158,3 +160,51 @@ def test_of_a_period_too_long_to_be_followed_the_drive_says_whether_it_can_be_ri
     positions, velocities = judged(wheel(0.9, period, law="w + w*cos(2*w*t)/2"))
     assert (positions.verdict, velocities.verdict) == ("SKIP", verdict)
     assert verdict == "SKIP" or "wc begins with 7.5 and has 7.1558 then" in velocities.sentence
+
+
+@pytest.mark.parametrize(
+    ("gain", "periods"),
+    [(1 / 3, 3), (1 / 100, 100), (1 / 101, None), (0.5 + 0.4e-4, 2), (0.5 + 0.6e-4, None), (2 / 7, 7), (math.sqrt(0.1), None)],
+)
+def test_a_wheel_is_back_after_the_first_whole_number_of_turns_up_to_a_hundred_periods(monkeypatch, gain, periods):
+    """Whole to a ten-thousandth of a turn: `gain` turns of the wheel a period."""
+    assert later_of(monkeypatch, gain).periods == periods
+
+
+@pytest.mark.parametrize("gain", [0.0, 1.0, 3 + 0.9e-4])
+def test_a_wheel_that_is_back_each_period_explains_nothing(monkeypatch, gain):
+    assert later_of(monkeypatch, gain) is None
+
+
+@pytest.mark.parametrize(("more", "explains"), [(0.9e-4, True), (1.1e-4, False)])
+def test_a_wheel_gains_the_same_each_period(monkeypatch, more, explains):
+    assert (later_of(monkeypatch, 0.25, 0.25 + more) is not None) == explains
+
+
+@pytest.mark.parametrize(("slid", "explains"), [(0.9e-4, True), (1.1e-4, False)])
+def test_a_slide_that_travels_on_is_never_back(monkeypatch, slid, explains):
+    assert (later_of(monkeypatch, 0.25, slid=slid) is not None) == explains
+
+
+def later_of(monkeypatch, gain, second=None, slid=0.0):
+    """Return what is told of a crank that turns once a period, a wheel that turns so much in the first two, and a slide."""
+    turned = {1.0: gain, 2.0: gain + (gain if second is None else second)}
+    rows = {time: np.array([time, wheel, slid * time]) * 2 * np.pi for time, wheel in turned.items()}
+    monkeypatch.setattr(several_periods, "after", lambda _, time: rows.get(time))
+    monkeypatch.setattr(several_periods, "missed", lambda *_: 0.0)
+    monkeypatch.setattr(several_periods, "_is_back", lambda *_: True)
+    names = {"crank": "rad", "wheel": "rad", "slide": "m"}
+    listed = [SimpleNamespace(name=name, rate=f"of {name}", unit=unit) for name, unit in names.items()]
+    variant = SimpleNamespace(coordinates=listed, driven_coordinates=listed[:1], known_rates=())
+    exact = SimpleNamespace(rows=np.zeros((1, 3)), coordinate_names=tuple(names))
+    return several_periods._later(
+        SimpleNamespace(true=exact, variant=variant, period=1.0, unit=names.get, scale=dict.fromkeys(names, 1.0))
+    )
+
+
+@pytest.mark.parametrize(("end", "missed", "is_back"), [(1.01, 0.02, True), (1.01, 0.04, False), (0.99, 0.04, True)])
+def test_as_far_as_twice_the_run_every_column_must_be_back(monkeypatch, end, missed, is_back):
+    monkeypatch.setattr(several_periods, "after", lambda *_: np.zeros(1))
+    monkeypatch.setattr(several_periods, "missed", lambda *_: missed)
+    judged = SimpleNamespace(motion=SimpleNamespace(t=np.array([0.0, end])), names=("q",))
+    assert several_periods._is_back(judged, 2.0) == is_back

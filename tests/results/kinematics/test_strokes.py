@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 
 import coursework
 from coursework.report.output.tables import run_tables
+from coursework.results.kinematics import strokes
 from coursework.variant.reading.reader import parse_variant
 from tests.results.kinematics.mechanisms import ROCKER, ROUND, SHAPER, SLIDER, TWO_CRANKS
 
@@ -143,3 +145,31 @@ def test_extremes_of_a_mechanism_with_two_cranks() -> None:
     turning = np.linspace(0, 2 * math.pi, 2_000_001)
     rate = -np.sin(turning) / np.sqrt(0.25 - (0.3 - 0.1 * np.cos(turning)) ** 2)
     assert found["w3"] == pytest.approx((rate.min(), rate.max()), abs=EXACT)
+
+
+@pytest.mark.parametrize(("second", "chosen"), [(1.009, 0), (1.012, 1)])
+def test_the_first_of_two_strokes_is_taken_that_differ_by_less_than_a_hundredth(
+    monkeypatch: pytest.MonkeyPatch, second: float, chosen: int
+) -> None:
+    columns = {"w": np.ones(3), "phi": np.array([0.0, 1.0, 1.0 + second])}
+    samples = SimpleNamespace(motion=SimpleNamespace(column=columns.__getitem__, t=np.arange(3.0)))
+    monkeypatch.setattr(strokes, "samples_of", lambda *_: samples)
+    monkeypatch.setattr(strokes, "_brackets", lambda *_: [(place, place) for place in range(3)])
+    monkeypatch.setattr(strokes, "_dead", lambda exact, rates, rate, bracket: bracket[0])
+    monkeypatch.setattr(strokes, "at_times", lambda exact, rates, times: times[0])
+    monkeypatch.setattr(strokes, "_stroke", lambda exact, rates, slider, *ends: ends)
+    none: Any = None
+    crank: Any = SimpleNamespace(name="phi", rate="w")
+    assert strokes.longest_way(none, none, crank, crank) == (chosen, chosen + 1)
+
+
+def test_a_dead_position_is_looked_for_a_tenth_of_a_step_around_the_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[float] = []
+    monkeypatch.setattr(strokes, "at_times", lambda exact, rates, times: asked.extend(times))
+    monkeypatch.setattr(strokes, "closer", lambda exact, rates: exact)
+    monkeypatch.setattr(strokes, "_together", lambda exact, rates, parts: parts)
+    exact: Any = SimpleNamespace(t=np.array([1.0, 1.5, 2.0]), step=0.5)
+    none: Any = None
+    found = strokes.samples_of(exact, none)
+    assert asked == pytest.approx([0.95, 2.05])
+    assert (found.motion, found.begins, found.ends) == ([exact], True, True)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 import coursework
 from coursework.results.checks.evidence import Evidence
-from coursework.results.kinematics.turning_points import stroke, turning_points
+from coursework.results.kinematics import turning_points as module
+from coursework.results.kinematics.turning_points import TurningPoint, stroke, turning_points
 from tests.report.own import FIVE_BAR, SHAPER
 
 SLIDER_CRANK = """\
@@ -111,3 +114,68 @@ def test_a_turn_a_little_before_the_rows_or_behind_them_is_told_where_it_is_with
     found = turning_points(judged, "s", "u")
     assert found is not None
     assert [0 <= point.time <= judged.period for point in found] == [True, True]
+
+
+def turned(angle: float = 2 * math.pi, own: float = 0.0, period: float = 1.0) -> Any:
+    """A second of a motion in eleven rows: a crank that turns by an angle, and what ends so far from where it began."""
+    columns = {"phi": np.linspace(0, angle, 11), "q": np.linspace(0, own, 11), "w": np.ones(11)}
+    exact = SimpleNamespace(
+        t=np.linspace(0, 1, 11), step=0.1, scheme="", column=columns.__getitem__, coordinate_names=("q", "phi"),
+        velocity_names=("w",), coordinates=np.zeros((11, 2)),
+    )  # fmt: skip
+    rates = SimpleNamespace(motion=lambda *_: exact)
+    return SimpleNamespace(exact=exact, true=exact, rates=rates, period=period, once=lambda _, made: made())
+
+
+def turning_at(monkeypatch: pytest.MonkeyPatch, *times: float) -> None:
+    found = SimpleNamespace(t=np.array(times), coordinates=np.array([[time, time] for time in times]))
+    monkeypatch.setattr(module, "samples_of", lambda *_: None)
+    monkeypatch.setattr(module, "dead_positions", lambda *_: found)
+
+
+@pytest.mark.parametrize("count", [24, 25])
+def test_at_most_24_turning_points_are_told(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
+    turning_at(monkeypatch, *np.linspace(0.1, 0.9, count).tolist())
+    found = turning_points(turned(), "q", "w")
+    assert (None if found is None else len(found)) == (count if count <= 24 else None)
+
+
+@pytest.mark.parametrize(
+    ("period", "times", "left"),
+    [
+        (1.0, (0.0, 0.4, 1.0), 2), (1 + 0.9e-9, (0.0, 0.4, 1.0), 2), (1 + 1.1e-9, (0.0, 0.4, 1.0), 3),
+        (1.0, (1.1e-9, 0.4, 1.0), 3), (1.0, (0.9e-9, 0.4, 1.0), 2), (1.0, (1.0,), 1),
+    ],
+)  # fmt: skip
+def test_the_end_of_a_period_is_its_beginning(
+    monkeypatch: pytest.MonkeyPatch, period: float, times: tuple[float, ...], left: int
+) -> None:
+    turning_at(monkeypatch, *times)
+    found = turning_points(turned(period=period), "q", "w")
+    assert found is not None and len(found) == left
+
+
+@pytest.mark.parametrize(
+    ("angle", "own", "is_stroke"),
+    [
+        (2 * math.pi + 0.9e-6, 0.9e-6, True), (-2 * math.pi + 0.9e-6, -0.9e-6, True), (2 * math.pi + 1.1e-6, 0.0, False),
+        (2 * math.pi - 1.1e-6, 0.0, False), (2 * math.pi, 1.1e-6, False), (2 * math.pi, -1.1e-6, False),
+    ],
+)  # fmt: skip
+def test_a_stroke_is_of_one_turn_that_returns(monkeypatch: pytest.MonkeyPatch, angle: float, own: float, is_stroke: bool) -> None:
+    points = (TurningPoint(0.2, 1.0, (1.0, 0.5)), TurningPoint(0.8, 3.0, (3.0, 4.0)))
+    monkeypatch.setattr(module, "turning_points", lambda *_: points)
+    found = stroke(turned(angle, own), "q", "w", "phi")
+    assert (found is not None) == is_stroke
+    if found is not None:
+        assert (found.begin, found.length) == (points[0], 2.0)
+        assert (found.slow, found.fast) == pytest.approx((0.6, 0.4))
+        assert (found.slow_angle, found.fast_angle) == pytest.approx((3.5, 2 * math.pi - 3.5))
+
+
+def test_the_slow_way_may_be_the_one_over_the_end_of_the_period(monkeypatch: pytest.MonkeyPatch) -> None:
+    points = (TurningPoint(0.3, 1.0, (1.0, 0.5)), TurningPoint(0.7, 3.0, (3.0, 4.0)))
+    monkeypatch.setattr(module, "turning_points", lambda *_: points)
+    found = stroke(turned(), "q", "w", "phi")
+    assert found is not None and found.begin == points[1]
+    assert (found.slow, found.slow_angle) == pytest.approx((0.6, 2 * math.pi - 3.5))

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from coursework.variant.formula.reader import parse
+from coursework.variant.judging.dimension_words import text_of
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 
@@ -63,3 +65,14 @@ def test_the_same_slip_once_more_is_told_once():
     assert [(code, line) for code, line, _ in told(text)] == [
         ("V203", 1 + text[: text.index(place)].count("\n")) for place in ("-e*w2*sin", "e*w2*cos(theta2)")
     ]  # sin(R1), told where it stands first, and cos(R1)
+
+
+@pytest.mark.parametrize("count", [5, 7])
+def test_at_most_six_slips_are_told(count):
+    more = "".join(f'X{k} = "A + R1 @ (R1/{k})"\n' for k in range(2, 2 + count))
+    assert len(told(TEXT.replace("[points]\n", f"[points]\n{more}"))) == min(count, 6)
+
+
+@pytest.mark.parametrize(("letters", "told"), [(80, "a" * 80), (81, "a" * 80 + "…")])
+def test_a_term_is_told_with_at_most_eighty_letters(letters, told):
+    assert text_of(parse("a" * letters)) == told

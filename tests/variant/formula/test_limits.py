@@ -26,6 +26,12 @@ TOWERS = [
 ]  # fmt: skip
 
 
+@pytest.fixture(scope="module", autouse=True)
+def _usual_records():
+    """Words are read with the first sentence, constructors of records written out with the first dozen: neither is a formula."""
+    assert not accepted("$") and accepted("+".join(["a"] * 40))
+
+
 def fault(text, monkeypatch, read=parse):
     """Return what is said about a text; nothing may be executed while it is read."""
 
@@ -80,6 +86,11 @@ def test_bounds(build, most):
     assert not accepted(build(most + 2))
 
 
+@pytest.mark.parametrize(("text", "fits"), [("1e12^8*9e3", True), ("1e12^8*1.1e4", False)])
+def test_a_part_made_of_numbers_lies_within_a_googol_and_its_reciprocal(text, fits):
+    assert accepted(text) == accepted(f"1/({text})") == fits
+
+
 def test_columns_count_letters_as_written():
     for text, column in [("a·b + соs(a)", 7), ("a² + $", 6), ("2a", 2), ("a +", 4), ("sin(a", 6), ("a = b", 3)]:
         with pytest.raises(FormulaFault) as caught:
@@ -119,9 +130,15 @@ def test_a_cotangent_of_a_cotangent_does_not_double_the_formula():
     assert evaluate(parse("ctg(x)"), {"x": 0.7}) == pytest.approx(math.cos(0.7) / math.sin(0.7), rel=1e-15)
 
 
-@pytest.mark.parametrize("text", ["-" * 58 + "x", "-(" * 29 + "x" + ")*r" * 29, "(" * 58 + "x" + ")" * 58, "-2*r*(-x)/(-y)"])
-def test_what_is_nested_as_deeply_as_may_be_is_read_back(text):
+DEEP = [
+    "-" * 58 + "x", "-" * 40 + "x", "+".join(["abcdef"] * 250), "-(" * 29 + "x" + ")*r" * 29, "(" * 58 + "x" + ")" * 58,
+    "-2*r*(-x)/(-y)",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", DEEP, ids=range(len(DEEP)))
+def test_what_is_as_deep_or_as_long_as_may_be_is_read_back(text):
     tree = parse(text)
     again = parse(spelled(tree))
-    values = {"x": 1.25, "r": 1.5, "y": 0.75}
+    values = {"x": 1.25, "r": 1.5, "y": 0.75, "abcdef": 0.5}
     assert evaluate(again, values) == evaluate(tree, values)

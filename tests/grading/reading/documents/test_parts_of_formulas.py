@@ -181,3 +181,13 @@ def test_two_equations_beside_each_other_on_a_page_of_a_pdf_stay_two() -> None:
         Word("2*w1", 144, 170),
     ]
     assert parts_of(PageLine(words, 10).text) == ["r1*w1 = r2*w2", "w3 = 2*w1"]
+
+
+@pytest.mark.parametrize("name", ["mfrac", "msub", "msup", "mroot"])
+def test_a_pair_of_mathml_without_its_second_part_is_its_first_and_a_third_part_counts_for_nothing(name: str) -> None:
+    one, two, three = (
+        text_of_mathml(tree(f"<math><{name}>{''.join(f'<mi>{letter}</mi>' for letter in inside)}</{name}></math>")).strip()
+        for inside in ("a", "ab", "abc")
+    )
+    assert one == "a"
+    assert two == three != "ab"
