@@ -145,8 +145,10 @@ def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
     """
     numbers = [place for place, line in enumerate(lines) if line.is_numbers]
     runs: list[list[int]] = []
-    for place in numbers:
-        if runs and place - runs[-1][-1] <= 3:
+    for index, place in enumerate(numbers):
+        near = [len(lines[at].words) for at in numbers[max(index - 2, 0) : index + 2]]  # two rows of four, then two of five
+        begins = place - numbers[index - 1] > 1 and len(near) == 4 and near[0] == near[1] != near[2] == near[3]
+        if runs and place - runs[-1][-1] <= 3 and not begins:
             runs[-1].append(place)
         else:
             runs.append([place])
