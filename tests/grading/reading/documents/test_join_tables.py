@@ -77,7 +77,20 @@ def test_other_tables_stay_apart() -> None:
 
 
 def test_columns_of_a_pdf_in_blocks_are_one() -> None:
-    texts = [b"BT /F 8 Tf 1 0 0 1 %d %d Tm (%s) Tj ET" % (40 + 60 * at, 760 - 11 * line, cell.encode())
-             for line, row in enumerate([*of(ANGLES), *of(SPEEDS)]) for at, cell in enumerate(row)]  # fmt: skip
+    speeds = [*of(SPEEDS[:4]), ["And", "the", "last"], *of([0, SPEEDS[4]])]  # as many columns as before, then fewer
+    texts = [b"BT /F 8 Tf 1 0 0 1 %d %d Tm (%s) Tj ET" % (40 + 60 * at, 960 - 11 * line, cell.encode())
+             for line, row in enumerate([*of(ANGLES), *speeds]) for at, cell in enumerate(row)]  # fmt: skip
     table = read(one_page(b"\n".join(texts))).table
     assert table is not None and len(table.columns) == len(GRID.columns) and all(table.rows_present)
+
+
+@pytest.mark.parametrize("side", [0, 5, 10])
+def test_heads_of_a_pdf_that_nearly_touch_stay_apart(side: int) -> None:
+    """Numbers begin where their heads do, in the middle of them or end with them; a title over all is no head."""
+    heads = ["t, s", *(f"{name}, {'rad' if name.startswith('p') else 'rad/s'}" for name in HEAD[1:])]
+    rows = [["Table", "of", "angles"], heads, *ROWS]
+    texts = [b"BT /F 8 Tf 1 0 0 1 %d %d Tm (%s) Tj ET" % (40 + 42 * at + (line > 1) * side, 760 - 11 * line, cell.encode())
+             for line, row in enumerate(rows) for at, cell in enumerate(row)]  # fmt: skip
+    table = read(one_page(b"\n".join(texts))).table
+    assert table is not None and {column.by for column in table.columns} == {"header"}
+    assert len(table.columns) == len(GRID.columns) and all(table.rows_present)
