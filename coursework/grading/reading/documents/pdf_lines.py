@@ -21,6 +21,7 @@ from coursework.grading.reading.numbers import looks_numeric
 
 _SAME_LINE, _ATTACHED, _SMALLER = 0.12, 0.6, 0.88  # of the size of letters: base lines alike, an index's, its size
 _WORD_GAP, _CELL_GAP, _WIDE_GAP = 0.17, 0.62, 1.2  # of the size: between words, between cells, between equations in a line
+_NAMING = re.compile(r"\d|^(?:№|#|[^\W\d]{1,2})(?:,|$)")
 MOST_BARS = 3000
 # Of the size of letters: how far base lines of the parts are from the bar, the equation's own below it, how much longer than
 # its parts a bar is, how near the equation goes on.
@@ -200,7 +201,7 @@ def _cells(line: PageLine) -> list[Word]:
 def _parted(cell: Word, line: PageLine, spans: Sequence[tuple[float, float]]) -> list[Word]:
     """Return the heads of neighbouring columns that a narrow gap parts; a title over several columns stays one.
 
-    Each column must get words, and a number in all of them but the time's; where a column begins is told by its side.
+    Each column gets words: a number in all of them but the time's, or else a letter or two; its side tells where it begins.
     """
     over = [span for span in spans if cell.left < span[1] and span[0] < cell.right]
     if len(over) < 2:
@@ -216,7 +217,8 @@ def _parted(cell: Word, line: PageLine, spans: Sequence[tuple[float, float]]) ->
         if cell.left <= word.left and word.right <= cell.right:
             parts[bisect_right(ends, (word.left + word.right) / 2)].append(word)
     texts = [" ".join(word.text for word in words) for words in parts]
-    if not all(texts) or sum(any(map(str.isdigit, text)) for text in texts) < len(over) - 1:
+    numbered = sum(any(map(str.isdigit, text)) for text in texts)
+    if not all(texts) or not (numbered >= len(over) - 1 or all(map(_NAMING.search, texts))):
         return [cell]
     return [Word(text, *span) for text, span in zip(texts, over, strict=True)]
 

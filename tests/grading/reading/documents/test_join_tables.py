@@ -94,3 +94,15 @@ def test_heads_of_a_pdf_that_nearly_touch_stay_apart(side: int) -> None:
     table = read(one_page(b"\n".join(texts))).table
     assert table is not None and {column.by for column in table.columns} == {"header"}
     assert len(table.columns) == len(GRID.columns) and all(table.rows_present)
+
+
+def test_merged_heads_of_a_page_stand_over_their_columns() -> None:
+    """The time over two rows, a title over several columns: without them every column would be read as the one before."""
+    content = (
+        page(WHOLE)
+        .decode()
+        .replace("<td>t</td>", '<td rowspan="2">t</td><td colspan=3>Angles</td><td COLSPAN="4">w</td></tr><tr>', 1)
+    )
+    table, whole = read(content.encode()).table, read(page(WHOLE)).table
+    assert table is not None and whole is not None
+    assert [column.values for column in table.columns] == [column.values for column in whole.columns]
