@@ -31,6 +31,10 @@ _RULES = re.compile(
 )
 _MARKUP = re.compile(r"\\[()]|\$|\\(?:textbf|textit|emph|mathbf|mathrm|text|bm)\b|[{}]|\\(?=[A-Za-z]{2,9}\b)|\\[,;:! ]|~")
 
+_CELL = re.compile(r"<t[dh]\b[^<>]{0,2000}>", re.IGNORECASE)
+_SPANS = re.compile(r"\b((?:col|row)span)\s*=\s*[\"']?([1-9]\d{0,2})\b", re.IGNORECASE)
+_SPAN = re.compile(rf"\s*{_MARK}(\d+),(\d+){_MARK}")
+
 
 def has_tables(text: str) -> bool:
     """Return whether a page of HTML or a LaTeX file has tables of its own."""
@@ -49,10 +53,40 @@ def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) ->
     return document
 
 
+def _spanned(rows: list[list[str]], most_columns: int) -> list[list[str]]:
+    """Return rows in which a cell stands in every column and row that it spans."""
+    out: list[list[str]] = []
+    below: dict[int, tuple[int, str]] = {}  # by column: in how many rows more which text stands
+    for row in rows:
+        cells: list[str] = []
+        for text in (*row, None):
+            while (at := len(cells)) in below and (text is not None or at < most_columns):
+                left, above = below.pop(at)
+                cells.append(above)
+                if left > 1:
+                    below[at] = (left - 1, above)
+            if text is None:
+                break
+            found = _SPAN.match(text)
+            wide, high = (int(found[1]), int(found[2])) if found else (1, 1)
+            text = text[found.end() :] if found else text
+            for _ in range(min(wide, most_columns - len(cells))):
+                if high > 1:
+                    below[len(cells)] = (high - 1, text)
+                cells.append(text)
+        out.append(cells[:most_columns])
+    return out
+
+
+def _span_mark(found: re.Match[str]) -> str:
+    spans = {name.lower(): number for name, number in _SPANS.findall(found[0])}
+    return f"{found[0]}{_MARK}{spans.get('colspan', 1)},{spans.get('rowspan', 1)}{_MARK}" if spans else found[0]
+
+
 def _add_piece(document: Document, piece: str, is_table: bool, most_rows: int, most_columns: int) -> None:
-    lines = text_of(piece).split("\n")
+    lines = text_of(_CELL.sub(_span_mark, piece) if is_table else piece).split("\n")
     if is_table:
-        rows = [line.split("\t")[:most_columns] for line in lines if line.strip()][:most_rows]
+        rows = _spanned([line.split("\t")[:most_columns] for line in lines if line.strip()][:most_rows], most_columns)
         cells = [[Cell(text.strip()[:CELL_CHARACTERS]) for text in row] for row in rows]
         document.add_table(cells, place_of("table", number=min(len(document.tables) + 1, MOST_TABLES)))
         return

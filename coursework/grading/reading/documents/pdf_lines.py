@@ -21,6 +21,7 @@ from coursework.grading.reading.numbers import looks_numeric
 
 _SAME_LINE, _ATTACHED, _SMALLER = 0.12, 0.6, 0.88  # of the size of letters: base lines alike, an index's, its size
 _WORD_GAP, _CELL_GAP, _WIDE_GAP = 0.17, 0.62, 1.2  # of the size: between words, between cells, between equations in a line
+_NAMING = re.compile(r"\d|^(?:№|#|[^\W\d]{1,2})(?:,|$)")
 MOST_BARS = 3000
 # Of the size of letters: how far base lines of the parts are from the bar, the equation's own below it, how much longer than
 # its parts a bar is, how near the equation goes on.
@@ -145,8 +146,11 @@ def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
     """
     numbers = [place for place, line in enumerate(lines) if line.is_numbers]
     runs: list[list[int]] = []
-    for place in numbers:
-        if runs and place - runs[-1][-1] <= 3:
+    for index, place in enumerate(numbers):
+        near = [len(lines[at].words) for at in numbers[max(index - 2, 0) : index + 2]]  # two rows of four, then two of five
+        is_wider = len(near) == 4 and near[0] == near[1] != near[2] == near[3]
+        begins = place - numbers[index - 1] > 1 and (is_wider or _first(lines[place]) < _first(lines[numbers[index - 1]]))
+        if runs and place - runs[-1][-1] <= 3 and not begins:
             runs[-1].append(place)
         else:
             runs.append([place])
@@ -160,6 +164,12 @@ def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
     return tables
 
 
+def _first(line: PageLine) -> float:
+    """Return the first number of a row: its time or its number, which begin again where another table does."""
+    found = re.match(r"\d{1,9}(?:[.,]\d{1,9})?$", line.words[0].text)
+    return float(found[0].replace(",", ".")) if found else 0.0
+
+
 def _rows(lines: Sequence[PageLine]) -> list[list[str]]:
     """Return lines as rows below each other: each word goes into the column of numbers that it stands over or under."""
     widths = Counter(len(line.words) for line in lines if line.is_numbers)
@@ -171,7 +181,7 @@ def _rows(lines: Sequence[PageLine]) -> list[list[str]]:
         if line.is_numbers and len(line.words) == usual:
             rows.append([word.text for word in line.words])
         else:
-            rows.append(_below(_cells(line), spans))
+            rows.append(_below([part for cell in _cells(line) for part in _parted(cell, line, spans)], spans))
     return rows
 
 
@@ -186,6 +196,31 @@ def _cells(line: PageLine) -> list[Word]:
         else:
             last.text, last.right = f"{last.text} {word.text}", word.right
     return cells
+
+
+def _parted(cell: Word, line: PageLine, spans: Sequence[tuple[float, float]]) -> list[Word]:
+    """Return the heads of neighbouring columns that a narrow gap parts; a title over several columns stays one.
+
+    Each column gets words: a number in all of them but the time's, or else a letter or two; its side tells where it begins.
+    """
+    over = [span for span in spans if cell.left < span[1] and span[0] < cell.right]
+    if len(over) < 2:
+        return [cell]
+    if abs(cell.left - over[0][0]) < 0.5 * line.size:
+        ends = [left - 0.5 * line.size for left, _ in over[1:]]
+    elif abs(cell.right - over[-1][1]) < 0.5 * line.size:
+        ends = [right + 0.5 * line.size for _, right in over[:-1]]
+    else:
+        ends = [(before[1] + after[0]) / 2 for before, after in pairwise(over)]
+    parts: list[list[Word]] = [[] for _ in over]
+    for word in line.words:
+        if cell.left <= word.left and word.right <= cell.right:
+            parts[bisect_right(ends, (word.left + word.right) / 2)].append(word)
+    texts = [" ".join(word.text for word in words) for words in parts]
+    numbered = sum(any(map(str.isdigit, text)) for text in texts)
+    if not all(texts) or not (numbered >= len(over) - 1 or all(map(_NAMING.search, texts))):
+        return [cell]
+    return [Word(text, *span) for text, span in zip(texts, over, strict=True)]
 
 
 def _below(cells: Sequence[Word], spans: Sequence[tuple[float, float]]) -> list[str]:

@@ -9,11 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
-from statistics import median
 
-from coursework.grading.reading.documents.document import Document, DocumentLine, DocumentTable, place_of
+from coursework.grading.reading.documents.document import Document, DocumentLine, place_of
 from coursework.grading.reading.documents.docx import document_of_docx, main_part
+from coursework.grading.reading.documents.join_tables import joined
 from coursework.grading.reading.documents.json_data import document_of_json
 from coursework.grading.reading.documents.json_text import is_json
 from coursework.grading.reading.documents.markdown import document_of_markdown, is_markdown
@@ -27,13 +26,11 @@ from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
 from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive
-from coursework.grading.reading.files.cells import Cell, Sheet
+from coursework.grading.reading.files.cells import Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.kinds import is_html
 from coursework.grading.reading.limits import Refused, bounds
-from coursework.grading.reading.numbers import looks_numeric, plain_text
 from coursework.grading.reading.student_work import EquationLine, EquationReading, Table
-from coursework.grading.reading.table.headers import read_head
 from coursework.grading.reading.table.table import Origin, read_sheets
 from coursework.grading.reading.table.tables_of_file import table_of_text
 
@@ -43,9 +40,6 @@ _OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
 _WORD = re.compile(r"[^\W\d_]{3,}")
 _FEWEST_WORDS = 4  # that are no names
 _DOTTED = re.compile(r"([^\W\d_])\u0307_?([0-9₀-₉]{0,2})|\\dot\s?\{?\s?\\?([A-Za-z]{1,9})\s?\}{0,2}_?\{?(\d{0,2})")
-_Row = tuple[Cell, ...]
-_LOOKED_AT = 8  # rows in which heads are looked for, and how the time goes on
-_STEP = 0.3  # of a step that rounding may take
 
 
 def document_of_bytes(content: bytes, grid: Grid) -> Document | None:
@@ -177,56 +171,3 @@ def _is_of_accelerations(text: str, names: Names) -> bool:
     """Return whether a line has a dot over a velocity: the equations differentiated once more."""
     dotted = (names.spellings.canonical("".join(part or "" for part in found.groups())) for found in _DOTTED.finditer(text))
     return any(name in names.expected.variant.sought for name in dotted)
-
-
-def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) -> list[DocumentTable]:
-    """Return the tables with those put together that are one."""
-    out: list[DocumentTable] = []
-    for table in tables:
-        body = [row for row in table.rows if _is_body(row)] if out else []
-        if body and _same_heads(out[-1].rows, table.rows, columns) and _goes_on(out[-1].rows, body):
-            out[-1] = replace(out[-1], rows=(*out[-1].rows, *body))
-        else:
-            out.append(table)
-    return out
-
-
-def _is_body(row: _Row) -> bool:
-    filled = [cell for cell in row if cell.text]
-    numbers = sum(cell.kind != "text" or looks_numeric(cell.text) for cell in filled)
-    return numbers >= 2 and 2 * numbers >= len(filled)
-
-
-def _same_heads(first: Sequence[_Row], second: Sequence[_Row], columns: Sequence[tuple[str, str]]) -> bool:
-    """Return whether the second table has the heads of the first, or none and as many columns."""
-    heads, again = _heads(first, columns), _heads(second, columns)
-    return heads == again if again else max(map(len, first)) == max(map(len, second))
-
-
-def _heads(rows: Sequence[_Row], columns: Sequence[tuple[str, str]]) -> list[tuple[str, ...]]:
-    """Return what the heads of a table mean, nothing where no row names two columns."""
-    for row in rows[:_LOOKED_AT]:
-        if not _is_body(row):
-            named = [read_head(cell.text, columns).candidates for cell in row]
-            if sum(map(bool, named)) > 1:
-                return named
-    return []
-
-
-def _goes_on(first: Sequence[_Row], second: Sequence[_Row]) -> bool:
-    """Return whether one of the first two columns rises in steps and the second table begins one step after the first ends."""
-    for place in (0, 1):
-        before = [value for row in first[-_LOOKED_AT:] if _is_body(row) for value in _number(row, place)]
-        after = [value for row in second[:_LOOKED_AT] for value in _number(row, place)]
-        steps = [later - earlier for numbers in (before, after) for earlier, later in pairwise(numbers)]
-        if not before or not after or not steps:
-            continue
-        step = median(steps)
-        if step > 0 and abs(after[0] - before[-1] - step) <= _STEP * step:
-            return True
-    return False
-
-
-def _number(row: _Row, place: int) -> list[float]:
-    text = plain_text(row[place].text).replace(",", ".") if place < len(row) else ""
-    return [float(text)] if looks_numeric(text) and len(text) < 20 and text.count(".") < 2 and " " not in text else []
