@@ -227,7 +227,8 @@ def _covered(boxes: Array, dots: Array) -> list[int]:
     """Return how many dots lie in each of the boxes (n, 4)."""
     left, top, right, bottom = boxes.T[:, :, None]
     x, y = dots.T
-    return [int(count) for count in ((left < x) & (x < right) & (top < y) & (y < bottom)).sum(axis=1)]
+    counts: list[int] = np.count_nonzero((left < x) & (x < right) & (top < y) & (y < bottom), axis=1).tolist()
+    return counts
 
 
 def _is_outside(box: Box) -> bool:
