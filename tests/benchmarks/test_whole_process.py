@@ -115,7 +115,8 @@ for length in ("0.953m", "0.95m", "0.96m", "0.947m"):
     spent.append(time.process_time() - begun)
 print(spent[0] / min(spent[1:]))
 """
-MOST_FIRST = 2.3  # 1.77 to 1.9 measured, templates compiled before as all modules are; what remains are imports and Typst's start
+# 1.77 to 1.9 measured, templates compiled before as all modules are; what remains are imports and Typst's start.
+MOST_FIRST = 2.3
 
 
 def first_page(folder) -> float:
