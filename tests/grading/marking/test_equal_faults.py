@@ -10,6 +10,9 @@ from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.claims import TableUnderTest
+from coursework.grading.marking.table.other_data import _values_read_off
+from coursework.grading.marking.table.ways import StudentTable
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -144,6 +147,27 @@ def test_steps_of_another_rule_are_worth_the_same_with_any_decimals(number):
         machine.table(lambda t, q: h * rate(t + h, q)), machine.table(lambda t, q: h * rate(t - h, q)),
     ]  # fmt: skip
     close([desk.marked(table, digits=digits)[0] for table in tables for digits in (desk.key.least_decimals, 5)])
+
+
+@pytest.mark.parametrize(("number", "names"), [(0, ("r1", "r3", "V1", "p", "alpha")), (4, ("r", "l", "w0"))])
+def test_a_datum_of_any_other_value_is_named_and_worth_the_same(number, names):
+    """It was worth nothing where every column feels it, and no cause was named."""
+    desk = variants()[number]
+    for datum in (datum for datum in desk.variant.given if datum.name in names):
+        marked = [desk.marked(Machine(desk.variant, data={datum.name: part * datum.value}).table()) for part in (0.8, 1.13)]
+        assert all(f"datum_{datum.name}" in codes(table) for _, table in marked)
+        assert min(found for found, _ in marked) >= 23.5
+        close([found for found, _ in marked])
+
+
+@pytest.mark.parametrize(("part", "told"), [(1.0008, False), (1.0012, True)])
+def test_a_value_is_another_from_a_thousandth_on(part, told):
+    desk = variants()[0]
+    value = desk.variant.values["r1"]
+    table = Machine(desk.variant, data={"r1": part * value}).table()
+    found = dict(_values_read_off(TableUnderTest(desk.key, StudentTable(table, np.full(table.shape, 1e-9)))))
+    assert ("r1" in found) == told
+    assert not told or found["r1"] == pytest.approx(part * value, rel=1e-6)
 
 
 def test_exchanged_columns_are_named_both():

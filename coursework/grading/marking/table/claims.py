@@ -30,7 +30,7 @@ class Claim:
     about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
     `names` are the columns, starts or equations that it speaks of; `part` is that of the task's step which was made; `table`
     makes the whole table as the hypothesis has it, with steps of Euler from `velocities_at` where that is there; `family` makes
-    the claim about another table.
+    the claim about another table; `is_read_off` where its number is the table's own: what else explains as much is meant then.
     """
 
     code: str
@@ -44,6 +44,7 @@ class Claim:
     part: float = 1.0
     velocities_at: Callable[[Array, Array], Array] | None = None
     family: Callable[[TableUnderTest], Iterator[Claim]] | None = None
+    is_read_off: bool = False
 
 
 def shifted(rows: Array, by: int) -> Array:

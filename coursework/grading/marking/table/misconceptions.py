@@ -117,6 +117,7 @@ def explanations(
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
+    read_off: set[str] = set()
     part = 1.0
     # A closer look is for what does not explain everything.
     most = int(spoken.sum())
@@ -128,6 +129,7 @@ def explanations(
         known = named.get(claim.code)
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
             named[claim.code] = share, against, claim.names
+            read_off |= {claim.code} if claim.is_read_off else set()
         if claim.code == ROWS_SHIFTED:
             put_right.marks[_as_it_stood(key, put_right)] = KEY
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
@@ -166,6 +168,7 @@ def explanations(
         return Found(None, found, began)
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
+    tied = [code for code in tied if code not in read_off] or tied
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began)
 

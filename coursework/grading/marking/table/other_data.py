@@ -24,10 +24,13 @@ FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
 # Columns count as exchanged where, put back, this part of them is the key's, or where the start values are.
 _LIKE_KEY = 0.5
 _TURN = 2 * np.pi
+# How often a datum is mended to what velocities tell, with slopes over so small a part; of the largest slope, what is felt;
+# from which part on the value is another.
+_ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-3
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
-    """Velocities with a datum ten times, twice, turned round; with two data exchanged; with a value that was declared."""
+    """Velocities with a datum ten times, twice, turned round, or as they tell it; with two data exchanged or one declared."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
         (f"datum_{datum.name}", {datum.name: factor * datum.value}) for datum in given for factor in FACTORS
@@ -42,6 +45,36 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     sets = printed.key.sets_at(printed.key.t, printed.q, [data for _, data in tried])
     for (code, data), found in zip(tried, sets, strict=True):
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
+    for name, value in _values_read_off(printed):
+        for claim in printed.velocity_claim(f"datum_{name}", partial(printed.key.velocities_at, data={name: value})):
+            yield replace(claim, is_read_off=True)
+
+
+def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[str, float]]:
+    """Yield each datum with the value that half of the printed velocities that feel it lie above, where that is another."""
+    key, given = printed.key, [datum for datum in printed.key.variant.given if datum.value]
+    task = np.array([datum.value for datum in given])
+    if not printed.closely or not len(given):
+        return
+    found, velocities = task.copy(), printed.student.values[:, printed.m :]
+    with np.errstate(all="ignore"):
+        for _ in range(_ROUNDS):
+            steps = _DIFFERENCE * np.abs(task)
+            values = np.concatenate([found, found + steps])
+            both = key.sets_at(key.t, printed.q, [{datum.name: value} for datum, value in zip(given * 2, values, strict=True)])
+            made, beside = both[: len(given)], both[len(given) :]
+            slopes = np.nan_to_num((beside - made) / steps[:, None, None], posinf=0.0, neginf=0.0)
+            felt = np.abs(slopes) > _FELT * np.max(np.abs(slopes), axis=(1, 2), keepdims=True)
+            moves = np.where(felt, (velocities - made) / slopes, np.nan).reshape(len(given), -1)
+            found = found + np.clip(_medians(moves), -np.abs(task), np.abs(task))
+    for datum, value in zip(given, found.tolist(), strict=True):
+        if np.isfinite(value) and value * datum.value > 0 and abs(value / datum.value - 1) > _ANOTHER:
+            yield datum.name, value
+
+
+def _medians(rows: Array) -> Array:
+    """Return the median (k,) of what is a number in each row (k, n), 0 of none."""
+    return np.array([np.median(row[np.isfinite(row)]) if np.isfinite(row).any() else 0.0 for row in rows])
 
 
 def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterator[Claim]:
