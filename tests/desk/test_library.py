@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import xml.etree.ElementTree as tree
 from pathlib import Path
 from types import SimpleNamespace
@@ -12,7 +11,7 @@ import pytest
 from coursework.desk.serving import library
 from coursework.variant.catalogue import names
 from coursework.variant.reading.schema import VariantFile
-from tests.desk.desks import VARIANTS, desk
+from tests.desk.desks import VARIANTS, desk, ended
 
 
 @pytest.fixture
@@ -77,5 +76,5 @@ def test_what_was_answered_is_kept_here_and_by_the_browser_and_a_refusal_is_not(
     monkeypatch.setattr(library, "reply", lambda answer, headers: headers)
     request = SimpleNamespace(url=SimpleNamespace(path="/api/schema"), headers={})
     kept = library.Library(answer)
-    found = [asyncio.run(kept.made_once(request)) for _ in range(2)]
+    found = [ended(kept.made_once(request)) for _ in range(2)]
     assert (calls, found) == (["schema"] * asked, [library.KEPT if status == 200 else None] * 2)
