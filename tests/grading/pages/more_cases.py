@@ -197,6 +197,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "two-starts": files(students.table(start=(1.73, 3.3, 2.87))),
         "start-mistyped": files(with_cell(0, 0, 1.0)),
         "two-slips": files(two_slips()),
+        "another-datum": files(students.table(printed=lambda t, q: velocities(t, q, V1=1.13 * DATA["V1"]))),
         "start-and-slips": files(start_and_slips()),
         "own-sum": files(*own_sum()),
         "degrees-drive": files(degrees_in(drive=True)),

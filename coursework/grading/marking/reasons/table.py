@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
-from coursework.grading.marking.reasons.reason import Reason, in_sum
+from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.odd_rows import displaced_rows, repeated_rows
@@ -19,13 +19,14 @@ from coursework.grading.marking.verdicts import euler_steps
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, ranges, say, say_count
+from coursework.words.templates import clean
 
 # Several cells wrong, for which nothing usual is the cause, are worth a word from this part of the table on.
 _MANY = 0.1
 # What says that the table is right once it is read otherwise: its steps are then not those of the columns as handed in.
 _READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
 _EXPLAINED = ("misconception", "start")
-_SEVERAL = ("start_", "equation_")
+_SEVERAL, _DATUM = ("start_", "equation_"), "datum_"
 _MOST_RUNS = 6
 
 
@@ -94,6 +95,8 @@ def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
     """Return what a code means, with the columns, starts or equations that it speaks of."""
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
+    if code.startswith(_DATUM) and names:
+        return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), value=names[0])
     if len(names) > 1 and code.startswith(_SEVERAL):
         return say(f"feedback.misconception.{code.partition('_')[0]}_several", names=names)
     return misconception_sentence(code, for_student=True)

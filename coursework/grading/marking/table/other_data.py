@@ -19,6 +19,7 @@ from coursework.grading.marking.table.shifted import put_back
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
+from coursework.variant.formula.units import size_of
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
 # Columns count as exchanged where, put back, this part of them is the key's, or where the start values are.
@@ -46,7 +47,10 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     for (code, data), found in zip(tried, sets, strict=True):
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
     for name, value in _values_read_off(printed):
-        for claim in printed.velocity_claim(f"datum_{name}", partial(printed.key.velocities_at, data={name: value})):
+        datum = next(datum for datum in given if datum.name == name)
+        shown = f"{value / (size_of(datum.unit) or 1.0):.4g} {datum.unit or datum.si}".rstrip()
+        at = partial(printed.key.velocities_at, data={name: value})
+        for claim in printed.velocity_claim(f"datum_{name}", at, names=(shown,)):
             yield replace(claim, is_read_off=True)
 
 
