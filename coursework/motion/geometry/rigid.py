@@ -107,20 +107,22 @@ class _Seen:
                 yield from self._touched(wheel, np.full_like(track, 1j * along))
 
     def of_circles(self) -> Iterator[Fault]:
-        """Yield the circles that no wheel touches, where wheels touch what is none of the rails."""
-        rails = {through.name for through, _ in self.variant.frame.rails if through.op == "name"}
-        rolling = [link for link in self.variant.links if link.wheel and link.contact and link.contact not in rails]
-        for place, (centre, size) in enumerate(self.variant.frame.circles):
-            if centre.op != "name" or not rolling:
-                continue
-            radius = evaluate(size, self.variant.values)
-            away = {link.name: float(self._apart(link.contact or "", centre.name)[0]) for link in rolling}
-            wheel = min(rolling, key=lambda link: abs(away[link.name] - radius))
-            known = {"centre": centre.name, "radius": radius, "contact": wheel.contact, "away": away[wheel.name]}
-            if abs(away[wheel.name] - radius) > self.allowed:
-                yield self._fault(("frame", "circles", place), say("fault.V317", **known))
+        """Yield the circle next to each wheel that touches none of them, nor a rail or another link."""
+        links, frame = self.variant.links, self.variant.frame
+        others = {through.name for through, _ in frame.rails if through.op == "name"}
+        contacts = [link.contact for link in links if link.contact]
+        others |= {name for link in links for name in link.points} | {name for name in contacts if contacts.count(name) > 1}
+        circles = [(place, *circle) for place, circle in enumerate(frame.circles) if circle[0].op == "name"]
+        for wheel in (link for link in links if circles and link.wheel and link.contact and link.contact not in others):
+            contact = wheel.contact or ""
+            off = [abs(float(self._apart(contact, of.name)[0]) - evaluate(size, self.variant.values)) for _, of, size in circles]
+            place, centre, size = circles[off.index(min(off))]
+            known = {"centre": centre.name, "radius": evaluate(size, self.variant.values), "contact": contact}
+            if min(off) > self.allowed:
+                away = float(self._apart(contact, centre.name)[0])
+                yield self._fault(("frame", "circles", place), say("fault.V317", **known, away=away))
             else:
-                yield from self._touched(wheel, self.tracks[wheel.contact or ""] - self.tracks[centre.name])
+                yield from self._touched(wheel, self.tracks[contact] - self.tracks[centre.name])
 
     def _touched(self, wheel: Link, across: Track) -> Iterator[Fault]:
         """Yield a wheel whose radius to the contact does not stand `across` what it touches, (c,)."""

@@ -76,6 +76,14 @@ def test_what_keeps_its_shape_or_is_meant_to_grow_is_not_told(text):
     assert closure(text).names
 
 
+def test_a_circle_that_no_wheel_rolls_on_may_be_drawn_beside():
+    slip = (
+        'circles = [ { center = "O", radius = "R0" } ]',
+        'circles = [ { center = "O", radius = "R" }, { center = "O", radius = "R0" } ]',
+    )
+    assert closure(of("epicyclic"), slip).agreed
+
+
 @pytest.mark.parametrize(
     ("text", "slip", "told"),
     [
