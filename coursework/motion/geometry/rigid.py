@@ -78,7 +78,8 @@ class _Seen:
         bars = {link.name: link.points for link in self.variant.links}
         for link in self.variant.links:
             points = [*link.points, *([link.wheel] if link.wheel else [])]
-            pairs = [pair for pair in combinations(points, 2) if not self._keeps(self._apart(*pair)) and not self._grows(*pair)]
+            pairs = [pair for pair in combinations(points, 2) if not self._keeps(self._apart(*pair))]
+            pairs = [pair for pair in pairs if not (self._grows(*pair) and self._straight(points, *pair))]
             if pairs:
                 yield self._fault(
                     ("links", link.name), self._not_rigid(link, *max(pairs, key=lambda pair: np.ptp(self._apart(*pair))))
@@ -161,6 +162,11 @@ class _Seen:
         """Return whether a way (c,) leaves the line along unit vectors."""
         beside = np.max(np.abs((way * np.conj(along)).imag), initial=0.0)
         return bool(beside > _TOLERANCE * np.max(np.abs(way), initial=0.0) + _ROUND_OFF * self.allowed / _TOLERANCE)
+
+    def _straight(self, points: Sequence[str], one: str, other: str) -> bool:
+        """Return whether all points of a link lie beside the line through two as far as ever: an arm grows along itself only."""
+        offs = [self._off(point, one, other) for point in points if point not in (one, other)]
+        return all(self._keeps(off[np.isfinite(off)]) for off in offs)
 
     def _grows(self, one: str, other: str) -> bool:
         """Return whether two points are the ends of an arm that grows: a vector in [points], or as long as a coordinate says."""

@@ -141,3 +141,8 @@ def test_a_start_with_few_digits_tells_nothing_of_links():
         'start = "53.13010235415598 deg"', 'start = "53.1 deg"'
     )
     assert closure(text).agreed == ("x", "y")
+
+
+def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivot():
+    with pytest.raises(coursework.InputError, match=r"V314 .*A and C of link 1 are 1\.6 m apart"):
+        closure(of("example-2"), ('["A", "B"],', '["A", "B", "C"],'))
