@@ -18,6 +18,7 @@ from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.sheet import Sheet
 from coursework.report.text.symbols import symbol
 from coursework.variant.catalogue import names
+from coursework.words.data_folders import folder
 from tests.drawing import measured
 from tests.sample import sampled
 from tests.solved import solved
@@ -166,3 +167,11 @@ def test_no_length_of_a_part_stands_above_another_as_in_a_fraction(name: str) ->
         for other in boxes[place + 1 :]:
             if min(right, other[2]) > max(left, other[0]):
                 assert max(top, other[1]) - min(bottom, other[3]) > 4.0  # mm between what is inked
+
+
+def test_a_chain_draws_a_link_on_to_a_point_past_its_joint_and_dimensions_the_whole_of_it() -> None:
+    text = (folder("variants") / "chebyshev.toml").read_text(encoding="utf-8")
+    chain = parse_variant(re.sub(r"(?s)\[links\].*?\n\n", "", text, count=1))
+    outline = read_outline(solve(chain, quantities=["table"]).scene.mechanism)
+    assert outline is not None
+    assert [bar.corners for bar in outline.bars if bar.link == "2"] == [("B", "C", "P")]

@@ -58,6 +58,8 @@ def test_h04_a_parallelogram_stops_at_its_fold_with_both_branches(branch, scheme
     row = [float(number) for number in H04["table theta,(phi_b,phi_c,det)+,(phi_b,phi_c,det)-"][0]]
     start = row[1:3] if branch > 0 else row[4:6]
     run = solve(four_bar(1, 2, 1, 2, (0.3, *start), step=step, end=7.0), scheme)
+    told = [value for values in (run.stop.coordinates, *run.stop.branches) for value in values.values()]
+    assert all(value == 0 or abs(value) > LOCATED for value in told)  # a page prints no 8.41e-11 for a zero
     assert run.stop.kind == "change point"
     assert abs(run.stop.time - (math.pi - 0.3)) < LOCATED
     assert branches(run) == [pytest.approx(PARALLEL, abs=1e-8), pytest.approx(ANTI, abs=1e-8)]

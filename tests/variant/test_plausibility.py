@@ -8,6 +8,7 @@ from click.testing import CliRunner
 
 from coursework.commands.cli import main
 from coursework.variant.reading.reader import parse_variant
+from coursework.words.data_folders import folder
 
 PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 
@@ -154,3 +155,14 @@ def test_remarks_stand_in_the_record_on_the_console_and_on_the_first_page(tmp_pa
 def test_lengths_whose_quotient_is_no_number_are_told():
     told = remarks(('"0.953 m"', '"1e-312 m"'), ('"0.847 m"', '"1e11 m"'), ('"0.457 m"', '"2e11 m"'))
     assert [code for code, _, _ in told] == ["LENGTH"]
+
+
+def test_links_of_a_chain_that_the_file_leaves_out_are_told():
+    whole = (folder("variants") / "chebyshev.toml").read_text(encoding="utf-8")
+    lines = whole.split("\n")
+    place = next(k for k, line in enumerate(lines) if line.startswith("[links]"))
+    told = parse_variant("\n".join(line for line in lines if not line.startswith(("1 = {", "3 = {")))).plausibility
+    assert [(remark.code, remark.line) for remark in told] == [("LINKS", place + 1)]
+    assert "has w1, w3 as its rate" in str(told[0].sentence)
+    assert not parse_variant(whole).plausibility
+    assert not parse_variant("\n".join(line for line in lines if " = { points" not in line and line != "[links]")).plausibility

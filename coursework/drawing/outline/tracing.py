@@ -98,8 +98,13 @@ class _Pencil:
                 self.hinges.append(at)
         for body, names in linkage.holds.items():
             for name in names:  # beside the point it is placed from, so that the arm given is the one drawn
+                own, formula = linkage.coordinates[body], self.points[name]
+                base = arm_base(formula, own)
+                onward = base != "" and [*terms(formula)][1].args[1] == named(own)  # along the link, past its other joints
+                if onward and name in corners[body]:
+                    continue
                 others = [one for one in dict.fromkeys(corners[body]) if one != name]
-                ahead = len(others) > 1 and arm_base(self.points[name], linkage.coordinates[body]) == others[0]
+                ahead = len(others) > 1 and base == others[0] and not onward
                 corners[body] = [name, *others] if ahead else [*others, name]
         for body in sorted(linkage.bodies, key=int):
             coordinate = next(c for c in self.variant.coordinates if c.name == linkage.coordinates[body])

@@ -60,7 +60,8 @@ def explain(
     else:
         key = "event.removable" if len(branches) == 1 else "event.change"
         meaning = say(key, holds=holds, branches=_branches(branches), kept=kept)
-    return Stop(event.kind, event.time, row, block.unknowns, coordinates, cause, meaning, branches)
+    told = tuple(_tidied_all(branch) for branch in branches)
+    return Stop(event.kind, event.time, row, block.unknowns, _tidied_all(coordinates), cause, meaning, told)
 
 
 def _away(coordinates: dict[str, float], equations: VelocityEquations) -> tuple[str, ...]:
@@ -121,7 +122,11 @@ def _branches(branches: tuple[dict[str, float], ...]) -> str:
 
 
 def _velocities(branch: Mapping[str, float]) -> Sentence:
-    return joined([say("event.velocity", name=name, value=_tidied(value)) for name, value in branch.items()], "join.numbers")
+    return joined([say("event.velocity", name=name, value=value) for name, value in _tidied_all(branch).items()], "join.numbers")
+
+
+def _tidied_all(values: Mapping[str, float]) -> dict[str, float]:
+    return {name: _tidied(value) for name, value in values.items()}
 
 
 def _tidied(value: float) -> float:

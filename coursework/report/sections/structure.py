@@ -133,14 +133,13 @@ def _sliders(context: PageContext, found: Structure) -> str:
 
 
 def _freedoms(context: PageContext, found: Structure) -> str:
-    """Return that as many freedoms are driven, or which of the pairs say nothing new."""
+    """Return that as many freedoms are driven, or why fewer are counted."""
     variant = context.run.variant
     laws = [law.name for law in variant.drive]
     drives = [name for name in laws if name in variant.known_rates or name in (f"V{found.driven}x", f"V{found.driven}y")]
     values = {"drives": context.symbol_list(drives), **_letters(context)}
-    passive = found.drives - found.mobility.degrees
-    if passive:
-        return context.words.count("structure.passive", passive, degrees=found.mobility.degrees, **values)
+    if found.drives > found.mobility.degrees:
+        return context.words("structure.passive", degrees=found.mobility.degrees, **values)
     return context.words.count("structure.driven", found.drives, **values)
 
 

@@ -126,9 +126,10 @@ def drive_meanings(variant: Variant) -> Iterator[tuple[str, str]]:
     'phase of the drive'
     """
     formulas = [(law.name, formula) for law in variant.drive for formula in law.formulas]
+    of_one_piece = {law.name for law in variant.drive if len(law.formulas) == 1}
     for law, formula in formulas:
         turned = formula.args[0] if formula.op == "neg" else formula
-        if turned.op == "name":
+        if turned.op == "name" and law in of_one_piece:  # in pieces it is the speed for a while
             yield turned.name, say("datum.speed", name=law)
     for _, formula in formulas:
         for wave in _waves(formula):

@@ -40,7 +40,7 @@ def remarks_on(
     phases = {term.name for _, term in angles if term.op == "name"}  # names that stand alone as a term of an angle
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
-        *_left_out(variant, dimensions), *frequencies_turned_twice(variant),
+        *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -146,6 +146,15 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     if dimensions.disagreement:
         path, told = dimensions.disagreement
         yield "NO-UNIT", path, told
+
+
+def _links_left_out(variant: Variant) -> Iterator[_Found]:
+    """Yield the rates of a chain that no link of [links] has: where links are listed, only these are drawn and counted."""
+    in_groups = {name for group in variant.groups for name in group.coordinates}
+    turning = [c.rate for c in variant.coordinates if c.name in in_groups and c.unit == "rad"]
+    missing = [rate for rate in turning if all(link.rate != rate for link in variant.links)]
+    if variant.links and missing:
+        yield "LINKS", ("links",), say("remark.links", rates=", ".join(missing))
 
 
 def _written_lengths(variant: Variant) -> set[str]:

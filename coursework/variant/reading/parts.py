@@ -34,6 +34,7 @@ _SCOPES = {
 }
 _ADVISED = 100
 _FORMULA_AND_UNIT = re.compile(r"\s*(.*[*/+)(].*?)\s+((?:[^\W\d_]|°)[^\s*()]*)\s*")
+_ENDS_IN_NUMBER = re.compile(r"(?<![\w./])[\d.]+$")
 Kind = Literal["scalar", "vector", "any"]
 
 
@@ -223,11 +224,16 @@ def _readers(source: Source) -> tuple[Callable[[str | int | float, str], units.Q
 
 
 def _without_unit(text: str) -> Sentence | None:
-    """Return what is said of a formula with a unit behind it, such as "1/90 s"; None for any other text."""
+    """Return what is said of a formula with a unit behind it, such as "1/90 s"; None for any other text.
+
+    The unit of "phi1 + 90 deg" is that of the number, which would measure something else without it.
+    """
     tree, formula, unit = _split(text)
     if tree is None or not unit:
         return None
     value = _value(tree)
+    if value is None and _ENDS_IN_NUMBER.search(formula) and units.size_of(unit) != 1:
+        return None
     advised = formula if value is None else f"{value:.9g} {unit}"
     return say("fault.V160", found=text[:60], advised=advised)
 

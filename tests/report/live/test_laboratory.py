@@ -150,7 +150,7 @@ def test_a_dead_point_appears_when_it_is_dragged_into(written: Any, opened: Any)
     page.set("#lab-datum-name", "alpha", "change")
     page.set("#lab-datum", 0.02)
     assert float(page.value("#lab-dead")) == pytest.approx(PHASE, abs=1e-4)
-    assert page.page.inner_text("#lab-dead") == "Dead point at t = 0.11689 s."
+    assert page.page.inner_text("#lab-dead") == "The motion stops at t = 0.11689 s."
     assert page.page.locator("#lab-table tbody tr").count() == 6
     assert float(page.page.get_attribute("#scrub", "max")) == 5
     page.set("#lab-datum", 4.35)

@@ -9,6 +9,7 @@ import pytest
 import coursework
 from coursework.drawing.outline.tracing import read_outline
 from coursework.scene.scene_run import SceneRun
+from coursework.words.data_folders import folder
 from tests.report.made import model_of, page_of, paper_of
 from tests.report.own import FIVE_BAR, SHAPER, STEPHENSON
 from tests.report.reading import html_text, pdf_text
@@ -75,6 +76,16 @@ def test_a_slider_that_is_no_link_of_the_list_is_counted_both_ways() -> None:
     text = told(coursework.solve(coursework.load("example-2"), quantities=("table",)))["Mobility"]
     assert "3·3 − 2·4 − 0 = 1" in text and "3·2 − 2·2 − 1 = 1" in text
     assert "With the pin of slider 3 set straight into its guide" in text
+
+
+def test_fewer_freedoms_than_drives_are_not_laid_to_special_dimensions_alone() -> None:
+    """A point that a guide leads, driven along it and, by zero, across it."""
+    arm = (folder("variants") / "robot-arm.toml").read_text(encoding="utf-8")
+    arm = re.sub(r"(?m)^VMx = .*\nVMy = .*", 'VMx = "V*sin(pi*t/T)"\nVMy = "0"', arm).replace('"1.2 m/s"', '"0.1 m/s"')
+    arm = arm.replace('hinges = ["D"]', 'hinges = ["D"]\nrails = [{ through = "M", angle = "0" }]')
+    found = told(solved(arm, ("table",)))["Mobility"]
+    assert "W = 1, yet the mechanism follows" in found
+    assert "or it drives a point where a guide already leads it" in found
 
 
 def test_without_links_there_is_no_such_section() -> None:

@@ -60,11 +60,12 @@ def test_no_datum_of_the_catalogue_is_without_a_meaning():
         ),
         ({"VMx": "V1*cos(beta)", "VMy": "V1*sin(beta)"}, {"V1": "constant VM", "beta": "direction of VM"}),
         ({"VMx": "-V1", "VMy": "0"}, {"V1": "constant VMx"}),
+        ({"VMx": '{ pieces = [["0 s", "0"], ["0.5 s", "-V1"]] }', "VMy": "0"}, {}),  # it is constant for a while only
         ({"VMx": "V1*sin(beta)", "VMy": "V1*cos(beta)"}, {}),  # beta may be anything here
     ],
 )
 def test_a_sine_without_time_is_no_wave(law: dict[str, str], told: dict[str, str]) -> None:
-    drive = "\n".join(f'{name} = "{formula}"' for name, formula in law.items())
+    drive = "\n".join(f"{name} = {formula}" if "[" in formula else f'{name} = "{formula}"' for name, formula in law.items())
     text = (
         'format = 1\n[given]\nV1 = "1 m/s"\np = "2 1/s"\nalpha = "1 rad"\nbeta = "1 rad"\nr = "1 m"\nT = "2 s"\n'
         f'[drive]\n{drive}\n[coordinates]\nphi = {{ start = "0 rad", rate = "w" }}\n'
