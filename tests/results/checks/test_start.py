@@ -88,6 +88,7 @@ def test_the_command_check_tells_an_open_start_too(tmp_path, monkeypatch):
         (tmp_path / "own.toml").write_text(text, encoding="utf-8")
         told = CliRunner().invoke(main, ["check", "own.toml"])
         assert (told.exit_code, "leave the mechanism open" in told.output) == (status, bool(status))
+        assert ("is possible" in told.output) == (not status)
 
 
 @pytest.mark.parametrize("off", [-2.7, -1.2, 1.8, 2.4])
