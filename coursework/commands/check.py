@@ -61,9 +61,11 @@ def check_variant(variant: str) -> int:
     if begun.verdict != "PASS" and begun.sentence != say("check.START.skip"):
         tell(begun.sentence)
     stop = scene.stop
+    if stop is None and begun.verdict == "FAIL":
+        return 1  # links that do not meet make no motion
     if stop is None:
         tell(say("screen.possible", end=chosen.time.end))
-        return int(begun.verdict == "FAIL")
+        return 0
     tell(say("screen.not_possible", kind=stop.name, sentence=stop.sentence))
     if scene.phases:
         tell(scene.phases)

@@ -38,15 +38,15 @@ def require_start(closure: Closure | None) -> None:
     raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
 
 
-def typed_start(variant: Variant, start: Array) -> str:
+def typed_start(variant: Variant, start: Array, digits: int = 15) -> str:
     """Return start values (m,) as they are typed into the file."""
-    return ", ".join(f"{c.name} = {_typed(c, q)}" for c, q in zip(variant.coordinates, start.tolist(), strict=True))
+    return ", ".join(f"{c.name} = {_typed(c, q, digits)}" for c, q in zip(variant.coordinates, start.tolist(), strict=True))
 
 
-def _typed(coordinate: Coordinate, value: float) -> str:
+def _typed(coordinate: Coordinate, value: float, digits: int) -> str:
     """Return a value (rad, m) in the unit that the file has for it; a bare number stays one."""
     size = 0.0 if coordinate.start_has_no_unit else size_of(coordinate.written)
-    return f"{value / size:.15g} {coordinate.written}" if size else f"{value:.15g}"
+    return f"{value / size:.{digits}g} {coordinate.written}" if size else f"{value:.{digits}g}"
 
 
 def closed_start(closure: Closure) -> tuple[Array, Array | None]:

@@ -61,7 +61,8 @@ def _verdict(context: PageContext) -> Runs:
     if not computed or not len(context.run.motion.t):
         return []
     open_to = {one.code for one in checks if one.unjudged}
-    right = "result.right" if not open_to else "result.right_given" if open_to == {"START"} else "result.right_partly"
+    whole = "result.right" if context.run.stop is None else "result.right_to_stop"
+    right = whole if not open_to else "result.right_given" if open_to == {"START"} else "result.right_partly"
     told = [say("result.wrong" if {"FAIL", "ERROR"} & {*computed} else right)]
     if accuracy is not None and accuracy.verdict == "PASS":
         told.append(say("result.close"))

@@ -183,13 +183,13 @@ def _in_row(context: PageContext, wanted: Mapping[str, Expression], row: int) ->
 
 def _in_numbers(context: PageContext, left: Formula, right: Formula, values: Mapping[str, float]) -> Display | None:
     """Return `left` with numbers for the names of the right side, as few digits as give the printed result; None for none."""
-    needed = right.names()
+    needed, clean = right.names(), context.numbers.without_noise
     if not {*needed} <= {*values, "pi"}:
         return None
     try:
         result = _printed(context, evaluate(right, dict(values)))
         for digits in range(DIGITS, MOST_DIGITS + 1):
-            rounded = {name: float(f"{values[name]:.{digits}g}") for name in needed if name in values}
+            rounded = {name: float(f"{clean(values[name], 1.0):.{digits}g}") for name in needed if name in values}
             if _printed(context, evaluate(right, rounded)) == result:
                 one = display(left, _put(right, rounded), context.rates)
                 return Display(f'{one.math} = "{result}"', f"{one.text} = {result}")

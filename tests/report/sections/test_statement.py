@@ -9,6 +9,7 @@ import pytest
 
 import coursework
 from tests.report.made import solved
+from tests.report.own import SHAPER
 
 
 def test_the_title_block_has_a_line_for_what_is_not_given(real: ModuleType) -> None:
@@ -19,6 +20,12 @@ def test_the_title_block_has_a_line_for_what_is_not_given(real: ModuleType) -> N
         "Institution": "", "Student": "Olena Kovalchuk", "Group": "MT-21", "Teacher": "B. B. Ponomarev", "Mark": "",
         "Signature": "",
     }  # fmt: skip
+
+
+def test_a_run_that_stops_is_praised_up_to_its_stop_only(real: ModuleType) -> None:
+    stops = coursework.parse_variant(SHAPER.replace('r1 = "0.10 m"', 'r1 = "0.25 m"'))
+    shown = {part["kind"]: part for part in real.parts(coursework.solve(stops), "statement")}
+    assert real.text_of(shown["result"]["lead"]).startswith("Computed right up to the stop.")
 
 
 def test_the_answer_stands_on_the_first_page(real: ModuleType) -> None:

@@ -82,6 +82,13 @@ def test_the_slope_of_a_driven_length_has_its_number_too() -> None:
     assert result(shown[-1]) == pytest.approx(second(boom, 1.9), rel=1e-4)
 
 
+def test_a_zero_is_put_in_as_zero_and_not_as_what_rounding_leaves_of_it() -> None:
+    """At p t = pi/2 the boom's drive is at its largest: its slope is 2e-18 m/s^2 in the computer, 0 on paper."""
+    largest = BOOM.replace('step = "0.1 s"', 'step = "pi/(20*p)"').replace("check_row = 20", "check_row = 11")
+    shown = equations(solved(largest, "accelerations"), "accelerations")
+    assert "10⁻" not in shown[-1] and "e-" not in shown[-1]
+
+
 def test_without_a_slide_no_coriolis_is_named() -> None:
     assert "Coriolis" not in sentences(solved(FIVE_BAR, "accelerations"), "accelerations")
 

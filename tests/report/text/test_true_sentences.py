@@ -44,7 +44,7 @@ def five_bar() -> Any:
 def test_a_page_of_exact_rows_does_not_begin_with_the_error_of_a_scheme(real: ModuleType, shaper: Any) -> None:
     page = told(real, shaper, "statement")
     assert "Largest error" not in page
-    assert "Its rows are the motion itself." in page
+    assert "The rows are the motion itself." in page
     assert "For comparison: explicit Euler with the same step would be off by up to 0.0400 rad" in page
 
 

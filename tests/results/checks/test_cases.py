@@ -82,6 +82,12 @@ def test_as_shipped(name, column, value):
     assert (accuracy.verdict, accuracy.column, accuracy.value) == ("COARSE", column, pytest.approx(value, abs=0.005))
 
 
+def test_an_arm_that_drifts_leaves_the_way_of_its_hand_and_no_link_another():
+    judged = found(solve("robot-arm", step=0.1), "DRIFT")
+    assert judged.verdict == "COARSE" and judged.column in {"M.x", "M.y"}
+    assert "with this step M leaves the way it is driven along" in judged.sentence
+
+
 def test_passing_near_a_dead_point():
     run = solve(V31.replace('alpha = "4.35 rad"', 'alpha = "1.66 rad"'))
     assert coarse(run) >= {"ACCURACY", "PERIOD-VELOCITY", "DRIFT", "CONTINUITY"}

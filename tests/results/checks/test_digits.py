@@ -133,5 +133,5 @@ def test_a_drive_is_one_derivative_further_than_a_length(driven, places):
 def test_few_decimals_of_a_tabulated_drive_are_too_coarse_for_accelerations(driven):
     judged = found(driven(1), "TABLE-DIGITS")
     assert (judged.verdict, judged.column, judged.step) == ("COARSE", "dw3", None)
-    assert "decimals of VMy allow dw3" in judged.sentence
+    assert "decimals of VMy allow d w3/d t" in judged.sentence
     assert found(driven(5), "TABLE-DIGITS").verdict == "PASS"

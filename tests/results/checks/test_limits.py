@@ -1,6 +1,7 @@
 """Every limit from both sides: a table just inside it and one just outside, made from the exact motion of variant 31."""
 
 import math
+import re
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -97,6 +98,7 @@ def test_a_stated_period_the_motion_does_not_have(code, columns, side):
         judged = finding(code, evidence_of(solve(V31.replace('"2*pi/p"', f'"{stated!r} s"'))))
         assert (judged.verdict == "FAIL") == expected, (stated, judged)
         assert ("does not repeat after" in judged.sentence) == expected
+        assert (re.search(r"begins with -?[\d.]+ (rad|rad/s) and has -?[\d.]+ \1 then", str(judged.sentence)) is None) != expected
 
 
 @pytest.mark.parametrize("stated", ["0.40 s", "0.45 s", "0.2*2"])

@@ -62,6 +62,7 @@ def test_a_loop_that_the_file_states_judges_the_start(holds):
     off = max(abs(math.cos(ROCKER + 0.02) - math.cos(ROCKER)), abs(math.sin(ROCKER + 0.02) - math.sin(ROCKER))) * C
     assert wrong.value == pytest.approx(off, rel=1e-9)
     assert f"phi3 = {ROCKER:.6f}"[:-1] in str(wrong.sentence)
+    assert "rows, dead points and the exact motion are those of links that do not meet" in str(wrong.sentence)
     assert "START" in run.summary
 
 
@@ -87,6 +88,7 @@ def test_the_command_check_tells_an_open_start_too(tmp_path, monkeypatch):
         (tmp_path / "own.toml").write_text(text, encoding="utf-8")
         told = CliRunner().invoke(main, ["check", "own.toml"])
         assert (told.exit_code, "leave the mechanism open" in told.output) == (status, bool(status))
+        assert ("is possible" in told.output) == (not status)
 
 
 @pytest.mark.parametrize("off", [-2.7, -1.2, 1.8, 2.4])
@@ -97,6 +99,15 @@ def test_the_nearest_closed_start_is_found_from_far_and_told_without_whole_turns
     assert max(abs(rod - ROD), abs(rocker - ROCKER - off)) < math.pi
     assert math.cos(math.pi / 2) * A + math.cos(rod) * B == pytest.approx(D + math.cos(rocker) * C, abs=1e-9)
     assert A + math.sin(rod) * B == pytest.approx(math.sin(rocker) * C, abs=1e-9)
+
+
+def test_the_nearest_closed_start_stands_in_the_units_of_the_file():
+    """Radians copied into the place of degrees would start another motion."""
+    text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=ROCKER + 0.02, holds=LOOP)
+    text = text.replace(f"{ROCKER + 0.02!r} rad", f"{math.degrees(ROCKER + 0.02)!r} deg")
+    run = coursework.solve(coursework.parse_variant(text, "own.toml"), "rk4")
+    told = str(next(finding for finding in run.checks if finding.code == "START").sentence)
+    assert re.search(r"phi2 = [-\d.]+ rad, phi3 = [-\d.]+ deg\.$", told)
 
 
 def test_a_mechanism_that_nothing_drives_is_no_table_that_passes():

@@ -53,8 +53,10 @@ def drift(evidence: Evidence) -> Finding:
     if value < ROUND_OFF:
         sentence = evidence.say("check.DRIFT.same")
     else:
-        kind = "angle" if verdict == "COARSE" and angles[equation] else verdict.lower()
-        sentence = evidence.say(f"check.DRIFT.{kind}", **found)
+        point, kind = evidence.variant.driven, verdict.lower()
+        if verdict == "COARSE":
+            kind = "angle" if angles[equation] else "coarse_driven" if name in {f"{point}.x", f"{point}.y"} else kind
+        sentence = evidence.say(f"check.DRIFT.{kind}", **found, point=point)
     shown = evidence.say("unit.relative" if angles[equation] else "unit.of_the_shortest")
     return Finding(verdict, sentence, value, LIMIT, shown, name, row + 1, rows=lines)
 

@@ -199,9 +199,11 @@ def _not_back(evidence: Evidence, name: str, share: float, first: float, last: f
     """Return that a column has another value after the stated period; None where that is as good as the same."""
     if share <= RETURNS:
         return None
-    sentence = evidence.say(
-        "check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last
-    )
+    variant = evidence.variant
+    is_of_point = variant.driven is not None and name in {f"V{variant.driven}x", f"V{variant.driven}y"}
+    unit = "m/s" if is_of_point else evidence.unit(name) if name in variant.columns else ""  # a drive may measure anything
+    known = {"name": name, "unit": unit, "share": percent(share), "first": first, "last": last}
+    sentence = evidence.say("check.PERIOD.period", period=evidence.period, **known)
     return Finding("FAIL", sentence, share, RETURNS, evidence.say("unit.of_the_scale"), name, None, first, last)
 
 

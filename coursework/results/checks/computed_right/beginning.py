@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.motion.geometry.closed_start import closed_start
+from coursework.motion.geometry.closed_start import closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
@@ -19,6 +19,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 _MOST_KEPT = 3  # sums that a sentence lists
+_DIGITS = 12  # of a closed start: as many as anyone copies
 START_LIMIT = 1e-6  # of the largest length: five digits in the start values are enough to pass
 
 
@@ -49,7 +50,7 @@ def start(evidence: Evidence) -> Finding:
 def start_of(given: Closure | None) -> Finding:
     """Return what START says of a closure, before any row of a table."""
     closure = _with_loops(given) if given is not None else None
-    if closure is None:
+    if given is None or closure is None:
         return Finding("SKIP", _kept(given) or say("check.START.skip"), unjudged=say("summary.start"))
     residual, closed = closed_start(closure)
     worst = int(np.argmax(np.abs(residual)))
@@ -59,9 +60,8 @@ def start_of(given: Closure | None) -> Finding:
         return Finding("PASS", say("check.START.pass"), value, limit, "m", name, 1)
     sentence = say("check.START.none", value=value)
     if closed is not None:
-        names = [c.name for c in closure.equations.variant.coordinates]
-        listed = [say("check.START.value", name=name, value=q) for name, q in zip(names, closed.tolist(), strict=True)]
-        sentence = say("check.START.nearest", value=value, start=joined(listed, "join.numbers"))
+        key = "check.START.nearest_held" if abs(given.origin[worst]) > limit else "check.START.nearest"
+        sentence = say(key, value=value, start=typed_start(closure.equations.variant, closed, _DIGITS))
     return Finding("FAIL", sentence, value, limit, "m", name, 1)
 
 

@@ -47,6 +47,13 @@ class Noise:
     row: int
     scale: float
 
+    order: int
+
+    @property
+    def told(self) -> str:
+        """Return what a sentence calls the column: that of an acceleration has no name on a page."""
+        return self.column if self.order == 1 else f"d {self.column[1:]}/d t"
+
     @property
     def share(self) -> float:
         """Return the worst case as a share of the column's scale."""
@@ -66,7 +73,7 @@ def table_digits(evidence: Evidence) -> Finding:
     worst = max(found, key=lambda noise: noise.share)
     told = [
         say(
-            "check.TABLE-DIGITS.allows", decimals=noise.decimals, name=noise.name, column=noise.column, inside=noise.inside,
+            "check.TABLE-DIGITS.allows", decimals=noise.decimals, name=noise.name, column=noise.told, inside=noise.inside,
             end=noise.end, unit=noise.unit, share=percent(noise.share),
         )
         for noise in found
@@ -143,7 +150,7 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
         row, largest = int(np.argmax(worst)), float(np.max(sizes))
         shown, unit = ("d" * (order - 1)) + column, evidence.unit(column) + ("²" if order == 2 else "")
         inside, end = float(weights[-1]) * largest, float(weights[0]) * largest
-        found.append(Noise(law.name, count, shown, unit, inside, end, float(worst[row]), row, scales[column]))
+        found.append(Noise(law.name, count, shown, unit, inside, end, float(worst[row]), row, scales[column], order))
     return found
 
 
