@@ -59,7 +59,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     passes = check.verdict == "PASS" and not check.is_least
     left = value if value and passes and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0) else None
     value = value if left is None else 0.0
-    told = amount(context, value, check.unit, whole=is_count) if left is None else rounded_off(context, left)
+    told = amount(context, value, check.unit, whole=is_count, limit=check.limit) if left is None else rounded_off(context, left)
     heads, lines = _lines(context, check)
     if check.verdict == "PASS" and value == 0:
         heads, lines = [], []  # where nothing is off, noughts say nothing more
@@ -94,10 +94,13 @@ def _advises(sentence: object) -> bool:
     return sentence.key == "advice.take" or (isinstance(parts, tuple) and len(parts) > 0 and _advises(parts[0]))
 
 
-def amount(context: PageContext, value: float | None, unit: str, *, whole: bool = False) -> str:
-    """Return a value with its unit: a part of a whole in per cent with one decimal, a tiny one as a power of ten."""
+def amount(context: PageContext, value: float | None, unit: str, *, whole: bool = False, limit: float | None = None) -> str:
+    """Return a value with its unit: a part of a whole in per cent with one decimal, a tiny one as a power of ten.
+
+    No part at all is told as its `limit` is.
+    """
     if value is not None and isinstance(unit, Sentence) and unit.key in SHARES:
-        is_told = value == 0 or abs(value) >= LEAST_SHARE
+        is_told = abs(value) >= LEAST_SHARE or (value == 0 and (limit is None or limit >= LEAST_SHARE))
         return context.with_unit(context.numbers.fixed(100 * value, 1), "%") if is_told else context.numbers.scalar(value)
     if value is None:
         return NOTHING

@@ -84,7 +84,7 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     value = counted(value, finding.unit)
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
     if key in SHARES:
-        return numeral(amount(context, value, finding.unit))
+        return numeral(amount(context, value, finding.unit, limit=finding.limit))
     if finding.unit == "s":
         return context.quantity(value, "s", STOP_DIGITS)
     if key == ROWS:

@@ -29,6 +29,14 @@ def test_a_limit_says_which_side_of_it_passes(real: ModuleType) -> None:
     assert most == {"INITIAL", "RESIDUAL", "ACCURACY", "PERIOD-POSITION", "PERIOD-VELOCITY", "CONTINUITY", "PEAK", "DRIFT"}
 
 
+def test_nought_is_told_in_the_measure_of_its_limit(real: ModuleType) -> None:
+    """0 % beside 5 %, and 0 beside 1e-11."""
+    items = listed(real, coursework.solve("whitworth", quantities=("table", "checks"), scheme="exact"))
+    told = {code: (real.text_of([one["value"]]), real.text_of([one["limit"]])) for code, one in items.items()}
+    assert told["RESIDUAL"][0] == "0" and "10−11" in told["RESIDUAL"][1]
+    assert told["ACCURACY"] == ("0\xa0%", "≤\xa05\xa0%")
+
+
 def test_what_is_not_judged_has_no_number_and_no_limit(real: ModuleType) -> None:
     """The wheel of v101 has its rate from its contact; without the link nothing judges equation 2."""
     text = coursework.load("v101").path.read_text(encoding="utf-8")
