@@ -52,14 +52,17 @@ def sentences_of(
     projected = [row for row in rows if row.method == projected_title(1) and not row.failed]
     if projected and projected[0].max_error < usual.max_error:
         found = {"steps": projected[0].steps_or_tolerance, "size": _size(projected[0].max_error, projected[0].unit)}
-        told.append(say("study.with_projection", **found, less=_times_less(projected[0], usual)))
+        if projected[0].max_error <= math.sqrt(projected[0].evaluations) * _UNIT:
+            told.append(say("study.projected_exactly", **found))
+        else:
+            told.append(say("study.with_projection", **found, less=_times_less(projected[0], usual)))
     closed = [row for row in rows if row.method == say("study.closed") and not row.failed]
     if closed:
         cost = {"evaluations": closed[0].evaluations, "more": _round(closed[0].evaluations / best.evaluations)}
         size = _size(closed[0].max_error, closed[0].unit)
         told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
     understated = usual.max_error / max(usual.end_error, 1e-300)
-    if understated >= 1.1:
+    if understated >= 1.1 and usual.end_unit == usual.unit:  # an angle is no number of times a length
         told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=_round(understated)))
     titles = [title_of(scheme) for scheme in SCHEMES.values()]
     seeming = {name: end_orders[name] for name, order in orders.items() if end_orders.get(name, order) - order > 0.5}

@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, title_of
 from coursework.report.output.tables import study_csv
+from coursework.results.accuracy.methods import projected_title
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import _clock, sentences_of, unsettled
 from coursework.results.accuracy.trace import local_slopes, orders_of, slope
@@ -99,6 +100,20 @@ def test_an_end_row_that_understates_the_error_by_a_tenth_is_told(times, told):
     usual, *others = study(1e-3)
     rows = [replace(usual, end_error=usual.max_error / times), *others]
     assert ("study.end_row" in [one.key for one in sentences_of(rows, {}, {}, rows[0])]) == told
+
+
+def test_a_length_in_the_last_row_is_not_compared_with_an_angle_in_another():
+    usual, *others = study(1e-3)
+    rows = [replace(usual, end_error=usual.max_error / 2, end_unit="m"), *others]
+    assert "study.end_row" not in [one.key for one in sentences_of(rows, {}, {}, rows[0])]
+
+
+@pytest.mark.parametrize(("error", "key"), [(7e-18, "study.projected_exactly"), (1e-9, "study.with_projection")])
+def test_a_projection_that_leaves_round_off_is_told_so_and_no_number_of_times(error, key):
+    projected = StudyRow(projected_title(1), "24", 48, error, error, None)
+    rows = [*study(1e-3), projected]
+    told = next(one for one in sentences_of(rows, {}, {}, rows[0]) if "projec" in one.key)
+    assert told.key == key
 
 
 @pytest.mark.parametrize(("apart", "told"), [(0.49, False), (0.51, True)])
