@@ -61,9 +61,9 @@ def check_variant(variant: str) -> int:
     if begun.verdict != "PASS" and begun.sentence != say("check.START.skip"):
         tell(begun.sentence)
     stop = scene.stop
-    if stop is None and begun.verdict == "FAIL":
-        return 1  # links that do not meet make no motion
     if stop is None:
+        if begun.verdict == "FAIL":
+            return 1  # links that do not meet make no motion
         tell(say("screen.possible", end=chosen.time.end))
         return 0
     tell(say("screen.not_possible", kind=stop.name, sentence=stop.sentence))

@@ -56,13 +56,13 @@ def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
     parts = np.array([np.broadcast_to(np.asarray(part, dtype=float), times.shape) for part in found])
     tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}
     growing = [positions[:, place] for place, one in enumerate(variant.coordinates) if one.unit == "m"]
-    seen = _Seen(variant, times, tracks, growing, _TOLERANCE * closure.scale)
+    seen = _Seen(variant, times, tracks, growing, closure.scale)
     return [*seen.of_links(), *seen.of_rails(), *seen.of_circles()]
 
 
 @frozen
 class _Seen:
-    """Where the points of a variant are at some `times` (c,): `tracks`, x + iy (c,) each; `allowed` (m) is no difference.
+    """Where the points of a variant are at some `times` (c,): `tracks`, x + iy (c,) each; `scale` is the largest length (m).
 
     `growing` are the coordinates that are lengths, (c,) each.
     """
@@ -71,7 +71,7 @@ class _Seen:
     times: Array
     tracks: dict[str, Track]
     growing: list[Array]
-    allowed: float
+    scale: float
 
     def of_links(self) -> Iterator[Fault]:
         """Yield the links of which two points do not keep their distance, and those that leave the bar they slide on."""
@@ -113,17 +113,21 @@ class _Seen:
         others = {through.name for through, _ in frame.rails if through.op == "name"}
         contacts = [link.contact for link in links if link.contact]
         others |= {name for link in links for name in link.points} | {name for name in contacts if contacts.count(name) > 1}
-        circles = [(place, *circle) for place, circle in enumerate(frame.circles) if circle[0].op == "name"]
+        circles = [
+            (place, centre.name, evaluate(size, self.variant.values))
+            for place, (centre, size) in enumerate(frame.circles)
+            if centre.op == "name"
+        ]
         for wheel in (link for link in links if circles and link.wheel and link.contact and link.contact not in others):
             contact = wheel.contact or ""
-            off = [abs(float(self._apart(contact, of.name)[0]) - evaluate(size, self.variant.values)) for _, of, size in circles]
-            place, centre, size = circles[off.index(min(off))]
-            known = {"centre": centre.name, "radius": evaluate(size, self.variant.values), "contact": contact}
-            if min(off) > self.allowed:
-                away = float(self._apart(contact, centre.name)[0])
-                yield self._fault(("frame", "circles", place), say("fault.V317", **known, away=away))
+            away = [float(self._apart(contact, name)[0]) for _, name, _ in circles]
+            near = min(range(len(circles)), key=lambda at: abs(away[at] - circles[at][2]))
+            place, centre, radius = circles[near]
+            if abs(away[near] - radius) > _TOLERANCE * self.scale:
+                known = {"centre": centre, "radius": radius, "contact": contact, "away": away[near]}
+                yield self._fault(("frame", "circles", place), say("fault.V317", **known))
             else:
-                yield from self._touched(wheel, self.tracks[contact] - self.tracks[centre.name])
+                yield from self._touched(wheel, self.tracks[contact] - self.tracks[centre])
 
     def _touched(self, wheel: Link, across: Track) -> Iterator[Fault]:
         """Yield a wheel whose radius to the contact does not stand `across` what it touches, (c,)."""
@@ -156,12 +160,12 @@ class _Seen:
             return np.asarray(((self.tracks[point] - self.tracks[one]) * bar.conj()).imag / np.abs(bar))
 
     def _keeps(self, sizes: Array) -> bool:
-        return bool(np.ptp(sizes) <= self.allowed)
+        return bool(np.ptp(sizes) <= _TOLERANCE * self.scale)
 
     def _leaves(self, way: Track, along: Track | complex) -> bool:
         """Return whether a way (c,) leaves the line along unit vectors."""
         beside = np.max(np.abs((way * np.conj(along)).imag), initial=0.0)
-        return bool(beside > _TOLERANCE * np.max(np.abs(way), initial=0.0) + _ROUND_OFF * self.allowed / _TOLERANCE)
+        return bool(beside > _TOLERANCE * np.max(np.abs(way), initial=0.0) + _ROUND_OFF * self.scale)
 
     def _straight(self, points: Sequence[str], one: str, other: str) -> bool:
         """Return whether all points of a link lie beside the line through two as far as ever: an arm grows along itself only."""

@@ -20,10 +20,8 @@ _TURN = Fraction(math.pi)  # the double nearest to pi, as every later computatio
 
 # Unit -> its size in SI.  Sizes are exact, so that "953 mm" and "0.953 m" give the same double.
 _LATIN = {
-    "m": {
-        "m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000),
-        "in": Fraction(254, 10_000), "ft": Fraction(3048, 10_000),
-    },
+    "m": {"m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000),
+          "in": Fraction(254, 10_000), "ft": Fraction(3048, 10_000)},
     "rad": {"rad": Fraction(1), "deg": _TURN / 180, "°": _TURN / 180, "grad": _TURN / 180},
     "s": {"s": Fraction(1), "ms": Fraction(1, 1000), "min": Fraction(60)},
     "turn": {"rev": 2 * _TURN, "r": 2 * _TURN, "U": 2 * _TURN},
@@ -34,8 +32,6 @@ _CYRILLIC = {
     "s": {"с": Fraction(1), "мс": Fraction(1, 1000), "мин": Fraction(60)},
     "turn": {"об": 2 * _TURN},
 }
-
-_ADVISED = {"1/s": "rad/s", "1/s^2": "rad/s^2"}  # SI unit -> as advice writes it
 
 
 def _all_units() -> dict[str, tuple[Fraction, str]]:
@@ -208,7 +204,7 @@ def advised_unit(si: str) -> str:
     >>> advised_unit("1/s"), advised_unit("m")
     ('rad/s', 'm')
     """
-    return _ADVISED.get(si, si)
+    return KINDS[si][1].partition(",")[0] if si in KINDS else si
 
 
 def size_of(unit: str) -> float:

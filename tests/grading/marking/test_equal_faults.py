@@ -168,7 +168,8 @@ def test_a_value_is_another_from_a_thousandth_on(part, told):
     desk = variants()[0]
     value = desk.variant.values["r1"]
     table = Machine(desk.variant, data={"r1": part * value}).table()
-    found = dict(_values_read_off(TableUnderTest(desk.key, StudentTable(table, np.full(table.shape, 1e-9)))))
+    printed = TableUnderTest(desk.key, StudentTable(table, np.full(table.shape, 1e-9)))
+    found = {datum.name: read for datum, read in _values_read_off(printed)}
     assert ("r1" in found) == told
     assert not told or found["r1"] == pytest.approx(part * value, rel=1e-6)
 

@@ -20,6 +20,7 @@ from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
+from coursework.variant.record.entries import Given
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
 # Columns count as exchanged where, put back, this part of them is the key's, or where the start values are.
@@ -46,15 +47,14 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     sets = printed.key.sets_at(printed.key.t, printed.q, [data for _, data in tried])
     for (code, data), found in zip(tried, sets, strict=True):
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
-    for name, value in _values_read_off(printed):
-        datum = next(datum for datum in given if datum.name == name)
+    for datum, value in _values_read_off(printed):
         shown = f"{value / (size_of(datum.unit) or 1.0):.4g} {datum.unit or datum.si}".rstrip()
-        at = partial(printed.key.velocities_at, data={name: value})
-        for claim in printed.velocity_claim(f"datum_{name}", at, names=(shown,)):
+        at = partial(printed.key.velocities_at, data={datum.name: value})
+        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=(shown,)):
             yield replace(claim, is_read_off=True)
 
 
-def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[str, float]]:
+def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
     """Yield each datum with the value that half of the printed velocities that feel it lie above, where that is another."""
     key, given = printed.key, [datum for datum in printed.key.variant.given if datum.value]
     task = np.array([datum.value for datum in given])
@@ -73,7 +73,7 @@ def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[str, float]]:
             found = found + np.clip(_medians(moves), -np.abs(task), np.abs(task))
     for datum, value in zip(given, found.tolist(), strict=True):
         if np.isfinite(value) and value * datum.value > 0 and abs(value / datum.value - 1) > _ANOTHER:
-            yield datum.name, value
+            yield datum, value
 
 
 def _medians(rows: Array) -> Array:

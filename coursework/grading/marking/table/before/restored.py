@@ -46,8 +46,8 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     is told by what was made from it, and costs a cell, as it did before it was put right.
     """
     m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
-    looked = _Looked(key, student, wrong & ~put, wrong | put, ~wrong & ~put, own)
     was, told = student, np.zeros_like(wrong)
+    looked = _Looked(key, student, wrong & ~put, wrong | put, ~wrong & ~put, own, told, student)
     for _ in range(_PASSES):
         last, own = looked.followed(was, right & ~told.any(axis=1, keepdims=True))
         was, now = looked.guessed(last, own, told)
@@ -77,21 +77,17 @@ class _Looked:
     other: Flags
     sure: Flags
     own: OwnWays
-    told: Flags | None = None
-    printed: StudentTable | None = None
-
-    @property
-    def shown(self) -> StudentTable:
-        return self.printed or self.student
+    told: Flags
+    printed: StudentTable
 
     @property
     def speaking(self) -> Flags:
         """Return which cells say what others were."""
-        return self.wrong if self.told is None else self.wrong | self.told
+        return self.wrong | self.told
 
     def worth(self, table: StudentTable, ways: OwnWays) -> Counts:
         """Return how many cells made from each row (n,) are right if a table stood there, without those that it costs."""
-        held = ways.holds(self.shown.values)
+        held = ways.holds(self.printed.values)
         found = beside_makers((self.speaking & held) * 1 - (self.sure & ~held), len(self.key.coordinates)).sum(axis=1)
         return np.asarray(found - _slips(table, self.student, ways))
 
@@ -126,9 +122,9 @@ class _Looked:
         """Return the table with the guesses by which more cells are right, and what is told now: `told` itself for no guess."""
         m, speaking, was, now = len(self.key.coordinates), self.speaking, last, told
         best = np.maximum(self.worth(last, own), 0)
-        for base in (last, self.shown) if _touched(beside_makers(speaking, m), self.shown, last) else (last,):
+        for base in (last, self.printed) if _touched(beside_makers(speaking, m), self.printed, last) else (last,):
             ways = own if base is last else self.made_by(base)
-            left = speaking & ~ways.holds(self.shown.values)
+            left = speaking & ~ways.holds(self.printed.values)
             for guess in guesses(self.key, base, ways, left, self.other, self.other & ~now):
                 if not _touched(beside_makers(left, m), guess, base):
                     continue
