@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.system import compile_system
-from coursework.motion.geometry.closure import Closure, compile_closure
+from coursework.motion.geometry.closure import CONFIGURATIONS, Closure, compile_closure
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
@@ -24,7 +24,6 @@ from coursework.words.sentences import say
 
 # Compared after scaling each row to its length: far above round-off, far below a wrong coefficient or sign.
 TOLERANCE = 1e-8
-_CONFIGURATIONS = 5
 # Data taken at random: each its own value moved by up to half of the spread, no two by the same part.
 _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
 _SMOOTH = {"number", "symbol", "pi", "+", "*", "sin", "cos", "tan", "exp"}
@@ -50,12 +49,12 @@ def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreeme
         return Agreement()
     zeros = tuple(given.name for given in equations.variant.given if not given.value)
     always = equations.once(("agreed", zeros), lambda: _whatever_the_data(equations, closure))
-    return _judged(equations, *configurations(closure)) if always is None else always
+    return _judged(equations, *closure.configurations) if always is None else always
 
 
 def agrees(equations: VelocityEquations, closure: Closure) -> bool:
     """Return whether the geometry confirms every written equation, with the data they have.  Raises `InputError` as above."""
-    return not _judged(equations, *configurations(closure)).unjudged
+    return not _judged(equations, *closure.configurations).unjudged
 
 
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:
@@ -73,7 +72,7 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
     with suppress(InputError):
         others = replace(equations, variant=replace(variant, given=given))
         near = compile_closure(others, closure.start.tolist())
-        if near is not None and len((found := configurations(near))[0]) == _CONFIGURATIONS:
+        if near is not None and len((found := near.configurations)[0]) == CONFIGURATIONS:
             return _judged(others, *found)
     return None
 
@@ -203,18 +202,3 @@ def _ranks(matrices: Array) -> NDArray[np.int_]:
     sizes = np.linalg.svd(matrices, compute_uv=False)
     largest = np.maximum(np.max(sizes, axis=-1, keepdims=True, initial=0.0), 1e-300)
     return np.asarray(np.sum(sizes > TOLERANCE * largest, axis=-1))
-
-
-def configurations(closure: Closure) -> tuple[Array, Array]:
-    """Return times and positions near the start that close with the drive moved on; the start alone if none is found."""
-    end = closure.equations.variant.time.end
-    times = np.linspace(0.0, end / 50, _CONFIGURATIONS)
-    kept, known = closure.targets(times)
-    guess = np.tile(closure.start, (len(times), 1))
-    guess[:, list(closure.driven)] = known
-    try:
-        q, closed = closure.newton_rows(times, guess, kept)
-    except np.linalg.LinAlgError:
-        closed = np.zeros(len(times), dtype=bool)
-    count = int(np.argmin(closed)) if not closed.all() else len(times)
-    return (times[:count], q[:count]) if count else (times[:1], closure.start[None])

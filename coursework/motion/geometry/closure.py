@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
 from coursework.system.arrays import Array, Flags, as_columns
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -28,10 +29,11 @@ MAX_NEWTON = 25
 # shrinking; closed where the corrections run out.
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
 _REMEMBERED = 4  # grids of times: a table, its exact rows and its checks ask for the same one
+CONFIGURATIONS = 5  # near the start, by which equations and links are judged
 MOST_COMBINED = 12  # equations; beyond it pairs are not tried
 
 
-@frozen
+@caching
 class Closure:
     """The position equations g(q, t) = kept value of one scene, started at `start` (m,).
 
@@ -69,6 +71,20 @@ class Closure:
         """Return the largest length of the data (m), 1 without any: what a residual is measured against."""
         lengths = [abs(given.value) for given in self.equations.variant.given if given.si == "m"]
         return max(lengths, default=1.0) or 1.0
+
+    @cached_property
+    def configurations(self) -> tuple[Array, Array]:
+        """Return times and positions near the start that close with the drive moved on; the start alone if none is found."""
+        times = np.linspace(0.0, self.equations.variant.time.end / 50, CONFIGURATIONS)
+        kept, known = self.targets(times)
+        guess = np.tile(self.start, (len(times), 1))
+        guess[:, list(self.driven)] = known
+        try:
+            q, closed = self.newton_rows(times, guess, kept)
+        except np.linalg.LinAlgError:
+            closed = np.zeros(len(times), dtype=bool)
+        count = int(np.argmin(closed)) if not closed.all() else len(times)
+        return (times[:count], q[:count]) if count else (times[:1], self.start[None])
 
     def at_zero(self, zero: Sequence[bool]) -> Closure:
         """Return the closure that keeps these of its positions at zero, not at what the start gives."""

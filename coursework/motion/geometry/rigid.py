@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_values
-from coursework.motion.geometry.agreement import configurations
 from coursework.motion.geometry.closed_start import OPEN
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.open_loops import with_closed_loops
@@ -51,7 +50,7 @@ def _require(equations: VelocityEquations, closure: Closure) -> None:
 
 def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
     variant, vectors = equations.variant, equations.symbols.vectors
-    times, positions = configurations(closure)
+    times, positions = closure.configurations
     found = compile_values(equations, [part for vector in vectors.values() for part in vector])[1](times, *positions.T)
     parts = np.array([np.broadcast_to(np.asarray(part, dtype=float), times.shape) for part in found])
     tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}

@@ -17,7 +17,7 @@ import numpy as np
 from coursework.equations.reduction.bound import Speed, Turn
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.system import compile_system
-from coursework.motion.geometry.agreement import configurations, given_by_geometry, gives
+from coursework.motion.geometry.agreement import given_by_geometry, gives
 from coursework.motion.geometry.closure import Closure
 from coursework.system.arrays import Array
 from coursework.words.errors import Fault, InputError
@@ -35,7 +35,7 @@ def _require(equations: VelocityEquations, closure: Closure) -> None:
     turns = equations.geometry.turns()
     if not turns:
         return
-    times, positions = configurations(closure)
+    times, positions = closure.configurations
     derived = given_by_geometry(equations)
     rows = [_row(speed) for turn in turns for speed in (turn.found, turn.named, turn.grows)]
     matrix, right, _ = compile_system(equations, [*derived, *rows]).matrices(times, positions)
