@@ -6,7 +6,7 @@ Used by `instant_centres.py`.  No velocity equation of the file enters: it stays
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from coursework.drawing.check_sheet.pose import Pose
 from coursework.system.angles import dot
 from coursework.system.frozen import frozen
 
+Row = tuple[dict[int, float], float]  # factors of the unknowns by their columns, and what they make together
 NOUGHT = 1e-13  # of the largest velocity found: what is smaller is round-off
 FREE = 1e-9  # of the largest singular value: below it a combination of velocities is not determined
 
@@ -28,65 +29,80 @@ class Solved:
 
 def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
     """Return all that rigid links, guides and sleeves determine, given velocities of points (m/s)."""
-    points = list(dict.fromkeys(name for body in pose.bodies for name in body.points))
-    points += [slide.rider for slide in pose.slides if slide.rider not in points]
-    column = {name: 2 * k for k, name in enumerate(points)}
-    turn = {body.name: 2 * len(points) + k for k, body in enumerate(pose.bodies)}
-    size = pose.size or 1.0
-    rows: list[dict[int, float]] = []
-    right: list[float] = []
-
-    def require(row: dict[int, float], value: float = 0.0) -> None:
-        rows.append(row)
-        right.append(value)
-
-    def vector(name: str, along: complex, factor: float = 1.0) -> dict[int, float]:
-        return {column[name]: factor * along.real, column[name] + 1: factor * along.imag}
-
-    for name, velocity in velocities.items():
-        if name in column:
-            require({column[name]: 1.0}, velocity.real)
-            require({column[name] + 1: 1.0}, velocity.imag)
-    for name, along in pose.guided.items():
-        if name in column:
-            require(vector(name, 1j * along))
-    for body in pose.bodies:
-        first = body.points[0] if body.points else ""
-        for name in body.points[1:]:
-            arm = 1j * (pose.positions[name] - pose.positions[first])
-            for axis in (1 + 0j, 1j):
-                part = dot(axis, arm)
-                require({**vector(name, axis), **vector(first, axis, -1.0), turn[body.name]: -part / size})
-        if body.guide:
-            require({turn[body.name]: 1.0})
-        if body.rate is not None and body.rate in pose.rates:
-            require({turn[body.name]: 1.0}, pose.rates[body.rate] * size)
-    same = {body.rate: body.name for body in reversed(pose.bodies) if body.rate}
-    for body in pose.bodies:
-        if body.rate and same[body.rate] != body.name:
-            require({turn[body.name]: 1.0, turn[same[body.rate]]: -1.0})
-    for slide in pose.slides:
-        first = next((body.points[0] for body in pose.bodies if body.name == slide.link), slide.rider)
-        arm = 1j * (pose.positions[slide.rider] - pose.positions[first])
-        normal = 1j * slide.along
-        if first != slide.rider:
-            part = dot(normal, arm)
-            require({**vector(first, normal), **vector(slide.rider, normal, -1.0), turn[slide.link]: part / size})
-        if slide.speed is not None and first != slide.rider:
-            part = dot(slide.along, arm)
-            row = {**vector(slide.rider, slide.along), **vector(first, slide.along, -1.0), turn[slide.link]: -part / size}
-            require(row, slide.speed)
-        if slide.block in turn:
-            require({turn[slide.link]: 1.0, turn[slide.block]: -1.0})
-    count = 2 * len(points) + len(pose.bodies)
-    matrix = np.zeros((len(rows), count))
-    for k, row in enumerate(rows):
+    unknowns = _unknowns_of(pose)
+    rows = [*unknowns.given(pose, velocities), *unknowns.rigid(pose), *unknowns.sliding(pose)]
+    matrix = np.zeros((len(rows), unknowns.count))
+    for k, (row, _) in enumerate(rows):
         for place, value in row.items():
             matrix[k, place] += value
     _, strengths, ways = np.linalg.svd(matrix)
     rank = int(np.sum(strengths > FREE * strengths[0])) if len(strengths) else 0
     free = np.max(np.abs(ways[rank:]), axis=0, initial=0.0)
-    found = np.linalg.lstsq(matrix, np.array(right), rcond=FREE)[0]
+    found = np.linalg.lstsq(matrix, np.array([value for _, value in rows]), rcond=FREE)[0]
     found[np.abs(found) <= NOUGHT * np.max(np.abs(found), initial=0.0)] = 0.0
+    column, turn = unknowns.column, unknowns.turn
     determined = {name: complex(found[k], found[k + 1]) for name, k in column.items() if max(free[k], free[k + 1]) < FREE**0.5}
-    return Solved(determined, {name: float(found[k]) / size for name, k in turn.items() if free[k] < FREE**0.5})
+    return Solved(determined, {name: float(found[k]) / unknowns.size for name, k in turn.items() if free[k] < FREE**0.5})
+
+
+@frozen
+class _Unknowns:
+    """Where they stand: `column` of x of a point's velocity (m/s), y behind it; `turn` of a link's rate times `size` (m/s)."""
+
+    column: Mapping[str, int]
+    turn: Mapping[str, int]
+    size: float
+
+    @property
+    def count(self) -> int:
+        return 2 * len(self.column) + len(self.turn)
+
+    def vector(self, name: str, along: complex, factor: float = 1.0) -> dict[int, float]:
+        return {self.column[name]: factor * along.real, self.column[name] + 1: factor * along.imag}
+
+    def given(self, pose: Pose, velocities: Mapping[str, complex]) -> Iterator[Row]:
+        """Yield what is known of points: their velocities, the lines that guide them."""
+        for name, velocity in velocities.items():
+            if name in self.column:
+                yield {self.column[name]: 1.0}, velocity.real
+                yield {self.column[name] + 1: 1.0}, velocity.imag
+        for name, along in pose.guided.items():
+            if name in self.column:
+                yield self.vector(name, 1j * along), 0.0
+
+    def rigid(self, pose: Pose) -> Iterator[Row]:
+        """Yield how the points of a link move together, and what is known of its rate."""
+        for body in pose.bodies:
+            first = body.points[0] if body.points else ""
+            for name in body.points[1:]:
+                arm = 1j * (pose.positions[name] - pose.positions[first])
+                for axis in (1 + 0j, 1j):
+                    turned = {self.turn[body.name]: -dot(axis, arm) / self.size}
+                    yield {**self.vector(name, axis), **self.vector(first, axis, -1.0), **turned}, 0.0
+            if body.guide:
+                yield {self.turn[body.name]: 1.0}, 0.0
+            if body.rate is not None and body.rate in pose.rates:
+                yield {self.turn[body.name]: 1.0}, pose.rates[body.rate] * self.size
+        same = {body.rate: body.name for body in reversed(pose.bodies) if body.rate}
+        for body in pose.bodies:
+            if body.rate and same[body.rate] != body.name:
+                yield {self.turn[body.name]: 1.0, self.turn[same[body.rate]]: -1.0}, 0.0
+
+    def sliding(self, pose: Pose) -> Iterator[Row]:
+        """Yield that a rider keeps to its bar, how fast it slides where that is known, and what turns with the bar."""
+        for slide in pose.slides:
+            first = next((body.points[0] for body in pose.bodies if body.name == slide.link), slide.rider)
+            arm = 1j * (pose.positions[slide.rider] - pose.positions[first])
+            if first != slide.rider:
+                for along, speed in ((1j * slide.along, 0.0), (slide.along, slide.speed)):
+                    if speed is not None:
+                        turned = {self.turn[slide.link]: -dot(along, arm) / self.size}
+                        yield {**self.vector(slide.rider, along), **self.vector(first, along, -1.0), **turned}, speed
+            if slide.block in self.turn:
+                yield {self.turn[slide.link]: 1.0, self.turn[slide.block]: -1.0}, 0.0
+
+
+def _unknowns_of(pose: Pose) -> _Unknowns:
+    points = dict.fromkeys([*(name for body in pose.bodies for name in body.points), *(slide.rider for slide in pose.slides)])
+    turns = {body.name: 2 * len(points) + k for k, body in enumerate(pose.bodies)}
+    return _Unknowns({name: 2 * k for k, name in enumerate(points)}, turns, pose.size or 1.0)
