@@ -15,10 +15,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from coursework.motion.singular.scaled_flow import Flow
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
+from coursework.system.frozen import frozen
 
 MAX_NEWTON = 12
 _CLOSE = 1e-13  # rad or m; Newton's last correction
+_ZERO = 1e-9  # of their size: determinant and demand at the crossing
 _STRAYED = 10.0  # times as far as is asked for: from there Newton goes on to a point somewhere else, if to any
 _NUDGE = 1e-6  # rad or m of the differences in Newton's matrix
 _STEP = 1e-5  # s along the motion; central difference, error about 1e-10
@@ -35,61 +37,103 @@ def nearest_change_point(
     """Return the change point of `block` at most `within` (rad or m) from (t, q), None where Newton finds none.
 
     It is told by its time (s), its position, and by how much of its size the motion misses it.
-    `rates` (m,) of the motion at (t, q).  Unknowns are the time and the displacement of the block's own unknowns; they make
-    the determinant and the demand of the drive zero and keep every equation of the block but the one that is lost.
+    `rates` (m,) of the motion at (t, q).
     """
-    place = flow.places[block]
-    size = len(place.unknowns)
-    own = [(i, place.unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in place.unknowns]
-    pace = max(float(np.max(np.abs(rates), initial=0.0)), 1e-9)
-    first, _, velocities = flow.part(t, q.tolist(), block)
-    left, sizes, _ = np.linalg.svd(first)
-    scale = (float(sizes[0]) if size > 1 else flow.largest[block]) or 1.0
-    earlier = velocities != 0
-
-    def moved(part: float, x: Array, base: Array) -> tuple[float, list[float]]:
-        shifted = q + part * x[-1] / pace * base
-        for coordinate, unknown in own:
-            shifted[coordinate] = q[coordinate] + part * x[unknown]
-        return t + part * x[-1] / pace, shifted.tolist()
-
-    def at(x: Array) -> tuple[Array, Array, Array]:
-        middle, right, now = flow.part(*moved(0.5, x, rates), block)
-        base = np.where(earlier, now, rates)
-        matrix, end, _ = flow.part(*moved(1.0, x, base), block)
-        lost = np.linalg.svd(matrix)[0][:, -1]
-        lost = lost if lost @ left[:, -1] >= 0 else -lost
-        kept = left[:, :-1].T @ (middle @ x[:-1] - right * x[-1] / pace)
-        return np.array([np.linalg.det(matrix) / scale**size, lost @ end / (scale * pace), *kept / scale]), lost, base
-
-    x = np.zeros(size + 1)
+    near = _crossing_near(flow, t, q, block, rates)
     try:
+        x = near.solved(_STRAYED * within)
+        if x is None or np.max(np.abs(x)) > within:
+            return None
+        missed = near.missed(x)
+    except (ArithmeticError, ValueError):
+        return None
+    time, position = near.moved(1.0, x, near.base_at(x))
+    return float(time), np.array(position), missed
+
+
+@frozen
+class _Crossing:
+    """Where a change point is looked for about (t, q): unknowns are the displacements of the block's own unknowns and the time,
+    as far as the motion goes in it at its `pace`.
+
+    They make the determinant and the demand of the drive zero and keep every equation of the block but the one that is lost.
+    `own` are coordinates and the unknowns that are their rates, `left` (k, k) the directions of the block's equations at (t, q),
+    the lost one last; `earlier` (m,) marks what is known before the block.
+    """
+
+    flow: Flow
+    block: int
+    t: float
+    q: Array
+    rates: Array
+    own: tuple[tuple[int, int], ...]
+    pace: float
+    left: Array
+    scale: float
+    earlier: Flags
+
+    def moved(self, part: float, x: Array, base: Array) -> tuple[float, list[float]]:
+        """Return time and place behind a part of the way x, where what is known before the block moves at `base`."""
+        shifted = self.q + part * x[-1] / self.pace * base
+        for coordinate, unknown in self.own:
+            shifted[coordinate] = self.q[coordinate] + part * x[unknown]
+        return self.t + part * x[-1] / self.pace, shifted.tolist()
+
+    def base_at(self, x: Array) -> Array:
+        return np.where(self.earlier, self._part(0.5, x, self.rates)[2], self.rates)
+
+    def at(self, x: Array) -> tuple[Array, Array]:
+        """Return what is to be zero, and the direction of the equation that is lost."""
+        middle, right, now = self._part(0.5, x, self.rates)
+        matrix, end, _ = self._part(1.0, x, np.where(self.earlier, now, self.rates))
+        lost = np.linalg.svd(matrix)[0][:, -1]
+        lost = lost if lost @ self.left[:, -1] >= 0 else -lost
+        kept = self.left[:, :-1].T @ (middle @ x[:-1] - right * x[-1] / self.pace)
+        size = len(matrix)
+        zero = (np.linalg.det(matrix) / self.scale**size, lost @ end / (self.scale * self.pace), *kept / self.scale)
+        return np.array(zero), lost
+
+    def solved(self, farthest: float) -> Array | None:
+        """Return the way to the crossing, None where Newton leaves the neighbourhood or does not come to rest on one."""
+        x = np.zeros(len(self.left) + 1)
+        nudges = _NUDGE * np.eye(len(x))
         for _ in range(MAX_NEWTON):
-            value, lost, base = at(x)
-            nudges = _NUDGE * np.eye(size + 1)
-            jacobian = np.array([(at(x + d)[0] - at(x - d)[0]) / (2 * _NUDGE) for d in nudges]).T
-            step = np.linalg.lstsq(jacobian, -value, rcond=1e-9)[0]
+            jacobian = np.array([(self.at(x + d)[0] - self.at(x - d)[0]) / (2 * _NUDGE) for d in nudges]).T
+            step = np.linalg.lstsq(jacobian, -self.at(x)[0], rcond=1e-9)[0]
             x = x + step
-            if not np.max(np.abs(x)) <= _STRAYED * within:
+            if not np.max(np.abs(x)) <= farthest:
                 return None
             if np.max(np.abs(step)) < _CLOSE:
                 break
         else:
             if np.max(np.abs(step)) > 1e3 * _CLOSE:
                 return None
-        value, lost, base = at(x)
-        if np.max(np.abs(value[:2])) > 1e-9:
-            return None
-        gap = 0.0
+        return x if np.max(np.abs(self.at(x)[0][:2])) <= _ZERO else None
+
+    def missed(self, x: Array) -> float:
+        """Return by how much of its size the lost equation fails to lead to the crossing."""
+        lost, base, gap = self.at(x)[1], self.base_at(x), 0.0
         for part in _GAUSS:
-            matrix, right, _ = flow.part(*moved(part, x, base), block)
-            gap += float(lost @ (matrix @ x[:-1] - right * x[-1] / pace)) / 2
-    except (ArithmeticError, ValueError):
-        return None
-    if np.max(np.abs(x)) > within:
-        return None
-    time, position = moved(1.0, x, base)
-    return float(time), np.array(position), abs(gap) / scale
+            matrix, right, _ = self._part(part, x, base)
+            gap += float(lost @ (matrix @ x[:-1] - right * x[-1] / self.pace)) / 2
+        return abs(gap) / self.scale
+
+    def _part(self, part: float, x: Array, base: Array) -> tuple[Array, Array, Array]:
+        return self.flow.part(*self.moved(part, x, base), self.block)
+
+
+def _crossing_near(flow: Flow, t: float, q: Array, block: int, rates: Array) -> _Crossing:
+    first, _, velocities = flow.part(t, q.tolist(), block)
+    left, sizes, _ = np.linalg.svd(first)
+    scale = (float(sizes[0]) if len(sizes) > 1 else flow.largest[block]) or 1.0
+    pace = max(float(np.max(np.abs(rates), initial=0.0)), 1e-9)
+    return _Crossing(flow, block, t, q, rates, _own(flow, block), pace, left, scale, velocities != 0)
+
+
+def _own(flow: Flow, block: int) -> tuple[tuple[int, int], ...]:
+    """Return the coordinates whose rates a block gives, each with the place of that among its unknowns."""
+    unknowns = flow.places[block].unknowns
+    return tuple((i, unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in unknowns)
 
 
 def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...] | None:
@@ -106,12 +150,10 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
         return ()
     w, v = left[:, -1], directions[-1]
     particular = directions[:-1].T @ ((left[:, :-1].T @ right) / sizes[:-1])  # any other differs by a part of v
-    place = flow.places[block]
-    own = [(i, place.unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in place.unknowns]
 
     def demand(u: Array) -> float:
         motion = velocities.copy()
-        for coordinate, unknown in own:
+        for coordinate, unknown in _own(flow, block):
             motion[coordinate] = u[unknown]
         after, before = (flow.part(time + side * _STEP, (start + side * _STEP * motion).tolist(), block)[:2] for side in (1, -1))
         return float(w @ ((after[0] - before[0]) @ u - (after[1] - before[1])) / (2 * _STEP))
