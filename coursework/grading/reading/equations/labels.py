@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from coursework.grading.reading.equations.signs import ARROW, depths
-from coursework.grading.reading.table.headers import unit_of
+from coursework.grading.reading.unit_names import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
 _LABEL = re.compile(

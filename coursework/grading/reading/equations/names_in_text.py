@@ -9,7 +9,8 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from coursework.grading.reading.table.headers import aliases, fold
+from coursework.grading.reading.table.headers import aliases
+from coursework.grading.reading.unit_names import fold
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import spelled

@@ -7,26 +7,16 @@ Used by whatever reads a file of a student or of a platform.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
+from coursework.grading.reading.unit_names import fold, unit_of
 from coursework.system.frozen import frozen
-from coursework.variant.formula.alphabet import spell
 
 TIME = "t"
 INDEX = "№"
-# Letters of the Cyrillic alphabet that a keyboard leaves in place of Latin ones, after casefold().
-_LATIN = str.maketrans("асеорхуіјѕвкмнт", "aceopxyijsbkmht")
 _PUNCTUATION = re.compile(r"[\s_,.;:$\\{}()\[\]'\"=*^~-]+")
 
-_UNITS = {
-    "rad": "рад rad радиан радиани радиан. radian radians 弧度", "deg": "град град. ° deg degree degrees grad º 度 градусы",
-    "1/s": "1/с 1/s 1/c рад/с rad/s rad/sec рад/сек с-1 s-1 с^-1 s^-1 1/сек 1/sec 弧度/秒 rad/秒 rad/с рад·с-1",
-    "deg/s": "град/с deg/s °/s °/с град/сек grad/s 度/秒 º/s", "rpm": "об/мин rpm об/хв u/min min-1 мин-1 хв-1 rev/min r/min",
-    "s": "с s c сек сек. sec 秒 seconds sekunden", "ms": "мс ms", "m": "м m", "mm": "мм mm", "cm": "см cm",
-    "m/s": "м/с m/s м/сек m/sec 米/秒", "mm/s": "мм/с mm/s", "cm/s": "см/с cm/s",
-}  # fmt: skip
 # For each SI unit of a column: the units it may be printed in, and what one of them is in SI.
 PRINTED: dict[str, dict[str, float]] = {
     "rad": {"rad": 1.0, "deg": 0.017453292519943295},
@@ -76,20 +66,6 @@ class Head:
     def is_certain(self) -> bool:
         """Return whether the head names exactly one column."""
         return len(self.candidates) == 1
-
-
-def fold(text: str) -> str:
-    """Return a text as heads are compared: one form of each letter, Latin for its look-alikes, Greek written out."""
-    plain = unicodedata.normalize("NFKC", text.replace("°", "º")).replace("º", "°").casefold()
-    return spell(plain.replace("−", "-").translate(_LATIN))
-
-
-_FOLDED_UNITS = {fold(spelling): unit for unit, spellings in _UNITS.items() for spelling in spellings.split()}
-
-
-def unit_of(text: str) -> str:
-    """Return the unit that a text is, "" where it is none."""
-    return _FOLDED_UNITS.get(re.sub(r"\s+", "", fold(text)).strip("[](){},;"), "")
 
 
 def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:

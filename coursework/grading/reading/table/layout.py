@@ -13,7 +13,8 @@ from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful
 from coursework.grading.reading.numbers import PrintedNumber, looks_numeric, marks, printed, stored
-from coursework.grading.reading.table.headers import TIME, Head, read_head, unit_of
+from coursework.grading.reading.table.headers import TIME, Head, read_head
+from coursework.grading.reading.unit_names import unit_of
 from coursework.system.frozen import frozen
 
 _SEARCHED = 60  # rows in which the heads are looked for
