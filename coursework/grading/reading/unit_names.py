@@ -15,10 +15,10 @@ from coursework.variant.formula.alphabet import spell
 _LATIN = str.maketrans("асеорхуіјѕвкмнт", "aceopxyijsbkmht")
 _UNITS = {
     "rad": "рад rad радиан радиани радиан. radian radians 弧度", "deg": "град град. ° deg degree degrees grad º 度 градусы",
-    "1/s": "1/с 1/s 1/c рад/с rad/s rad/sec рад/сек с-1 s-1 с^-1 s^-1 1/сек 1/sec 弧度/秒 rad/秒 rad/с рад·с-1",
+    "1/s": "1/с 1/s 1/c рад/с rad/s rad/sec рад/сек с-1 s-1 с^-1 s^-1 1/сек 1/sec radian/second 弧度/秒 rad/秒 rad/с рад·с-1",
     "deg/s": "град/с deg/s °/s °/с град/сек grad/s 度/秒 º/s", "rpm": "об/мин rpm об/хв u/min min-1 мин-1 хв-1 rev/min r/min",
     "s": "с s c сек сек. sec 秒 seconds sekunden", "ms": "мс ms", "m": "м m", "mm": "мм mm", "cm": "см cm",
-    "m/s": "м/с m/s м/сек m/sec 米/秒", "mm/s": "мм/с mm/s", "cm/s": "см/с cm/s",
+    "m/s": "м/с m/s м/сек m/sec 米/秒 metre/second meter/second", "mm/s": "мм/с mm/s", "cm/s": "см/с cm/s",
 }  # fmt: skip
 
 
