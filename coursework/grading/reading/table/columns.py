@@ -13,7 +13,7 @@ from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import PrintedNumber
-from coursework.grading.reading.table.headers import INDEX, TIME, Head, named_in
+from coursework.grading.reading.table.headers import INDEX, TIME, Head, may_be
 from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
 
@@ -44,33 +44,36 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     places, repeated = _by_head(layout, filled)
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
     _add_time(layout, places, free, len(names), grid.step)
-    known = [name for name in names if name in places]
     rest = [at for at in free if at not in {place.at for place in places.values()}]
+    places |= _by_words(layout, rest, places)
+    known = [name for name in names if name in places]
+    rest = [at for at in rest if at not in {place.at for place in places.values()}]
     if not known and rest:
         lacking = grid.given if len(rest) == len(names) - len(grid.given) else ()
         places |= _in_order(layout, rest, [name for name in names if name not in lacking])
     else:
         places |= _lost_letters(layout, rest, [name for name in names if name not in places])
-        _add_told(layout, grid, places, rest)
+        _ask_for_unread(layout, grid, places, rest)
     if not any(name in places for name in names):
         raise unreadable("no_columns", columns=len(rest), names=tuple(names))
     return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})))
 
 
-def _add_told(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> None:
-    """Find the columns whose heads say more than their names.  Raises `Refused` where as many are unread as are missing."""
-    missing = {name for name in grid.names if name not in places}
-    unread = [at for at in rest if layout.heads[at].text and not layout.heads[at].candidates]
-    told = [(at, named_in(layout.heads[at].text, grid.units) & missing) for at in unread]
-    for at, meant in told:
-        if len(meant) == 1 and sum(meant == other for _, other in told) == 1:
-            places[next(iter(meant))] = Place(at, "header")
-            unread.remove(at)
-    lacking = [name for name in grid.names if name not in places and name not in grid.given]
-    heads = tuple(layout.heads[at].text for at in unread)
-    described = len(heads) == 1 and " " in heads[0]  # a symbol of its own, as V_M, is another column
-    if len(heads) >= len(lacking) > 1 or (len(lacking) == 1 and described):
-        raise doubtful("unread_heads", heads=heads, names=tuple(lacking))
+def _by_words(layout: Layout, rest: list[int], places: dict[str, Place]) -> dict[str, Place]:
+    """Return the columns whose heads say in words what they are, each of those that one head alone means."""
+    told = [(name, at) for at in rest for name in layout.heads[at].told if name not in places]
+    names = [name for name, _ in told]
+    return {name: Place(at, "header") for name, at in told if names.count(name) == 1}
+
+
+def _ask_for_unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> None:
+    """Raise `Refused` where as many columns are unread as are missing."""
+    unread = [at for at in rest if at not in {place.at for place in places.values()}]
+    lacking = {name: unit for name, unit in grid.units if name not in places and name not in grid.given}
+    heads = [layout.heads[at] for at in unread]
+    if len(heads) >= len(lacking) > 1 or (len(heads) == len(lacking) == 1 and may_be(heads[0], *lacking.values())):
+        texts = tuple(head.text or f"({at + 1})" for at, head in zip(unread, heads, strict=True))
+        raise doubtful("unread_heads", heads=texts, names=tuple(lacking))
 
 
 def _by_head(layout: Layout, filled: list[int]) -> tuple[dict[str, Place], set[int]]:

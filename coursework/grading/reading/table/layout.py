@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise, takewhile
+from itertools import pairwise, takewhile, zip_longest
 from statistics import median
 
 from coursework.grading.reading.files.separators import is_progression
@@ -48,6 +48,7 @@ class Layout:
 
 def layouts_of(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
     """Return the tables in rows of cells: below each other under heads of their own, or beside each other under the same."""
+    rows = _numbered(rows)
     width = max(map(len, rows), default=0)
     if width < 2:
         return []
@@ -139,7 +140,8 @@ def _heads_in(rows: Rows, columns: Columns) -> tuple[int, int]:
         texts = [cell.text for cell in row if cell.flag == "text"]
         if len(texts) > best[1]:
             heads = (read_head(text, columns) for text in texts)
-            named = len({head.candidates if head.is_certain else head.text for head in heads if head.candidates})
+            named = len({head.candidates or head.told if len(head.candidates) < 2 else head.text
+                         for head in heads if head.candidates or head.told})  # fmt: skip
             if named > best[1]:
                 best = place, named
     return best if best[1] > 1 else (-1, 0)
@@ -184,6 +186,38 @@ def _is_body(row: Sequence[PrintedNumber]) -> bool:
     filled = sum(cell.flag != "missing" for cell in row)
     standing = sum(cell.stands_for_number for cell in row)
     return standing >= 2 and 2 * standing >= filled and any(cell.is_number or cell.flag == "formula" for cell in row)
+
+
+def _is_numbering(row: Sequence[PrintedNumber]) -> bool:
+    """Return whether a row without a time counts columns from 0 or 1, perhaps anew under each head."""
+    values = [cell.value for cell in row[1:] if cell.text]
+    steps = [later - earlier for earlier, later in pairwise(values)]
+    return (
+        len(steps) > 0 and not row[0].text and values[0] in {0, 1} and all(step == 1 or step < 0 for step in steps) and 1 in steps
+    )
+
+
+def _numbered(rows: Rows) -> Rows:
+    """Return the rows without those that count columns; what they count below heads over several columns is put into these."""
+    out: Rows = []
+    for row in rows:
+        if not _is_numbering(row):
+            out.append(row)
+        elif out and any(cell.flag == "text" for cell in out[-1]) and not _is_body(out[-1]):
+            out[-1] = _with_numbers(_padded(out[-1], len(row)), row)
+    return out
+
+
+def _with_numbers(heads: list[PrintedNumber], row: Sequence[PrintedNumber]) -> list[PrintedNumber]:
+    """Return heads with the number of each before their unit; one stands over the columns up to the next."""
+    found: list[PrintedNumber] = []
+    over = ""
+    for cell, number in zip_longest(heads, row):
+        over = cell.text or over
+        at = min((place for place, sign in enumerate(over) if sign in ",(["), default=len(over))
+        text = f"{over[:at].rstrip()}{number.text}{over[at:]}" if number and number.text else cell.text
+        found.append(cell._replace(text=text, flag="text" if text else "missing"))
+    return found
 
 
 def _is_units(row: list[PrintedNumber]) -> bool:

@@ -46,7 +46,9 @@ class Part:
 
     def names(self, grid: Grid) -> dict[str, int]:
         """Return the columns of the task that heads may mean, and where they stand."""
-        return {name: at for at, head in enumerate(self.layout.heads) for name in head.candidates if name in grid.names}
+        return {
+            name: at for at, head in enumerate(self.layout.heads) for name in head.candidates or head.told if name in grid.names
+        }
 
 
 def parts_of(sheet: Sheet, origin: Origin, grid: Grid) -> list[Part]:
@@ -118,7 +120,7 @@ def _below(first: Part, second: Part, grid: Grid) -> Part | None:
 
 
 def _said(layout: Layout) -> list[tuple[str, ...]]:
-    return [head.candidates or (head.text,) for head in layout.heads]
+    return [head.candidates or head.told or (head.text,) for head in layout.heads]
 
 
 def _beside(first: Part, second: Part, grid: Grid) -> Part | None:
@@ -136,7 +138,9 @@ def _beside(first: Part, second: Part, grid: Grid) -> Part | None:
     shared = [(names[name], others[name]) for name in names.keys() & others.keys()]
     if any(other and _differ(row[at], other[place]) for row, other in pairs for at, place in shared):
         return None
-    kept = [at for at, head in enumerate(second.layout.heads) if not head.candidates or added & {*head.candidates}]
+    kept = [
+        at for at, head in enumerate(second.layout.heads) if not (meant := {*head.candidates} or {*head.told}) or added & meant
+    ]
     body = tuple((*row, *(other[at] if other else NOTHING for at in kept)) for row, other in pairs)
     return _whole(first, second, (*first.layout.heads, *(second.layout.heads[at] for at in kept)), body)
 
