@@ -64,7 +64,8 @@ def without_labels(text: str) -> str:
     """Return a line without its label and its number at the end."""
     text = text[len(label_of(text)) :]
     found = _LABEL_AT_END.search(text)
-    return text[: found.start()] if found and "=" in text[: found.start()] else text
+    is_label = found and "=" in text[: found.start()].rstrip(" \t=")
+    return text[: found.start()] if found and is_label else text
 
 
 def bare_equations(text: str, is_name: Callable[[str], bool]) -> Iterator[str]:
