@@ -109,6 +109,7 @@ def is_datum(text: str, names: Names) -> bool:
     name, sign, value = bare.partition("=")
     name, begins, _ = re.sub(r"[{}\\$\s]", "", name).partition("@")
     meant = names.spellings.canonical(name) if OWN_NAME.fullmatch(name) else None
-    is_given = OWN_NAME.fullmatch(name) and (bool(begins) or meant not in names.expected.variant.sought)
+    is_own = meant is None and not names.expected.answers and OWN_NAME.fullmatch(name)  # h; else an answer misspelt
+    is_given = bool(begins) or (meant is not None and meant not in names.expected.variant.sought) or is_own
     quantity = _QUANTITY.fullmatch(value) if sign and is_given else None
     return quantity is not None and (not quantity[1] or bool(unit_of(quantity[1])))
