@@ -71,6 +71,11 @@ def test_a_product_of_matrices_is_read_row_by_row(matrix):
     assert marked(f"{REST}\n{MATRICES[matrix].replace('cos', 'sin', 1)}").share < 1.0
 
 
+def test_a_datum_said_with_a_low_line_is_no_name_of_the_students_own():
+    """r_1 = 0.953 was put in for r1 where the task says 1.063, and right lines were wrong."""
+    assert marked(f"r_1 = 0.953, r_2 = 0.847\n{NOTATIONS['latex'](PLAIN['v102'])}", "v102").share == 1.0
+
+
 def test_matrices_without_commas_are_a_question():
     found = marked(f"{REST}\n[r1*sin(phi1) r2*sin(phi2); r1*cos(phi1) r2*cos(phi2)]*[w1; w2] = [r3*w4; r3*w3]")
     assert found.unread is not None

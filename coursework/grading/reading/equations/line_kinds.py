@@ -24,7 +24,6 @@ from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula import reader
-from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 
@@ -56,7 +55,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
     meant = spellings.canonical(name)
     # A letter that only its size tells from a datum is the student's own: nobody solves for a datum.
-    is_own = meant is None or (meant in spellings.data and spell(name) != meant)
+    is_own = meant is None or (meant in spellings.data and key(name) != key(meant))
     return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
 
 

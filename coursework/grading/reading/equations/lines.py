@@ -47,7 +47,7 @@ _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a li
 _STATEMENT = re.compile(
     r"(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|begin)\b[^=]*(?:[=(\[{].*)?$"
     r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
-    r"|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
+    r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
 )
 _TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")

@@ -1,6 +1,6 @@
 """Tables as programs print them and as programs have them -> rows: columns in pieces, a common factor, lists, names with values.
 
-Enters: a text.  Leaves: the text in whole lines; rows of texts, () where it holds nothing of the kind.
+Enters: lines, a text.  Leaves: whole lines; rows of texts, () where it holds nothing of the kind.
 Used by `separators.py`.
 """
 
@@ -23,20 +23,20 @@ _PAIR = re.compile(r"(?<![\w.])([^\W\d][\w.]{0,20})[ \t]*(?:=|:)[ \t]*([-+−]?\
 _FEWEST, _MOST_LISTS, _BEFORE = 3, 5000, 40
 
 
-def in_whole_lines(text: str) -> str:
-    r"""Return a text in which no table is printed in pieces, as pandas, MATLAB and Octave do, or with a factor before it.
+def in_whole_lines(given: list[str]) -> list[str]:
+    r"""Return lines in which no table is printed in pieces, as pandas, MATLAB and Octave do, or with a factor before it.
 
-    >>> in_whole_lines("  Columns 1 through 2\n\n 0 1.5\n 1 1.6\n\n  Column 3\n\n 2.5\n 2.6\n")
-    ' 0 1.5 2.5\n 1 1.6 2.6'
-    >>> in_whole_lines("   t  phi1  \\\n0  0  1.63   \n1  1  1.65   \n\n    w1  \n0  2.0  \n1  2.1  ")
-    '   t  phi1    w1\n0  0  1.63   2.0\n1  1  1.65   2.1'
-    >>> in_whole_lines("T =\n\n   1.0e+03 *\n\n   0   1.5\n")
-    'T =\n\n\n\n   0   1.5e+03\n'
+    >>> in_whole_lines(["  Columns 1 through 2", "", " 0 1.5", " 1 1.6", "", "  Column 3", "", " 2.5", " 2.6"])
+    ['', ' 0 1.5 2.5', ' 1 1.6 2.6']
+    >>> in_whole_lines(["   t  phi1  \\", "0  0  1.63   ", "1  1  1.65   ", "", "    w1  ", "0  2.0  ", "1  2.1  "])
+    ['', '   t  phi1    w1', '0  0  1.63   2.0', '1  1  1.65   2.1']
+    >>> in_whole_lines(["T =", "   1.0e+03 *", "   0   1.5"])
+    ['T =', '', '   0   1.5e+03']
     """
-    lines = _without_factors(text.split("\n")) if "*" in text else text.split("\n")
+    lines = _without_factors(given)
     is_piece = [bool("olumn" in line and _PIECE.match(line)) for line in lines]
-    if not any(is_piece) and "\\\n" not in text:
-        return "\n".join(lines)
+    if not any(is_piece) and not any(line.rstrip().endswith("  \\") for line in lines):
+        return lines
     out: list[list[str]] = []
     goes_on = is_numbered = False
     for kind, group in groupby(zip(lines, is_piece, strict=True), lambda pair: 2 * pair[1] + bool(pair[0].strip())):
@@ -51,7 +51,7 @@ def in_whole_lines(text: str) -> str:
             else:
                 out.append(rows)
             goes_on = is_numbered = ends
-    return "\n\n".join("\n".join(rows) for rows in out)
+    return [line for rows in out for line in ("", *rows)]
 
 
 def _beside(before: list[str], rows: list[str], is_numbered: bool) -> list[str]:

@@ -44,9 +44,9 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
     ';'
     """
-    lines = list(_lines(in_whole_lines(text.translate(_BARS)), most_rows))
+    lines = in_whole_lines(list(_lines(text.translate(_BARS), most_rows)))
     if rows := listed_rows("\n".join(lines), most_rows, most_columns):
-        return Split(",", rows)
+        return Split("cells", rows)
     if lines and (hint := _HINT.fullmatch(lines[0])):
         return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], most_columns))
     best: tuple[tuple[float, ...], str, bool] | None = None
@@ -59,7 +59,7 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
             best = (*judged[0], -place), sign, judged[1]
     if best is None:
         rows = named_rows("\n".join(lines), most_rows)
-        return Split("blanks", rows) if rows else None
+        return Split("cells", rows) if rows else None
     return Split(NAMES.get(best[1], best[1]), _cells(lines, best[1], most_columns), best[2])
 
 

@@ -151,9 +151,11 @@ def _of_kind(said: str, unit: str, known: tuple[tuple[str, str], ...]) -> tuple[
 
 
 def may_be(head: Head, unit: str) -> bool:
-    """Return whether a head that names no column may stand over one of a unit: by its own unit, its words or its first letter."""
-    symbol = re.sub(r"[\W_]|varphi|\d", "", fold(head.text))
-    return _fits(head.unit, unit) or " " in head.text or symbol.startswith(tuple(_BY_UNIT.get(unit, symbol)))
+    """Return whether a head that names no column may stand over one of a unit; one of a length or a speed, as V_M, says so."""
+    if head.unit or " " in head.text:
+        return " " in head.text or _fits(head.unit, unit)
+    is_linear = _PUNCTUATION.sub("", fold(head.text)).startswith(("v", "x", "y", "s"))
+    return unit in {"m", "m/s"} or not is_linear
 
 
 def _indexed(columns: tuple[tuple[str, str], ...], index: str) -> tuple[str, ...]:

@@ -65,13 +65,13 @@ def layouts_of(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
 
 def _sections(rows: Rows, columns: Columns) -> list[Rows]:
     """Return the rows cut where heads stand below numbers: another table, or the next page."""
-    starts = [0]
     is_body = [*map(_is_body, rows)]
-    for at in range(1, len(rows)):
-        if is_body[at - 1] and not is_body[at]:
-            between = takewhile(lambda place: not is_body[place], range(at, min(at + _FIRST, len(rows))))
-            if _heads_in([rows[place] for place in between], columns)[1]:
-                starts.append(at)
+    ends = [at for at in range(1, len(rows)) if is_body[at - 1] and not is_body[at]]
+    starts = [0]
+    for at in ends[:_SEARCHED]:
+        between = takewhile(lambda place: not is_body[place], range(at, min(at + _FIRST, len(rows))))
+        if _heads_in([rows[place] for place in between], columns)[1]:
+            starts.append(at)
     return [rows[start:end] for start, end in pairwise((*starts, len(rows)))]
 
 

@@ -21,6 +21,7 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
 _Row = tuple[PrintedNumber, ...]
+_MOST = 200  # parts that are looked at
 _ROUNDED = 0.505  # of the last place: what printing takes from a number
 NOTHING = PrintedNumber("", float("nan"), 0, 0, "missing")
 
@@ -87,7 +88,7 @@ def _decimal_mark(sheet: Sheet, separator: str) -> tuple[str, bool]:
 def joined(parts: Sequence[Part], grid: Grid) -> list[Part]:
     """Return the tables with those put together that are one."""
     rows: list[Part] = []
-    for part in parts:
+    for part in parts[:_MOST]:
         for place in reversed(range(len(rows))):
             is_next = part.layout.has_heads or place == len(rows) - 1
             if is_next and (whole := _below(rows[place], part, grid) or _below(part, rows[place], grid)):
@@ -174,7 +175,9 @@ def _differ(first: PrintedNumber, second: PrintedNumber) -> bool:
 def _whole(first: Part, second: Part, heads: Sequence[Head], body: Sequence[_Row]) -> Part:
     origin, other = first.origin, second.origin
     notes = (*origin.notes, *(one for one in other.notes if one not in origin.notes))
-    origin = replace(origin, file=_both(origin.file, other.file), notes=notes)
+    separator = origin.separator if origin.separator == other.separator else "cells"
+    encoding, file = _both(origin.encoding, other.encoding), _both(origin.file, other.file)
+    origin = replace(origin, file=file, encoding=encoding, separator=separator, notes=notes)
     sheet = _both(first.sheet, second.sheet) if first.sheet and second.sheet else first.sheet
     return Part(replace(first.layout, heads=tuple(heads), body=tuple(body)), origin, sheet)
 
