@@ -47,6 +47,7 @@ from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+_SHOWN = 40  # characters of a cell
 _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
 
 
@@ -264,7 +265,22 @@ def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]
     if others:
         found.notes.append(note("two_tables", name=_named(best), others=tuple(map(_named, others))))
     found.notes += best.notes
+    found.review = found.review or _unread_cells(best)
     return best, None
+
+
+def _unread_cells(table: Table) -> Sentence | None:
+    """Return why a person must look where cells hold something with digits that is no number, None where none does."""
+    unread = [
+        (row, column.name, text)
+        for column in table.columns
+        for row, (text, flag) in enumerate(zip(column.texts, column.flags, strict=True), start=1)
+        if flag == "text" and any(map(str.isdigit, text)) and not text.lstrip().startswith("=")
+    ]
+    if not unread:
+        return None
+    row, name, text = min(unread)
+    return say("reading.review.unread_cells", number=len(unread), row=row, column=name, text=text[:_SHOWN])
 
 
 def _named(table: Table) -> str | Sentence:

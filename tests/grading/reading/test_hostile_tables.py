@@ -52,7 +52,6 @@ def test_heads_that_say_more_than_a_name_are_read_and_those_that_name_nothing_ar
         ["crank", "rod", "sin phi3", *HEAD[4:]],
         [*HEAD[1:-1], "rate of the wheel"],
         [*HEAD[1:-1], "w5"],
-        [*HEAD[1:3], "", "", *HEAD[5:]],
     ):
         trouble = refused(";".join(["t", *own]).encode() + b"\n" + body)
         assert (trouble.state, trouble.code) == ("needs-review", "unread_heads")
