@@ -57,6 +57,7 @@ _NUMBER = {".": _pattern(r"\.", ","), ",": _pattern(",", r"\.")}
 
 
 _STORED_DIGITS = 15
+ROUNDED = 0.505  # of the last place: what printing takes from a number
 
 
 class PrintedNumber(NamedTuple):
@@ -74,9 +75,20 @@ class PrintedNumber(NamedTuple):
         return not self.flag
 
     @property
+    def last_place(self) -> float:
+        """Return what one of the last digit is."""
+        return 10.0 ** max(self.place, -300)
+
+    @property
     def stands_for_number(self) -> bool:
         """Return whether a number stands here or stood here before a spreadsheet spoilt it."""
         return self.flag in {"", "error", "date", "formula"}
+
+
+def differ(first: PrintedNumber, second: PrintedNumber, factor: float = 1.0, other: float = 1.0) -> bool:
+    """Return whether two cells are numbers that no rounding makes equal; the factors turn each into one unit."""
+    rounded = ROUNDED * (first.last_place * factor + second.last_place * other)
+    return first.is_number and second.is_number and abs(first.value * factor - second.value * other) > rounded
 
 
 def plain_text(text: str) -> str:

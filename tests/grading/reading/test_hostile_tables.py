@@ -348,3 +348,21 @@ def test_a_wrong_table_that_grows_beyond_all_bounds_is_not_taken_for_degrees() -
     for row in rows:
         row[1] = f"{float(row[1]) * 57.29578:.3f}"
     assert read(csv(rows)).column("phi1").unit == "deg"  # type: ignore[union-attr]
+
+
+def test_an_angle_in_two_units_is_one_column_and_another_number_is_none() -> None:
+    turned = [
+        [row[0], *(cell for text in row[1:4] for cell in (f"{math.degrees(float(text)):.2f}", text)), *row[4:]] for row in ROWS
+    ]
+    heads = ["t", *(f"{name}, {unit}" for name in HEAD[1:4] for unit in ("deg", "rad")), *HEAD[4:]]
+    table = read("\n".join(";".join(row) for row in [heads, *turned]).encode())
+    assert {found.name: found.values for found in table.columns} == {
+        found.name: found.values for found in read(csv(ROWS)).columns
+    }
+    turned[4][1] = "99.99"
+    assert refused("\n".join(";".join(row) for row in [heads, *turned]).encode()).code == "two_columns"
+
+
+def test_a_column_in_degrees_and_minutes_is_asked_about() -> None:
+    spoilt = [[row[0], f"{int(math.degrees(float(row[1])))}°30'", *row[2:]] for row in ROWS]
+    assert refused(csv(spoilt)).code == "unread_column"

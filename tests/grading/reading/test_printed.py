@@ -62,6 +62,11 @@ TEXTS: dict[str, str] = {
     "pandas": FRAME.to_string(), "pandas, wrapped": FRAME.to_string(line_width=60),
     "pandas, by time": FRAME.set_index("t").to_string(),
     "pandas, by time, wrapped": FRAME.set_index("t").to_string(line_width=60),
+    "r, wrapped": "\n".join(
+        " ".join(["  ", *(cell.rjust(9) for cell in row)]) if not k else f"{k:<2} " + " ".join(cell.rjust(9) for cell in row)
+        for part in (slice(0, 5), slice(5, COUNT)) for k, row in enumerate([HEAD[part], *(row[part] for row in ROWS)])
+    ),
+    "yaml": "\n".join(f"{name}:\n" + "\n".join(f"  - {cell}" for cell in cells) for name, cells in BY_COLUMN.items()),
     "a remark before the heads": "# " + " ".join(HEAD) + "\n" + "\n".join(map(" ".join, ROWS)),
     "heads of several words": "  ".join(["time, s", *(f"value {name}, x" for name in HEAD[1:])])
     + "\n" + "\n".join("   ".join(row) for row in ROWS),

@@ -107,7 +107,7 @@ def _entries(line: str) -> list[str]:
     """Return the entries of a list: between commas, where it has such that are no decimal marks, else between blanks."""
     bare = line.replace("...", " ").strip(" \t\n,")
     is_parted = ", " in bare or ",\n" in bare or not re.search(r"\s", bare)
-    return [cell.strip() for cell in bare.split(",")] if is_parted else bare.split()
+    return [cell.strip() for cell in bare.split(",")] if is_parted else [cell for cell in bare.split() if cell != "-"]
 
 
 def named_rows(text: str, most_rows: int) -> tuple[tuple[str, ...], ...]:

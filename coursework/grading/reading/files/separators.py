@@ -44,6 +44,7 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
     ';'
     """
+    text = text if "," in text else text.replace("，", ",")
     lines = in_whole_lines(list(_lines(text.translate(_BARS), most_rows)))
     if rows := listed_rows("\n".join(lines), most_rows, most_columns):
         return Split("cells", rows)
@@ -93,19 +94,22 @@ def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...
 
 
 def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
-    """Return the tokens of lines; tables that blank lines part are set below each other each for itself."""
+    """Return the tokens of lines; tables that blank lines or heads part are set below each other each for itself."""
     blocks: list[list[str]] = [[]]
-    numbers = 0
-    for is_blank, group in itertools.groupby(lines, lambda line: not line.strip()):
-        block = [] if is_blank else list(group)
-        count = sum(line.lstrip("[({-+ |")[:1].isdigit() for line in block)
-        if 0 < count < _FEWEST:  # single rows with blank lines between
+    count = 0  # rows of numbers in the last block
+    for is_row, group in itertools.groupby(lines, _begins_with_number):
+        block = list(group)
+        if is_row and len(block) < _FEWEST:  # single rows with lines between
             return _aligned(lines, most)
-        if numbers and count:
+        if not is_row and count:
             blocks.append([])
-        numbers = numbers or count
+        count = len(block) if is_row else 0
         blocks[-1] += block
     return tuple(row for block in blocks for row in _aligned(block, most))
+
+
+def _begins_with_number(line: str) -> bool:
+    return line.lstrip("[({-+ |\t")[:1].isdigit()
 
 
 def _aligned(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:

@@ -201,10 +201,14 @@ def _numbered(rows: Rows) -> Rows:
     """Return the rows without those that count columns; what they count below heads over several columns is put into these."""
     out: Rows = []
     for row in rows:
-        if not _is_numbering(row):
+        heads = out[-1] if out and any(cell.flag == "text" for cell in out[-1]) and not _is_body(out[-1]) else []
+        heads = _padded(heads, len(row))
+        # A head that is merged with the cell below it stands there, too.
+        below = [cell._replace(text="") if cell.text == head.text else cell for head, cell in zip(heads, row, strict=False)]
+        if not _is_numbering(below):
             out.append(row)
-        elif out and any(cell.flag == "text" for cell in out[-1]) and not _is_body(out[-1]):
-            out[-1] = _with_numbers(_padded(out[-1], len(row)), row)
+        elif any(head.text for head in heads):
+            out[-1] = _with_numbers(heads, below)
     return out
 
 

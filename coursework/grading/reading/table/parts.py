@@ -13,7 +13,7 @@ from dataclasses import replace
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.limits import doubtful
-from coursework.grading.reading.numbers import PrintedNumber, looks_numeric, marks, printed, stored
+from coursework.grading.reading.numbers import PrintedNumber, differ, looks_numeric, marks, printed, stored
 from coursework.grading.reading.submission import Note
 from coursework.grading.reading.table.headers import INDEX, TIME, Head
 from coursework.grading.reading.table.layout import Layout, goes_on, layouts_of
@@ -22,7 +22,6 @@ from coursework.words.sentence import Sentence
 
 _Row = tuple[PrintedNumber, ...]
 _MOST = 200  # parts that are looked at
-_ROUNDED = 0.505  # of the last place: what printing takes from a number
 NOTHING = PrintedNumber("", float("nan"), 0, 0, "missing")
 
 
@@ -137,7 +136,7 @@ def _beside(first: Part, second: Part, grid: Grid) -> Part | None:
     if pairs is None:
         return _beside(second, first, grid) if _pairs(second.layout, first.layout) else None
     shared = [(names[name], others[name]) for name in names.keys() & others.keys()]
-    if any(other and _differ(row[at], other[place]) for row, other in pairs for at, place in shared):
+    if any(other and differ(row[at], other[place]) for row, other in pairs for at, place in shared):
         return None
     kept = [
         at for at, head in enumerate(second.layout.heads) if not (meant := {*head.candidates} or {*head.told}) or added & meant
@@ -165,11 +164,6 @@ def _by(layout: Layout, name: str) -> dict[float, _Row]:
     at = layout.keys.get(name)
     found = {} if at is None else {row[at].value: row for row in layout.body if row[at].is_number}
     return found if len(found) == len(layout.body) else {}
-
-
-def _differ(first: PrintedNumber, second: PrintedNumber) -> bool:
-    rounded = _ROUNDED * (10.0 ** max(first.place, -300) + 10.0 ** max(second.place, -300))
-    return first.is_number and second.is_number and abs(first.value - second.value) > rounded
 
 
 def _whole(first: Part, second: Part, heads: Sequence[Head], body: Sequence[_Row]) -> Part:

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 import math
 
+from coursework.grading.reading.numbers import ROUNDED
 from coursework.grading.reading.student_work import Table, TableColumn
-
-_ROUNDED = 0.505  # of the last place: what printing takes from a number
 
 
 def alike(first: Table, second: Table) -> bool:
@@ -18,7 +17,7 @@ def alike(first: Table, second: Table) -> bool:
 
 
 def _same_where_both(first: Table, second: Table) -> bool:
-    digits = _ROUNDED if first.place or second.place else 0.0
+    digits = ROUNDED if first.place or second.place else 0.0
     both = [(column, other) for column in first.columns if (other := second.column(column.name))]
     return all(_same(column, other, digits) for column, other in both)
 
