@@ -164,6 +164,16 @@ def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
     return PrintedNumber(text, math.nan, 0, 0, "date" if _DATE.fullmatch(plain) else "text")
 
 
+def filled_in(text: str, mark: str) -> PrintedNumber:
+    """Return what a field of a form says, where nothing may stand beside the number.
+
+    >>> filled_in("85", ".").value, filled_in("85*", ".").flag
+    (85.0, 'text')
+    """
+    bare = text.translate(_PLAIN).strip().removeprefix("=").strip('"').removeprefix("'").strip()
+    return printed(text, mark) if plain_text(text) == bare else PrintedNumber(text, math.nan, 0, 0, "text")
+
+
 def _read(text: str, match: re.Match[str]) -> PrintedNumber:
     sign, digits, group, behind, bare, exponent = match.groups()
     whole = digits.replace(group, "") if group else digits or "0"

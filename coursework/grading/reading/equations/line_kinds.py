@@ -107,8 +107,8 @@ def is_datum(text: str, names: Names) -> bool:
     bare = without_words(without_labels(_AT_START.sub("@", plain_signs(text))), lambda word: is_name(word, names.spellings))
     name, sign, value = bare.partition("=")
     name, begins, _ = re.sub(r"[{}\\$\s]", "", name).partition("@")
-    meant = names.spellings.canonical(name) if OWN_NAME.fullmatch(name) else None
-    is_own = meant is None and not names.expected.answers and OWN_NAME.fullmatch(name)  # h; else an answer misspelt
-    is_given = bool(begins) or (meant is not None and meant not in names.expected.variant.sought) or is_own
-    quantity = _QUANTITY.fullmatch(value) if sign and is_given else None
+    meant = names.spellings.canonical(name)
+    # A name that the task does not have, as h, is a datum of the student's own, or else an answer misspelt.
+    is_given = bool(begins) or (meant not in names.expected.variant.sought if meant else not names.expected.answers)
+    quantity = _QUANTITY.fullmatch(value) if sign and is_given and OWN_NAME.fullmatch(name) else None
     return quantity is not None and (not quantity[1] or bool(unit_of(quantity[1])))

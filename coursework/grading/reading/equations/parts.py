@@ -60,7 +60,7 @@ def _cuts(line: str) -> list[tuple[int, int]]:
         is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
         if sign in ",;，；" and depth <= 0 and not is_decimal:
             found.append((place, place + 1))
-    return sorted(found)
+    return sorted(found, key=lambda cut: (cut[0], -cut[1]))  # "= 0 and": not before the word alone
 
 
 def _rows(line: str) -> list[str]:
