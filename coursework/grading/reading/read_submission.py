@@ -40,7 +40,7 @@ from coursework.grading.reading.files.kinds import (
 from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, other_kind, unreadable
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
-from coursework.grading.reading.table.parts import Part
+from coursework.grading.reading.table.parts import Part, joined
 from coursework.grading.reading.table.same_table import alike
 from coursework.grading.reading.table.table import read_parts
 from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read_spreadsheet, table_of_text
@@ -254,9 +254,9 @@ def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]
             return None, instead[0]
         return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
     tables = [table for _, table in found.tables]
-    wholes = read_parts([part for part, _ in found.tables], grid)
+    wholes = joined([part for part, _ in found.tables], grid)
     if len(wholes) < len(tables):  # halves of one in several files
-        tables = [table for _, table in wholes if isinstance(table, Table)] or tables
+        tables = [table for _, table in read_parts(wholes, grid) if isinstance(table, Table)] or tables
     best, *others = sorted(tables, key=lambda table: (table.weight, _decimals(table)), reverse=True)
     equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
     if equal:

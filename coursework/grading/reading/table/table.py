@@ -31,7 +31,7 @@ _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent
 
 
 def read_parts(parts: Sequence[Part], grid: Grid) -> list[tuple[Part, Table | Refused]]:
-    """Return the tables that parts make, those that are one put together, each on the grid or refused."""
+    """Return the tables that parts make, those that are one put together, each on the grid or why it is refused."""
     return [(part, _read(part, grid)) for part in joined(parts, grid) if _is_table(part.layout)]
 
 
