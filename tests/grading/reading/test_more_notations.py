@@ -41,6 +41,7 @@ TEXTS = {
     "a P that is not p": "P = r3*w3*cos(phi3)\nQ = r3*w3*sin(phi3)\nVMy - 2*P - Q = 0",
     "data with units": "p = 13.08 1/с, V1 = 4.5 м/с, h = 0.02 с\nVMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
     "a solver's cell": "=VMy - 2*r3*w3*COS(phi3) - r3*w3*SIN(phi3)",
+    "said behind": "Therefore, w3 = VMy/(r3*(2*cos(phi3) + sin(phi3))) for every t.",
     "nought in parentheses": "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) - (0) = 0",
     "a number that is no label": "-(VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)) = -(0)",
     "unpacked": "def f(x):\n    w1, w2, w3, w4 = x\n    return [VMy - 2*r3*w3*np.cos(phi3) - r3*w3*np.sin(phi3)]",

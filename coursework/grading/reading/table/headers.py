@@ -142,7 +142,7 @@ def _of_kind(said: str, unit: str, known: tuple[tuple[str, str], ...]) -> tuple[
     if turns or moves:
         kinds = {"rad"} if not moves else {"1/s"} if turns or "1/s" in kinds else kinds & {"m/s"} or {"m/s", "1/s"}
     indices = {*re.findall(r"\d+", said)} or {str(k) for k, words in _ORDINALS.items() if any(word in said for word in words)}
-    if len(indices) > 1 or not kinds:
+    if len(indices) > 1 or not kinds or not (turns or moves or indices):
         return ()
     found = [name for name, si in known if si in kinds and (not indices or _parts(name)[1] in indices)]
     if not indices and "m/s" in kinds:
