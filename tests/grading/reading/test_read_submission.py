@@ -245,23 +245,6 @@ def test_positions_in_one_table_and_velocities_in_another_are_one_table() -> Non
         assert apart.table is None or "two_tables" in codes(apart)
 
 
-def test_a_cell_that_may_hold_a_number_and_could_not_be_read_asks_a_person() -> None:
-    lines = table("csv_utf8").decode("utf-8-sig").split("\r\n")
-    for text, is_asked in (
-        ("<1,5985", True),
-        ("1,59 or 1,60", True),
-        ("1,5985*", False),
-        ("", False),
-        ("see above", False),
-        ("=A1", False),
-    ):
-        spoilt = "\n".join([*lines[:2], lines[2].replace("1,5985", text), *lines[3:]])
-        contents = read(("t.csv", spoilt.encode()))
-        assert contents.table is not None
-        assert (contents.review is not None) is is_asked, text
-        assert not is_asked or f"phi1 in row 2: “{text}”" in str(contents.review)
-
-
 def test_a_zip_is_opened_once_in_memory() -> None:
     inner = archive({"deep.csv": table()})
     files = {"work/table.csv": table(), "__MACOSX/work/._table.csv": b"x", "work/equations.txt": EQUATIONS, "more.zip": inner}
