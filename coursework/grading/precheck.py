@@ -5,6 +5,7 @@ Enters: bytes of files, a variant.  Leaves: `Prechecked`.  Used by `commands/pre
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -52,6 +53,9 @@ def precheck(submission: Submission, variant: Variant, named: Callable[[str, tup
 
     fine = _table(key, work, known, told.append)
     fine &= _equations(work, told.append)
+    if work.review:
+        told.append(work.review)
+    fine &= work.review is None
     return Prechecked(fine, work.table is not None, tuple(told), tuple(note.text for note in work.notes))
 
 
@@ -90,6 +94,10 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
     coarse = int(cells.too_coarse.sum())
     if coarse:
         told(say("screen.coarse_cells", coarse=coarse))
+    blank = [(row, column.name) for column in table.columns for row, value in enumerate(column.values, 1) if math.isnan(value)]
+    here = sorted((row, name) for row, name in blank if table.rows_present[row - 1])
+    if here:
+        told(say("screen.blank_cells", number=len(here), row=here[0][0], column=named(here[0][1])))
     _steps(key, cells, named, told)
     return not missing and not coarse and all(table.rows_present) and not cells.missing.any()
 

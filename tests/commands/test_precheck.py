@@ -76,7 +76,10 @@ def test_turning_counted_clockwise_is_said_and_contradicts_nothing(tmp_path: Pat
         (csv(students.table()[:20]), "", "Rows: 20 of 25"), (csv(students.table(), 1), "", "few decimals to be marked"),
         (b"%PDF-1.7", "", "Table: not read. The file is really PDF"), (None, EQUATIONS[0], "Table: not read."),
         (csv(students.table()), "r1*wq = 0", 'symbol "wq" is not declared'),
-        (csv(students.table()).replace(b";w4", b";total"), "", "Missing columns: w4"),
+        (csv(students.table()).replace(b";w4", b";V_M"), "", "Missing columns: w4"),
+        (csv(students.table()).replace(b";w4", b";total"), "", "Under the heads total may stand w4"),
+        (csv(students.table()).replace(b";3,3700", b";"), "", "can be read: 1; the first is phi2 in row 1."),
+        (csv(students.table()).replace(b";3,37", b";<3,37"), "", "the first is phi2 in row 1: “<3,37"),
     ],
 )  # fmt: skip
 def test_what_could_not_be_marked_is_told(tmp_path: Path, table: bytes | None, equations: str, told: str) -> None:

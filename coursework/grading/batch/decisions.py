@@ -18,7 +18,7 @@ from coursework.grading.marking.reasons.reasons import after_decision, decided, 
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
-from coursework.grading.reading.numbers import printed
+from coursework.grading.reading.numbers import filled_in
 from coursework.grading.reading.submission import note
 from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
@@ -87,7 +87,7 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
 def _points(text: str, most: float) -> float | None:
     """Return the points that a cell means, itself or as a share of `most`, None where it means none from 0 to `most`."""
     share = _SHARE.fullmatch(text)
-    number = printed(share[1] if share else text, "," if "," in text else ".")
+    number = filled_in(share[1] if share else text, "," if "," in text else ".")
     if not number.is_number or not 0 <= number.value <= (100 if share else most):
         return None
     return rounded_points(most * float(number.value) / 100) if share else float(number.value)

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.platforms.names import name_key, same_key
-from coursework.grading.reading.numbers import printed
+from coursework.grading.reading.numbers import filled_in
 from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -49,7 +49,7 @@ class Gradebook:
         changes = {}
         for record, value in points.items():
             before = self.cells.value(record, self.column)
-            number = printed(before, ".")
+            number = filled_in(before, ".")
             if before.upper() == "EX" or (number.is_number and round(number.value, 2) == round(value, 2)):
                 continue
             changes[record, self.column] = f"{value:.2f}".rstrip("0").rstrip(".")
@@ -98,5 +98,5 @@ def _is_student(cells: CellText, record: int) -> bool:
 
 
 def _points(cells: CellText, record: int, place: int) -> float | None:
-    number = printed(cells.value(record, place), ".")
+    number = filled_in(cells.value(record, place), ".")
     return number.value if number.is_number else None

@@ -16,7 +16,7 @@ from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.platforms.escapes import shown, text_cell
 from coursework.grading.platforms.moodle_times import moodle_time
 from coursework.grading.platforms.names import name_key
-from coursework.grading.reading.numbers import printed
+from coursework.grading.reading.numbers import filled_in
 from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -140,7 +140,7 @@ def _columns_where(cells: CellText, holds: Callable[[list[str]], bool], first: i
 
 
 def _are_one_number(values: list[str]) -> bool:
-    number = printed(values[0], ".")
+    number = filled_in(values[0], ".")
     return len({*values}) == 1 and number.is_number and number.value > 0
 
 
@@ -157,7 +157,7 @@ def _maximum(cells: CellText, place: int) -> tuple[float, str]:
     values = [value for record in range(1, len(cells.records)) if (value := cells.value(record, place))]
     first = next(iter(values), "")
     mark = "," if "," in first and "." not in first else "."
-    number = printed(first, mark)
+    number = filled_in(first, mark)
     if not number.is_number or number.value <= 0 or len({*values}) != 1:
         raise InputError([Fault(say("fault.G024", first=first[:20]), cells.file, 2)])
     return number.value, mark

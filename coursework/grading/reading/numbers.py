@@ -13,6 +13,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from coursework.grading.reading.student_work import Flag
+from coursework.grading.reading.unit_names import unit_of
 
 _PLAIN = str.maketrans({
     **{chr(0xFF10 + digit): str(digit) for digit in range(10)}, "．": ".", "，": ",", "＋": "+", "－": "-", "＝": "=",
@@ -20,9 +21,13 @@ _PLAIN = str.maketrans({
     "’": "'", "ʼ": "'", "Е": "e", "е": "e", "\ufeff": "", "\u200b": "", "\u200e": "", "\u200f": "", "⋅": "·", "×": "·", "∙": "·",
 })  # fmt: skip
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
-_POWER = re.compile(r"\s*[·*xх]\s*10\s*\^?\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})\s*[)}]?$")
-# A cell may repeat its unit; the unit of the column comes from the header or from the numbers themselves.
-_UNIT = re.compile(r"(?<=[0-9.,])\s*(?:°|рад/с|rad/s|1/[сcs]|[сs]-1|рад|rad|град\.?|deg|сек\.?|[сcs]|мм|mm|м|m)$", re.IGNORECASE)
+_POWER = re.compile(r"\s*[·*xх]\s*10\s*\^?\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})[)}]?")
+# What people set round a number, "≈3.02", "**3.02**", "(3.02)", "3.02*", "3.02 ✓", and what they say beside it: how exact it is,
+# where it comes from.  A unit may stand there too; that of the column comes from its head or from the numbers themselves.
+_BEFORE, _BEHIND = "≈≃≅~$*_`|([{'\"\\ ", "*_`$|)]};:,.!?'\"†‡§✓✔✗✘❌✅←◄\\ "
+_BESIDE = re.compile(
+    r"\s*(?:(?:±|\+/-|\+-)\s?[0-9.,]{1,9}|\([0-9]{1,2}\)|[(\[][^()\[\]]{1,40}[)\]]|(?:←|<-|<=|//|#)\D{1,60}|[⁰¹²³⁴-⁹]{1,2})"
+)
 _ERROR = re.compile(
     r"#.*|[-+]?nan(?:\(.*\))?|[-+]?inf(?:inity)?|[-+]?∞|n/?a|[-+]?1[.,]#.*|undefined|err:.*|ошибка.*|помилка.*|div/0!?",
     re.IGNORECASE,
@@ -52,6 +57,7 @@ _NUMBER = {".": _pattern(r"\.", ","), ",": _pattern(",", r"\.")}
 
 
 _STORED_DIGITS = 15
+ROUNDED = 0.505  # of the last place: what printing takes from a number
 
 
 class PrintedNumber(NamedTuple):
@@ -69,20 +75,38 @@ class PrintedNumber(NamedTuple):
         return not self.flag
 
     @property
+    def last_place(self) -> float:
+        """Return what one of the last digit is."""
+        return 10.0 ** max(self.place, -300)
+
+    @property
     def stands_for_number(self) -> bool:
         """Return whether a number stands here or stood here before a spreadsheet spoilt it."""
         return self.flag in {"", "error", "date", "formula"}
 
 
+def differ(first: PrintedNumber, second: PrintedNumber, factor: float = 1.0, other: float = 1.0) -> bool:
+    """Return whether two cells are numbers that no rounding makes equal; the factors turn each into one unit."""
+    rounded = ROUNDED * (first.last_place * factor + second.last_place * other)
+    return first.is_number and second.is_number and abs(first.value * factor - second.value * other) > rounded
+
+
 def plain_text(text: str) -> str:
-    """Return a cell's text as numbers are read: usual digits, minus and blanks, Mathcad's powers as e, no unit."""
-    bare = text.translate(_PLAIN).strip().strip('"').strip()
-    if bare.startswith("="):
-        bare = bare[1:].strip().strip('"')
-    bare = bare.removeprefix("'").strip()
-    if "10" in bare and (power := _POWER.search(bare)):
-        bare = f"{bare[: power.start()]}e{power[1].translate(_RAISED)}"
-    return _UNIT.sub("", bare) if bare and not bare[-1].isdigit() else bare
+    """Return a cell's text as numbers are read: usual digits, minus and blanks, Mathcad's powers as e, nothing round the number.
+
+    >>> [plain_text(text) for text in ("≈3,02", "**3.02**", "−3.02(1)", "3.02 рад/с", "1,2·10^-3 *", "3.02 m2")]
+    ['3,02', '3.02', '-3.02', '3.02', '1,2e-3', '3.02 m2']
+    """
+    whole = text.translate(_PLAIN).strip()
+    bare = whole.removeprefix('"').removeprefix("=").lstrip(_BEFORE).replace("{,}", ",")
+    end = max(found.end() if (found := pattern.match(bare)) else 0 for pattern in _NUMBER.values())
+    number, beside = bare[:end], bare[end:]
+    if power := _POWER.match(beside):
+        number, beside = f"{number}e{power[1].translate(_RAISED)}", beside[power.end() :]
+    if not number:
+        return whole
+    is_beside = not (rest := beside.strip(_BEHIND)) or unit_of(rest) or _BESIDE.fullmatch(beside)
+    return number if is_beside else whole
 
 
 @lru_cache(maxsize=8192)
@@ -138,6 +162,16 @@ def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
     if _ERROR.fullmatch(plain):
         return PrintedNumber(text, math.nan, 0, 0, "error")
     return PrintedNumber(text, math.nan, 0, 0, "date" if _DATE.fullmatch(plain) else "text")
+
+
+def filled_in(text: str, mark: str) -> PrintedNumber:
+    """Return what a field of a form says, where nothing may stand beside the number.
+
+    >>> filled_in("85", ".").value, filled_in("85*", ".").flag
+    (85.0, 'text')
+    """
+    bare = text.translate(_PLAIN).strip().removeprefix("=").strip('"').removeprefix("'").strip()
+    return printed(text, mark) if plain_text(text) == bare else PrintedNumber(text, math.nan, 0, 0, "text")
 
 
 def _read(text: str, match: re.Match[str]) -> PrintedNumber:

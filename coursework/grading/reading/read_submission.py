@@ -6,6 +6,7 @@ Used by whoever marks a submission, and by `precheck`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -22,7 +23,7 @@ from coursework.grading.reading.documents.read_document import (
 from coursework.grading.reading.equations.equations import TURNED, most_lines
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
-from coursework.grading.reading.expected import Expected
+from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive, legible_name
 from coursework.grading.reading.files.encoding import Decoded, decode
 from coursework.grading.reading.files.html_text import text_of
@@ -39,11 +40,14 @@ from coursework.grading.reading.files.kinds import (
 from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, other_kind, unreadable
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
-from coursework.grading.reading.table.parts import alike, put_beside
+from coursework.grading.reading.table.parts import Part, joined
+from coursework.grading.reading.table.same_table import alike
+from coursework.grading.reading.table.table import read_parts
 from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read_spreadsheet, table_of_text
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+_SHOWN = 40  # characters of a cell
 _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
 
 
@@ -51,7 +55,7 @@ _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignor
 class _Found:
     """What has been understood so far."""
 
-    tables: list[Table] = field(default_factory=list)
+    tables: list[tuple[Part, Table]] = field(default_factory=list)
     refused: list[Trouble] = field(default_factory=list)  # files that stand where a table should
     attached: list[Trouble] = field(default_factory=list)  # other files that are not read
     equations: list[EquationLine] = field(default_factory=list)
@@ -79,7 +83,7 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
     for file in files[:FILES]:
         kinds = _read(file, len(files) == 1, expected, found)
         found.entries.append(FileEntry(file.name, kinds[0], kinds, file.size, file.sha256))
-    table, trouble = _one_table(found)
+    table, trouble = _one_table(found, expected.grid)
     handed = found.equations or found.beside
     lines = [_in_unit_of(table, line) for line in handed[: most_lines(expected)]]
     if unread := found.unread + len(handed) - len(lines):
@@ -162,12 +166,13 @@ def _read_archive(file: SubmittedFile, could_be_table: bool, expected: Expected,
         raise _other_kind(kind)
     if not is_spreadsheet(archive):
         raise unreadable("nested_zip")
-    table, sheets = read_spreadsheet(archive, file.name, expected.grid)
+    read, sheets = read_spreadsheet(archive, file.name, expected.grid)
     lines = lines_of_document(document_of_sheets(sheets), file.name, expected)
-    kinds = _kinds([table] if table else [], lines)
+    tables = [read] if read else []
+    kinds = _kinds(tables, lines)
     if not kinds:
         raise unreadable("no_sheet_table", name=file.name)
-    found.tables += [table] if table else []
+    found.tables += tables
     found.take(lines, found.beside)
     return kinds
 
@@ -193,7 +198,7 @@ def _read_document(
     return kinds or _nothing_in(file, could_be_table, found)
 
 
-def _kinds(tables: list[Table], lines: Lines) -> tuple[_Kind, ...]:
+def _kinds(tables: Sequence[object], lines: Lines) -> tuple[_Kind, ...]:
     held: dict[_Kind, object] = {"table": tables, "equations": lines.equations, "answers": lines.answers}
     return tuple(kind for kind, what in held.items() if what)
 
@@ -217,11 +222,11 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
         decoded = Decoded(text_of(decoded.text), decoded.encoding, decoded.had_nuls)
     refused = None
     try:
-        if (table := table_of_text(decoded, file.name, expected.grid)) is not None:
-            found.tables.append(table)
-            beside = read_lines(decoded.text, file.name, expected, table.reading)
+        if read := table_of_text(decoded, file.name, expected.grid):
+            found.tables.append(read)
+            beside = read_lines(decoded.text, file.name, expected, read[1].reading)
             found.take(beside, found.beside)
-            return _kinds([table], beside)
+            return _kinds([read], beside)
     except Refused as error:
         refused = error
     lines = lines_of_document(document, file.name, expected) if document else read_lines(decoded.text, file.name, expected)
@@ -241,20 +246,18 @@ def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> Non
         found.notes.append(note("ignored_file", "keys", name=file.name, keys=read.unknown_keys))
 
 
-def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:
+def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]:
     """Return the table that counts: the one that weighs most; two equally good and different ones need a person."""
     if not found.tables:
         instead = found.refused or ([] if found.equations or found.answers else found.attached)
         if instead:
             return None, instead[0]
         return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
-    ordered = sorted(found.tables, key=lambda table: (table.weight, _decimals(table)), reverse=True)
-    best, others = ordered[0], []
-    for other in ordered[1:]:
-        if whole := put_beside(best, other):
-            best = whole
-        else:
-            others.append(other)
+    tables = [table for _, table in found.tables]
+    wholes = joined([part for part, _ in found.tables], grid)
+    if len(wholes) < len(tables):  # halves of one in several files
+        tables = [table for _, table in read_parts(wholes, grid) if isinstance(table, Table)] or tables
+    best, *others = sorted(tables, key=lambda table: (table.weight, _decimals(table)), reverse=True)
     equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
     if equal:
         names = tuple(_named(table) for table in (best, *equal))
@@ -262,7 +265,22 @@ def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:
     if others:
         found.notes.append(note("two_tables", name=_named(best), others=tuple(map(_named, others))))
     found.notes += best.notes
+    found.review = found.review or _unread_cells(best)
     return best, None
+
+
+def _unread_cells(table: Table) -> Sentence | None:
+    """Return why a person must look where cells hold something with digits that is no number, None where none does."""
+    unread = [
+        (row, column.name, text)
+        for column in table.columns
+        for row, (text, flag) in enumerate(zip(column.texts, column.flags, strict=True), start=1)
+        if flag == "text" and any(map(str.isdigit, text)) and not text.lstrip().startswith("=")
+    ]
+    if not unread:
+        return None
+    row, name, text = min(unread)
+    return say("reading.review.unread_cells", number=len(unread), row=row, column=name, text=text[:_SHOWN])
 
 
 def _named(table: Table) -> str | Sentence:

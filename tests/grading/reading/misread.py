@@ -21,10 +21,10 @@ def read_table(content: bytes, name: str, grid: Grid) -> Table | Trouble:
     """Return the table of one file, or why there is none that can be marked."""
     try:
         is_archive = content.startswith(b"PK")
-        table = read_spreadsheet(Archive(content), name, grid)[0] if is_archive else table_of_text(decode(content), name, grid)
+        found = read_spreadsheet(Archive(content), name, grid)[0] if is_archive else table_of_text(decode(content), name, grid)
     except Refused as refusal:
         return refusal.trouble
-    return table or unreadable("no_sheet_table" if is_archive else "no_table", name=name).trouble
+    return found[1] if found else unreadable("no_sheet_table" if is_archive else "no_table", name=name).trouble
 
 
 def csv(rows: list[list[str]], sign: str = ";") -> bytes:

@@ -111,6 +111,11 @@ NOTATIONS = {
     "chain": lambda t: "\n".join(f"V_D = {e}" if e.endswith("= 0") else e for e in t.split("\n")),
     "chain 0": lambda t: "\n".join(re.sub(" = 0$", " = V_C = 0", e) for e in t.split("\n")),
     "unit": _lines("{e}   [м/с]"), "reason": _lines("{e} (D)"), "remark": _lines("{e} // D"), "dash": _lines("- {e}"),
+    "d/dt": _rates(r"(d/dt φ\1)"), "partial": _rates(r"∂φ\1/∂t"), "times": lambda t: t.replace("*", " times "),
+    "d over dt": lambda t: re.sub(r"\\omega_\{([23])\}", r"\\frac{d}{dt}\\varphi_{\1}", _tex(t)),
+    "num": lambda t: _tex(t).replace("0.5", "\\num{0.5}"), "typst": lambda t: re.sub("VM([xy])", r'V_"M\1"', t).replace("*", " "),
+    "a set of Maple": lambda t: "eqs := {" + ", ".join(t.split("\n")) + "}:",
+    "a list of SymPy": lambda t: "eqs = [" + ", ".join("Eq({}, {})".format(*line.split(" = ")) for line in t.split("\n")) + "]",
     "arrow": _lines("Eq. ({k}) → {e}"), "twice": _lines("{e} ⇒ {e}"), "one line": lambda t: "; ".join(t.split("\n")),
     "quad": lambda t: " \\quad ".join(t.split("\n")),
     **{form: _lines(form) for form in (

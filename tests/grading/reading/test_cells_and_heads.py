@@ -8,7 +8,7 @@ import pytest
 
 from coursework.grading.reading.files.kinds import real_kind
 from coursework.grading.reading.files.separators import split
-from coursework.grading.reading.numbers import plain_text
+from coursework.grading.reading.numbers import looks_numeric, plain_text
 from coursework.grading.reading.table.headers import _without_unit
 from coursework.grading.reading.table.layout import _joined
 from coursework.grading.reading.table.units import unit_of_column
@@ -19,10 +19,21 @@ from coursework.grading.reading.table.units import unit_of_column
     [
         ("1.5·10⁻³", "1.5e-3"), ("1,5×10-3", "1,5e-3"), ("2*10^-4", "2e-4"), ("2·10^(-4)", "2e-4"), ("110", "110"),
         ("12 rad", "12"), ('="1.5"', "1.5"), ("'3", "3"), ("−3,5", "-3,5"),
+        ("-3.0205*", "-3.0205"), ("3.02(1)", "3.02"), ("3.02 ± 0.01", "3.02"), ("≈3.02", "3.02"), ("3.02 рад/с", "3.02"),
+        ("3,02;", "3,02"), ("**-3.02**", "-3.02"), ("3.02 ✓", "3.02"), ("$3{,}02$", "3,02"), ("(3.02)", "3.02"),
+        ("3.02¹", "3.02"), ("3.02 (N = 2)", "3.02"), ("3.02 ← check", "3.02"), ("2.5 s^-1", "2.5"),
+        ("1.5·10^-3*", "1.5e-3"), ("1 234,5 м/с", "1 234,5"),
     ],
 )  # fmt: skip
 def test_a_number_without_what_is_around_it(text: str, plain: str) -> None:
     assert plain_text(text) == plain
+
+
+@pytest.mark.parametrize(
+    "text", ["3.02 m2", "<0.001", "01.05.2024", "1.май", "0,05,0,35", "2 of 3", "31 variant", "[a] 1", "w1", "1:30"]
+)
+def test_what_is_more_than_a_number_is_none(text: str) -> None:
+    assert plain_text(text) == text and not looks_numeric(text)
 
 
 @pytest.mark.parametrize("sign", [";", ",", "\t", "|"])

@@ -42,17 +42,6 @@ def test_both_marks_in_one_file() -> None:
     assert refused(csv(half)).state == "needs-review"
 
 
-def test_heads_that_say_more_than_a_name_are_read_and_those_that_name_nothing_are_asked_about() -> None:
-    """A column that was not understood was said not to be in the file, and its cells were lost."""
-    told = [f"angle of the link {name}" if name.startswith("phi") else f"rate {name}" for name in HEAD[1:]]
-    body = csv(ROWS).partition(b"\n")[2]
-    table = read(";".join(["t", *told]).encode() + b"\n" + body)
-    assert [column.name for column in table.columns] == HEAD[1:]
-    for own in (["crank", "rod", "sin phi3", *HEAD[4:]], [*HEAD[1:-1], "rate of the wheel"]):
-        trouble = refused(";".join(["t", *own]).encode() + b"\n" + body)
-        assert (trouble.state, trouble.code) == ("needs-review", "unread_heads")
-
-
 def test_a_date_in_the_time_is_restored_and_elsewhere_missing() -> None:
     table = read(csv(cells(r6c1="01.май", r7c1="02. Mai", r11c3="03.янв")))
     assert all(table.rows_present)

@@ -37,6 +37,14 @@ TEXTS = {
     "V_M": "v_{M} − 2·r₃·ω₃·cos φ₃ − r₃·ω₃·sin φ₃ = 0",
     "V_M and the axis": "V_M·cos 90° + 2r₃ω₃sin φ₃ − r₃ω₃cos φ₃ + 0,5r₃ω₄ = V_M·cos 90°",
     "Euler": "phi3[i+1] = phi3[i] + h*w3[i]\nphi3 += h*w3\nVM - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
+    "alone": "VMy\n  - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
+    "a P that is not p": "P = r3*w3*cos(phi3)\nQ = r3*w3*sin(phi3)\nVMy - 2*P - Q = 0",
+    "data with units": "p = 13.08 1/с, V1 = 4.5 м/с, h = 0.02 с\nVMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
+    "a solver's cell": "=VMy - 2*r3*w3*COS(phi3) - r3*w3*SIN(phi3)",
+    "said behind": "Therefore, w3 = VMy/(r3*(2*cos(phi3) + sin(phi3))) for every t.",
+    "nought in parentheses": "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) - (0) = 0",
+    "a number that is no label": "-(VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)) = -(0)",
+    "unpacked": "def f(x):\n    w1, w2, w3, w4 = x\n    return [VMy - 2*r3*w3*np.cos(phi3) - r3*w3*np.sin(phi3)]",
     "l3": "VMy - 2*l3*w3*cos(theta3) - l3*w3*sin(theta3) = 0",
 }
 
@@ -63,6 +71,11 @@ def test_a_slip_is_never_read_away(notation):
 def test_a_product_of_matrices_is_read_row_by_row(matrix):
     assert marked(f"{REST}\n{MATRICES[matrix]}").share == 1.0
     assert marked(f"{REST}\n{MATRICES[matrix].replace('cos', 'sin', 1)}").share < 1.0
+
+
+def test_a_datum_said_with_a_low_line_is_no_name_of_the_students_own():
+    """r_1 = 0.953 was put in for r1 where the task says 1.063, and right lines were wrong."""
+    assert marked(f"r_1 = 0.953, r_2 = 0.847\n{NOTATIONS['latex'](PLAIN['v102'])}", "v102").share == 1.0
 
 
 def test_matrices_without_commas_are_a_question():

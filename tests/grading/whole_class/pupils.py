@@ -26,7 +26,7 @@ VARIANTS_OF_EACH = 3
 _DATUM = re.compile(r'^((?:V1|V2|w0|n|r1|b) *= *)"([-\d.]+) ([^"]+)"', re.MULTILINE)
 TEXTS = NOTATIONS | {name: form for name, form in FORMS.items() if "{e}" not in name or "\n" not in name}
 # Forms that ask a person on purpose: nobody can tell what they mean, or only a program could.
-QUESTIONS = ("return list", "[ , ]", "paren python", "{e}    /{k}/")
+QUESTIONS = ("{e}    /{k}/",)
 DIGITS = 5
 
 

@@ -33,7 +33,7 @@ _LETTERS = str.maketrans({"α": "alpha", "β": "beta", "ω": "w", "φ": "phi", "
 # Said where a line asks a person, or where nothing of worth was handed in.
 OF_QUESTIONS = (
     "feedback.line_adds_nothing", "feedback.lack", "feedback.status.needs_review", "feedback.earned.unread",
-    "feedback.line_unread", "feedback.equation.asked", "reading.review.unread_line", "reading.note.no_part",
+    "feedback.line_unread", "feedback.equation.asked", "reading.review", "reading.note.no_part",
     "reading.note.fewer_decimals", "reading.note.too_coarse", "reading.trouble", "fault",
 )  # fmt: skip
 # Said of how a page is read, with nothing in it that could be false.
@@ -263,6 +263,7 @@ CHECKS: dict[str, Check] = {
     ),
     "feedback.misconception.share": _of_share,
     "feedback.misconception.none": lambda held, values: not held.truth.code and held.truth.wrong is None,
+    "feedback.lack.repeats": lambda held, values: held.pupil.notation == "twice" or _unread(held, values),
     "feedback.rows.repeated": _repeated,
     "feedback.rows.shifted": lambda held, values: held.truth.code == "rows_shifted",
     "feedback.shut": lambda held, values: held.truth.wrong != frozenset() and int(values["number"]) > 0,

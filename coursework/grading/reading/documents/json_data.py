@@ -16,6 +16,7 @@ from coursework.grading.reading.limits import CELL_CHARACTERS
 
 LEVELS = 6
 _MOST_VALUES, _MOST_RECORDS, _MOST_NAMES = 20_000, 10_000, 1000
+_FEW = 10  # numbers of one row under one name
 _NOT_NUMBERS = {"NaN", "Infinity", "-Infinity"}
 
 
@@ -82,7 +83,8 @@ class _Reader:
 
     def _columns(self, value: JsonObject) -> list[Sequence[Cell]]:
         """Return columns by name: each a list, or numbered entries; records by number are the same the other way round."""
-        found = [(name, inner) for name, inner in value.pairs if isinstance(inner, (list, JsonObject)) and not _is_texts(inner)]
+        pairs = [pair for name, inner in value.pairs for pair in _spread(name, inner)]
+        found = [(name, inner) for name, inner in pairs if isinstance(inner, (list, JsonObject)) and not _is_texts(inner)]
         columns = [(name, inner) for name, inner in found if _flat(inner)]
         if len(columns) < 2 or len(columns) < len(found):
             return []
@@ -104,7 +106,7 @@ def _records(records: list[Any]) -> list[Sequence[Cell]]:
     for record in records[:_MOST_RECORDS]:
         seen: dict[str, int] = {}
         row = [Cell("")] * len(names)
-        for name, value in record.pairs[:_MOST_RECORDS]:
+        for name, value in (pair for entry in record.pairs[:_MOST_RECORDS] for pair in _parted(*entry)):
             seen[name] = seen.get(name, 0) + 1
             if len(names) >= _MOST_NAMES and (name, seen[name]) not in names:
                 continue
@@ -113,6 +115,26 @@ def _records(records: list[Any]) -> list[Sequence[Cell]]:
             row[at] = _cell(value)
         rows.append(row)
     return [[Cell(name[:CELL_CHARACTERS]) for name, _ in names], *rows] if len(names) > 1 else []
+
+
+def _parted(name: str, value: Any) -> list[tuple[str, Any]]:
+    """Return an entry of a record, several short ones in the place of those in it: phi1, phi2, phi3 of phi, or by their names."""
+    if isinstance(value, JsonObject) and len(value.pairs) <= _FEW:
+        return list(value.pairs)
+    if isinstance(value, list) and 1 < len(value) <= _FEW:
+        return [(f"{name}{number}", inner) for number, inner in enumerate(value, start=1)]
+    return [(name, value)]
+
+
+def _spread(name: str, value: Any) -> list[tuple[str, Any]]:
+    """Return a column, or those that a list of lists is: a list a column, or a short list a row."""
+    lists = value if isinstance(value, list) and value and all(isinstance(inner, list) for inner in value) else []
+    if len(lists) < 2 or len({len(inner) for inner in lists}) > 1:
+        return [(name, value)]
+    columns = lists if len(lists) <= _FEW else [*map(list, zip(*lists, strict=True))]
+    return (
+        [(f"{name}{number}", inner) for number, inner in enumerate(columns, start=1)] if len(columns) <= _FEW else [(name, value)]
+    )
 
 
 def _lists(rows: list[Any]) -> list[Sequence[Cell]]:

@@ -35,7 +35,8 @@ class JsonObject:
 
 def is_json(text: str) -> bool:
     """Return whether a text begins as data of a program do: an object, or a list of them, of lists, texts or numbers."""
-    return re.match(r'[\ufeff\s]*(?:\{\s*(?:["}])|\[\s*(?:[\[{"\d\]-]|null|NaN))', text[:2000]) is not None
+    begins = r'[\ufeff\s]*(?:\{\s*["}]|(?:\[\s{0,9}){3}|(?:\[\s{0,9}){1,2}(?:[{"\]]|(?:null|NaN|-?\d[\d.eE+-]*)\s*[,\]]))'
+    return re.match(begins, text[:2000]) is not None
 
 
 def read_json(text: str, levels: int) -> Any:
@@ -46,13 +47,24 @@ def read_json(text: str, levels: int) -> Any:
         depth += 1 if sign in "[{" else -1 if sign in "]}" else 0
         if depth > levels:
             raise unreadable("json_deep", levels=levels)
+    bare = text.lstrip("\ufeff")
     try:
-        return json.loads(
-            text.lstrip("\ufeff"),
-            object_pairs_hook=lambda pairs: JsonObject(tuple(pairs)),
-            parse_float=JsonNumber,
-            parse_int=JsonNumber,
-            parse_constant=JsonNumber,
-        )
+        return _loaded(bare)
     except (ValueError, RecursionError) as error:
-        raise unreadable("json_damaged") from error
+        lines = [line for line in bare.split("\n") if line.strip()]
+        if len(lines) < 2 or not all(line.rstrip(", \t")[-1:] in ("}", "]") for line in lines):
+            raise unreadable("json_damaged") from error
+        try:  # a record a line
+            return _loaded("[" + ",".join(line.rstrip(", \t") for line in lines) + "]")
+        except (ValueError, RecursionError):
+            raise unreadable("json_damaged") from error
+
+
+def _loaded(text: str) -> Any:
+    return json.loads(
+        text,
+        object_pairs_hook=lambda pairs: JsonObject(tuple(pairs)),
+        parse_float=JsonNumber,
+        parse_int=JsonNumber,
+        parse_constant=JsonNumber,
+    )

@@ -53,7 +53,7 @@ def _outputs(cell: Any) -> Iterator[str]:
     """Give the texts that a cell shows; what is printed piece by piece is one text."""
     for is_printed, group in groupby(_items(cell, "outputs"), lambda output: _text(output, "output_type") == "stream"):
         if is_printed:
-            yield unwrapped(_ANSI.sub("", "".join(_joined(_value(output, "text")) for output in group)))
+            yield _ANSI.sub("", "".join(_joined(_value(output, "text")) for output in group))
             continue
         for output in group:
             data = _value(output, "data")
@@ -64,32 +64,7 @@ def _outputs(cell: Any) -> Iterator[str]:
             elif "<table" in page.lower():
                 yield text_of(page)
             elif plain:
-                yield unwrapped(_ANSI.sub("", plain))
-
-
-def unwrapped(text: str) -> str:
-    r"""Return a printed table whose columns did not fit on a line, as pandas breaks it, in one piece.
-
-    >>> unwrapped("   t  phi1  \\\n0  0  1.63   \n1  1  1.65   \n\n    w1  \n0  2.0  \n1  2.1  ")
-    '   t  phi1      w1\n0  0  1.63     2.0\n1  1  1.65     2.1'
-    """
-    if "\\\n" not in text:
-        return text
-    blocks = [block.split("\n") for block in re.split(r"\n[ \t]*\n", text.strip("\n"))]
-    out: list[list[str]] = []
-    goes_on = False
-    for block in blocks:
-        ends = block[0].rstrip().endswith("\\")
-        rows = [block[0].rstrip().removesuffix("\\"), *block[1:]]
-        if goes_on and out and len(out[-1]) == len(rows):
-            width = max(map(len, out[-1]))
-            marks = [len(row) - len(row.lstrip("0123456789")) for row in rows[1:]]
-            label = max(marks, default=0)  # the numbers of the rows stand before each part
-            out[-1] = [before.ljust(width) + row[label:].rstrip() for before, row in zip(out[-1], rows, strict=True)]
-        else:
-            out.append(rows)
-        goes_on = ends
-    return "\n\n".join("\n".join(rows) for rows in out)
+                yield _ANSI.sub("", plain)
 
 
 def _value(of: Any, name: str) -> Any:

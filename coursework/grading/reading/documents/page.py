@@ -29,7 +29,12 @@ _CELL_END = re.compile(r"(?<!\\)&")
 _RULES = re.compile(
     r"\\(?:(?:top|mid|bottom|h)(?:rule|line)|c(?:mid)?rule|noalign|end(?:first|last)?(?:head|foot))\b(?:\{[^{}]{0,40}\})?"
 )
-_MARKUP = re.compile(r"\\[()]|\$|\\(?:textbf|textit|emph|mathbf|mathrm|text|bm)\b|[{}]|\\(?=[A-Za-z]{2,9}\b)|\\[,;:! ]|~")
+_PER = re.compile(r"\\per(?![A-Za-z])\s*")
+_MARKUP = re.compile(
+    r"\\(?:num|ang|tablenum|SI|qty|si|unit|multi(?:column|row)\s*\{\d{1,3}\}\s*\{[^{}]{0,40}\})(?=\s*[{\[])"
+    r"|\\(?:row|cell)color\s*(?:\[[^\]]{0,20}\])?\{[^{}]{0,40}\}|\\[()]|\$|\\(?:textbf|textit|emph|mathbf|mathrm|text|bm)\b"
+    r"|[{}]|\\(?=[A-Za-z]{2,9}\b)|\\[,;:! ]|~"
+)
 
 _CELL = re.compile(r"<t[dh]\b[^<>]{0,2000}>", re.IGNORECASE)
 _SPANS = re.compile(r"\b((?:col|row)span)\s*=\s*[\"']?([1-9]\d{0,2})\b", re.IGNORECASE)
@@ -120,4 +125,8 @@ def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:
         body = body[found.end() :] if found else body
     lines = [_RULES.sub(" ", line) for line in _ROW_END.split(body, maxsplit=most_rows)[:most_rows]]
     cut = [_CELL_END.split(line, maxsplit=most_columns)[:most_columns] for line in lines]
-    return [[Cell(" ".join(_MARKUP.sub("", cell).split())[:CELL_CHARACTERS]) for cell in row] for row in cut if len(row) > 1]
+    return [
+        [Cell(" ".join(_MARKUP.sub("", _PER.sub("/", cell)).split())[:CELL_CHARACTERS]) for cell in row]
+        for row in cut
+        if len(row) > 1
+    ]

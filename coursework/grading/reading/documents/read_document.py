@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 from coursework.grading.reading.documents.document import Document, DocumentLine, place_of
 from coursework.grading.reading.documents.docx import document_of_docx, main_part
-from coursework.grading.reading.documents.join_tables import joined
 from coursework.grading.reading.documents.json_data import document_of_json
 from coursework.grading.reading.documents.json_text import is_json
 from coursework.grading.reading.documents.markdown import document_of_markdown, is_markdown
@@ -31,8 +31,9 @@ from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.kinds import is_html
 from coursework.grading.reading.limits import Refused, bounds
 from coursework.grading.reading.student_work import EquationLine, EquationReading, Table
-from coursework.grading.reading.table.table import Origin, read_sheets
-from coursework.grading.reading.table.tables_of_file import table_of_text
+from coursework.grading.reading.table.parts import Origin, Part, parts_of
+from coursework.grading.reading.table.table import read_parts, weight
+from coursework.grading.reading.table.tables_of_file import parts_of_text
 
 _MOST_TEXTS = 200
 _TRIED = re.compile("[=:≈]")  # equations and answers
@@ -85,30 +86,32 @@ def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
     return document
 
 
-def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[Table], Refused | None]:
+def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[tuple[Part, Table]], Refused | None]:
     """Return the tables on the grid, and why the largest of those that could not be read was refused.
 
     A document without tables of cells may have one as text, line by line.
     """
-    found: list[Table] = []
-    refused: list[tuple[int, Refused]] = []
-    for table in joined(document.tables, grid.units):
-        try:
-            if read := read_sheets([Sheet(None, table.rows)], Origin(name, document.kind, "cells"), grid):
-                found.append(replace(read, place=table.place))
-        except Refused as error:
-            refused.append((len(table.rows), error))
+    parts: list[Part] = []
+    refused: list[tuple[float, Refused]] = []
     texts = document.texts[:_MOST_TEXTS]
-    if not found and not texts and not document.tables:
-        texts = [("\n".join(line.text for line in document.lines), document.lines[0].place)] if document.lines else []
-    for text, place in texts:
+    if not texts and not document.tables and document.lines:
+        texts = [("\n".join(line.text for line in document.lines), document.lines[0].place)]
+    sheets = [(Sheet(None, table.rows), table.place) for table in document.tables]
+    todo = [partial(parts_of, sheet, Origin(name, document.kind, "cells", place=place), grid) for sheet, place in sheets]
+    todo += [partial(parts_of_text, Decoded(text, document.kind, False), name, grid, place) for text, place in texts]
+    for read in todo:
         try:
-            if read := table_of_text(Decoded(text, document.kind, False), name, grid):
-                found.append(replace(read, place=place))
+            parts += read()
         except Refused as error:
-            refused.append((text.count("\n"), error))
+            refused.append((0.0, error))
+    found = []
+    for part, table in read_parts(parts, grid):
+        if isinstance(table, Table):
+            found.append((part, table))
+        else:
+            refused.append((weight(part, table, grid), table))
     if document.first_counts:
-        found = sorted(found, key=lambda table: -table.weight)[:1]
+        found = sorted(found, key=lambda entry: -entry[1].weight)[:1]
     return found, max(refused, key=lambda entry: entry[0])[1] if refused else None
 
 

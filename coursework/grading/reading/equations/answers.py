@@ -12,7 +12,8 @@ from typing import Literal
 
 from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.student_work import AnswerLine
-from coursework.grading.reading.table.headers import PRINTED, fold, unit_of
+from coursework.grading.reading.table.headers import PRINTED
+from coursework.grading.reading.unit_names import fold, unit_of
 from coursework.variant.formula.units import UnitFault, read_mass
 
 _LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*(?:=|:|≈)(?P<rest>.*)")

@@ -160,7 +160,8 @@ def _of_any_velocity(text: str, names: Names) -> tuple[EquationReading, ...]:
     if not text.lstrip().startswith("=") or len(text) > reader.MAX_CHARACTERS:
         return ()
     formula = text.lstrip(" =")
-    found = (read_as_one(f"{velocity} = {formula}", names) for velocity in names.expected.variant.sought)
+    meant = [f"{velocity} = {formula}" for velocity in names.expected.variant.sought]
+    found = (read_as_one(text, names) for text in (*meant, f"0 = {formula}"))  # what a solver is to make nought, too
     return tuple(replace(reading, guessed=True) for reading in found if not isinstance(reading, Fault))
 
 

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from coursework.grading.reading.equations.signs import ARROW, depths
-from coursework.grading.reading.table.headers import unit_of
+from coursework.grading.reading.unit_names import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
 _LABEL = re.compile(
@@ -40,7 +40,9 @@ _COUNTED = re.compile(
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
 _SAID_IN_WORDS = re.compile(r"\s[-–—]\s+([^\W\d_]{3,})(?:[\s,.]+[^\W\d_]{2,})+[.;]?\s*$")
-_SAID = re.compile(r"[,;.]\s+([^\W\d_]{2,})")
+_SAID = re.compile(
+    r"[,;.]\s+([^\W\d_]{2,})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
+)
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # of the words before: a point before a digit is the number's
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
 _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
@@ -64,7 +66,8 @@ def without_labels(text: str) -> str:
     """Return a line without its label and its number at the end."""
     text = text[len(label_of(text)) :]
     found = _LABEL_AT_END.search(text)
-    return text[: found.start()] if found and "=" in text[: found.start()] else text
+    is_label = found and "=" in text[: found.start()].rstrip(" \t=")
+    return text[: found.start()] if found and is_label else text
 
 
 def bare_equations(text: str, is_name: Callable[[str], bool]) -> Iterator[str]:
@@ -152,7 +155,7 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     if (said_words := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and not is_name(said_words[1]):
         return text[: said_words.start()]
     for said_after in _SAID.finditer(text, text.rfind("=") + 1):
-        if not is_name(said_after[1]):
+        if not is_name(said_after[1] or said_after[2]):
             return text[: said_after.start()]
     found = _UNIT_AT_END.search(text)
     if found and "=" in text[: found.start()]:

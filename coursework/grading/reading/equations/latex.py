@@ -31,7 +31,7 @@ _DROPPED = re.compile(
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
     r"\\(?:text|mathrm|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
-    r"|overline|underline|bar|hat|ensuremath)\s*\{([^{}]*)\}"
+    r"|overline|underline|bar|hat|ensuremath|num|ang)\s*\{([^{}]*)\}"
 )
 _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi", "\\omega": "ω", "\\varphi": "φ",
           "\\vartheta": "θ", "\\varepsilon": "ε", "\\epsilon": "ε", "\\lambda": "λ", "\\prime": "'", "\\bullet": "*",

@@ -22,12 +22,12 @@ from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
+from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula import reader
-from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 
-_QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*[^\d\s=*+()]{0,8}(?:[-^]?\d)?\s*[.,;]?\s*")
+_QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*(?:[^\d\s=*+()]{0,8}(?:[-^]?\d)?|(.{1,12}?))\s*[.,;]?\s*")
 _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
 _SHORT = 80  # characters of a name and its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # of V_Cy = … = 0, which says what V_Cy is, too
@@ -55,7 +55,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
     meant = spellings.canonical(name)
     # A letter that only its size tells from a datum is the student's own: nobody solves for a datum.
-    is_own = meant is None or (meant in spellings.data and spell(name) != meant)
+    is_own = meant is None or (meant in spellings.data and key(name) != key(meant))
     return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
 
 
@@ -72,7 +72,8 @@ def is_part_of_equation(text: str, names: Names) -> bool:
     """Return whether a line without a sign of equality is a sum or a term that the next line may go on with."""
     if is_equation_without_sign(text, names):
         return True
-    if len(text) > _SHORT or relates_two_sides(text) or _POINT.fullmatch(text):
+    is_heading = _POINT.fullmatch(text) and text.strip() not in names.spellings.known
+    if len(text) > _SHORT or relates_two_sides(text) or is_heading:
         return False
     return bool(names_in(text, names.spellings)) and not isinstance(read_as_one(text, names), Fault)
 
@@ -106,6 +107,8 @@ def is_datum(text: str, names: Names) -> bool:
     bare = without_words(without_labels(_AT_START.sub("@", plain_signs(text))), lambda word: is_name(word, names.spellings))
     name, sign, value = bare.partition("=")
     name, begins, _ = re.sub(r"[{}\\$\s]", "", name).partition("@")
-    meant = names.spellings.canonical(name) if OWN_NAME.fullmatch(name) else None
-    is_given = meant is not None and (bool(begins) or meant not in names.expected.variant.sought)
-    return bool(sign) and is_given and _QUANTITY.fullmatch(value) is not None
+    meant = names.spellings.canonical(name)
+    # A name that the task does not have, as h, is a datum of the student's own, or else an answer misspelt.
+    is_given = bool(begins) or (meant not in names.expected.variant.sought if meant else not names.expected.answers)
+    quantity = _QUANTITY.fullmatch(value) if sign and is_given and OWN_NAME.fullmatch(name) else None
+    return quantity is not None and (not quantity[1] or bool(unit_of(quantity[1])))

@@ -46,8 +46,8 @@ _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a li
 # What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
 _STATEMENT = re.compile(
     r"(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|begin)\b[^=]*(?:[=(\[{].*)?$"
-    r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{2,40}\(.*\);?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
-    r"|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
+    r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
+    r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
 )
 _TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
@@ -90,7 +90,12 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     pieces = _pieces(text, names) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     lines = list(islice(pieces, _MOST_LINES))
     own = _definitions(lines, names) if beside is None else {}
-    with_own = replace(names, own=own, listed=are_listed([line for _, line in lines if "=" in line]))
+    with_own = replace(
+        names,
+        own=own,
+        spellings=replace(names.spellings, own=frozenset(own)),
+        listed=are_listed([line for _, line in lines if "=" in line]),
+    )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
     for number, line in lines:
@@ -124,16 +129,29 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         if defined := _DEFINED.fullmatch(line):
             function = f"{defined[1]} = "
             continue
-        bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip().strip(_QUOTES)
+        bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
+        bare = bare if '_"' in bare else bare.strip(_QUOTES)  # V_"Mx" is an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if _STATEMENT.match(bare):
             continue
         bare = bare.strip("'") if bare.startswith("'") else bare
         bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
         if returned := _RETURNED.match(bare):
-            bare = f"{function if TURNED.search(bare) else ''}{bare[returned.end() :]}"
-        if bare:
+            rest = bare[returned.end() :]  # a list of what is to vanish is the value of no one name
+            bare = f"{function if TURNED.search(rest) and not rest.startswith('[') else ''}{rest}"
+        if bare := _closed(bare):
             yield number, bare
+
+
+def _closed(line: str) -> str:
+    """Return a line without the bracket of a list that begins with it, and goes on in the next, or ends with it."""
+    for opens, closes in ("[]", "{}"):
+        more = line.count(opens) - line.count(closes)
+        if more == 1 and line.startswith(opens):
+            return line[1:].strip()
+        if more == -1 and line.endswith(closes):
+            return line[:-1].strip()
+    return line
 
 
 def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[int, str]]:
@@ -154,7 +172,7 @@ def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple
 
 def _goes_on(kept: str, line: str, names: Names) -> bool:
     """Return whether an equation goes on in the next line: it ends with a sign or in a parenthesis, or that begins with one."""
-    if not _IS_FORMULA.search(kept):
+    if not _IS_FORMULA.search(kept) and kept.strip() not in names.spellings.known:
         return False
     both = "=" in kept and "=" in line
     if _GOES_ON.search(kept):
@@ -191,10 +209,10 @@ def _is_equation(line: str, names: Names) -> bool:
 def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Formula]:
     """Return the student's own names that other lines use, with their formulas; one may use others."""
     own: dict[str, Formula] = {}
-    with_own = replace(names, own=own)
     spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
     names_left = {key(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
+    with_own = replace(names, own=own, spellings=replace(names.spellings, own=frozenset(names_left)))
     labels: set[str] = set()  # before more than one line: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # of a program the data may stand below what uses them
         waiting = 0

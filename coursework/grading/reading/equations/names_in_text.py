@@ -9,7 +9,8 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from coursework.grading.reading.table.headers import aliases, fold
+from coursework.grading.reading.table.headers import aliases
+from coursework.grading.reading.unit_names import fold
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import spelled
@@ -24,18 +25,22 @@ _TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q)(\d+)")
 class Spellings:
     """Declared names, what else they may be written as (folded), the rate of each coordinate, and which names are data.
 
-    `rates` has the angles too of which the variant knows the velocity alone: that of phi4 is w4.
+    `rates` has the angles too of which the variant knows the velocity alone: that of phi4 is w4.  `own` are names that the text
+    itself defines: a P of the student's own is not the datum p.
     """
 
     known: frozenset[str]
     others: dict[str, str]
     rates: dict[str, str]
     data: frozenset[str] = frozenset()
+    own: frozenset[str] = frozenset()
 
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None where there is none."""
         plain = spell(name)
-        return plain if plain in self.known else self.others.get(_key(name))
+        if plain in self.known or re.sub("[_{}]", "", plain) in self.own:
+            return plain if plain in self.known else None
+        return self.others.get(_key(name))
 
     def angle(self, name: str) -> str | None:
         """Return the coordinate that a spelling means, an angle too that has a rate and no column."""

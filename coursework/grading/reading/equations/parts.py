@@ -19,6 +19,7 @@ _VANISHED = re.compile(
 )
 _MATRICES = re.compile(r"\s*\[([^\[\]]*)\]\s*[*·⋅×]?\s*\[([^\[\]]*)\]\s*=\s*\[([^\[\]]*)\]\s*[.,;]?\s*")
 _BRACKETS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]|(?<=\[)\s*\[|\](?=\s*\])")  # round a matrix that has its own
+_LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*\(\s*)?[\[{]")
 _MOST_ROWS = 12
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
@@ -29,7 +30,7 @@ def parts_of(line: str) -> list[str]:
     >>> parts_of("w3 = 0,5*w1, w4 = atan2(1, w3)"), parts_of("(16) 2*w3 = w1 ⇒ w3 = w1/2")
     (['w3 = 0,5*w1', 'w4 = atan2(1, w3)'], ['(16) 2*w3 = w1', 'w3 = w1/2'])
     """
-    if rows := _rows(line):
+    if rows := _rows(line) or _listed(line):
         return rows
     if len(line) > MAX_CHARACTERS:
         return [line]
@@ -59,7 +60,7 @@ def _cuts(line: str) -> list[tuple[int, int]]:
         is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
         if sign in ",;，；" and depth <= 0 and not is_decimal:
             found.append((place, place + 1))
-    return sorted(found)
+    return sorted(found, key=lambda cut: (cut[0], -cut[1]))  # "= 0 and": not before the word alone
 
 
 def _rows(line: str) -> list[str]:
@@ -76,6 +77,16 @@ def _rows(line: str) -> list[str]:
         f"{' + '.join(f'({cell})*({name})' for cell, name in zip(row, columns, strict=True))} = {value}"
         for row, value in zip(matrix, rest, strict=True)
     ]
+
+
+def _listed(line: str) -> list[str]:
+    """Return the equations of a list that a program is given: "solve([a = b, c = d], [x, y])", "eqs := {a = b, c = d}"."""
+    found = _LIST.match(line)
+    inside = depths(line[found.end() :]) if found else []
+    if found is None or -1 not in inside:
+        return []
+    pieces = [piece.strip() for piece in _at_commas(line[found.end() : found.end() + inside.index(-1)])]
+    return pieces if len(pieces) > 1 and all(map(relates_two_sides, pieces)) else []
 
 
 def _cells(row: str) -> list[str]:

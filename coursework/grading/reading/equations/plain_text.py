@@ -23,7 +23,8 @@ _PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
 _DERIVATIVES = (
     re.compile(rf"\(\(\s*d\s*{_NAME}\s*\)\s*/\s*\(\s*d\s*t\s*\)\)"),  # as \frac leaves it
     re.compile(rf"\bd\s*\(\s*{_NAME}\s*\)\s*/\s*d\s*t\b"),
-    re.compile(rf"\bd\s*/\s*d\s*t\s*\(?\s*{_NAME}\s*\)?"),
+    re.compile(rf"(?:\bd\s*/\s*d\s*t\b|\(\(\s*d\s*\)\s*/\s*\(\s*d\s*t\s*\)\))\s*\(\s*{_NAME}\s*\)"),
+    re.compile(rf"(?:\bd\s*/\s*d\s*t\b|\(\(\s*d\s*\)\s*/\s*\(\s*d\s*t\s*\)\))\s*{_NAME}"),
     re.compile(rf"\bd[\s_]*{_NAME}\s*/\s*d\s*t\b"),
     re.compile(rf"{_NAME}{_PRIME}"),
     re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
@@ -67,7 +68,7 @@ def plain(text: str, spellings: Spellings) -> str:
     text = _OF_ROW.sub(lambda found: _of_row(found, spellings), text)
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
-    text = _STAR_MATH.sub("", re.sub(r"\bcdot\b", "*", text))
+    text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
     text = _EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text))

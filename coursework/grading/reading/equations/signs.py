@@ -24,7 +24,7 @@ _SIGNS = {
     **dict.fromkeys("〗⟧❩", ")"), **dict.fromkeys("，、", ","), "。": ".", "【": "[", "】": "]", "；": ";", "：": ":",
     **dict.fromkeys("\u00ad\u200b\u200c\u200d\u200e\u200f\u2060\u2061\u2063\u2064\ufe0e\ufe0f\ufeff", ""),
     **dict.fromkeys("\u00a0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u202f\u205f\u3000", " "),
-    "∅": "φ", "⌀": "φ", "Ø": "φ", "ø": "φ", "’": "'", "′": "'", "ʹ": "'",
+    "∂": "d", "∅": "φ", "⌀": "φ", "Ø": "φ", "ø": "φ", "’": "'", "′": "'", "ʹ": "'",
 }  # fmt: skip
 ARROWS = re.compile(
     rf"<?={{1,3}}>|-{{1,3}}>|<->|[→⟶⟹⇔⟺↔⟷➔➜➡∴{ARROW}]"
@@ -37,6 +37,7 @@ _WORDS = re.compile(
     re.I,
 )
 _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
+_QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")
 _AXIS = re.compile(r"(?<=\w)\^\s*(?:[{(]\s*\(?([xyz])\)?\s*[)}]|([xyz])(?!\w))((?:_\w+)?)")
 _LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # between two points
@@ -64,6 +65,7 @@ def plain_signs(text: str) -> str:
     text = _EQUALS.sub("=", ARROWS.sub(f" {ARROW} ", text))
     text = _WORDS.sub(" = ", text)
     text = re.sub(r"(?<=\w)\s+_(?=[\w{(])|_\s+(?=\w)", "_", text)
+    text = _QUOTED.sub(r"_\1", text)
     for _ in range(3):  # an index of an index of an index
         text = _UNDER.sub(_index, text)
     return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))

@@ -15,6 +15,7 @@ from io import StringIO
 from itertools import pairwise
 
 from coursework.grading.reading.files.cells import BlankRows
+from coursework.grading.reading.files.printed import in_whole_lines, listed_rows, named_rows
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, unreadable
 from coursework.grading.reading.numbers import looks_numeric, marks, plain_text
 from coursework.system.frozen import frozen
@@ -23,7 +24,9 @@ NAMES = {"\t": "tab", " ": "blanks"}
 _SAMPLE = 80  # rows on which the separator is chosen
 _HINT = re.compile(r'\s*"?sep=(.)"?[;,\t]*\s*', re.IGNORECASE)
 _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
-_LISTS = "[](){},;|"  # what programs put around and behind the numbers of a list
+_BARS = str.maketrans(dict.fromkeys("│┃║┆┊❘", "|"))
+_REMARKS = {"#", "%", "//", "!", "--", "%%", "##"}
+_FEWEST = 3  # rows of numbers without a blank line between
 
 
 @frozen
@@ -41,11 +44,14 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
     ';'
     """
-    lines = list(_lines(text, most_rows))
+    text = text if "," in text else text.replace("，", ",")
+    lines = in_whole_lines(list(_lines(text.translate(_BARS), most_rows)))
+    if rows := listed_rows("\n".join(lines), most_rows, most_columns):
+        return Split("cells", rows)
     if lines and (hint := _HINT.fullmatch(lines[0])):
         return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], most_columns))
     best: tuple[tuple[float, ...], str, bool] | None = None
-    for place, sign in enumerate((";", "\t", ",", " ")):
+    for place, sign in enumerate((";", "\t", ",", "|", " ")):
         if sign != " " and not any(sign in line for line in lines[:_SAMPLE]):
             continue
         rows = _cells(lines[:_SAMPLE], sign, most_columns)
@@ -53,7 +59,8 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
         if judged and (best is None or (*judged[0], -place) > best[0]):
             best = (*judged[0], -place), sign, judged[1]
     if best is None:
-        return None
+        rows = named_rows("\n".join(lines), most_rows)
+        return Split("cells", rows) if rows else None
     return Split(NAMES.get(best[1], best[1]), _cells(lines, best[1], most_columns), best[2])
 
 
@@ -76,6 +83,8 @@ def _lines(text: str, most: int) -> Iterator[str]:
 def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...]:
     if sign == " ":
         return _between_blanks(lines, most)
+    if sign == "|":  # a row of a box begins and ends with one
+        lines = [line.strip().strip("|").replace(" || ", " | ") for line in lines]
     # Quotation marks may enclose separators and ends of lines; the reader of the standard library is given bounded lines.
     reader = csv.reader((line + "\n" for line in lines), delimiter=sign, quotechar='"', skipinitialspace=True)
     try:
@@ -85,9 +94,28 @@ def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...
 
 
 def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
+    """Return the tokens of lines; tables that blank lines or heads part are set below each other each for itself."""
+    blocks: list[list[str]] = [[]]
+    count = 0  # rows of numbers in the last block
+    for is_row, group in itertools.groupby(lines, _begins_with_number):
+        block = list(group)
+        if is_row and len(block) < _FEWEST:  # single rows with lines between
+            return _aligned(lines, most)
+        if not is_row and count:
+            blocks.append([])
+        count = len(block) if is_row else 0
+        blocks[-1] += block
+    return tuple(row for block in blocks for row in _aligned(block, most))
+
+
+def _begins_with_number(line: str) -> bool:
+    return line.lstrip("[({-+ |\t")[:1].isdigit()
+
+
+def _aligned(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
     """Return the tokens of lines; where a row of numbers has fewer than the others, each goes below what it stands under."""
     found = [list(itertools.islice(_TOKEN.finditer(line), most)) for line in lines]
-    rows = [tuple(_token(match[0]) for match in matches) for matches in found]
+    rows = [tuple(match[0].strip('"')[:CELL_CHARACTERS] for match in matches) for matches in found]
     numeric = [bool(row) and all(map(looks_numeric, row)) for row in rows]
     widths = Counter(len(row) for row, is_numeric in zip(rows, numeric, strict=True) if is_numeric)
     usual = max(widths, key=lambda width: (widths[width], width), default=0)
@@ -95,18 +123,22 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
         return tuple(rows)
     whole = [matches for matches, row, is_numeric in zip(found, rows, numeric, strict=True) if is_numeric and len(row) == usual]
     spans = [(min(m[at].start() for m in whole), max(m[at].end() for m in whole)) for at in range(usual)]
-    numbers = [_token(matches[0][0]) for matches in whole]
-    if len(numbers) > 1 and any(numbers == [str(k + start) for k in range(len(numbers))] for start in (0, 1)):
-        rows = [
-            row if is_numeric else _headed(matches, row, spans)
-            for matches, row, is_numeric in zip(found, rows, numeric, strict=True)
-        ]
-    if len(widths) < 2:
-        return tuple(rows)
-    return tuple(
-        _below(matches, row, spans) if is_numeric and 1 < len(row) < usual else row
-        for matches, row, is_numeric in zip(found, rows, numeric, strict=True)
-    )
+    numbers = [plain_text(matches[0][0]) for matches in whole]
+    counted = len(numbers) > 1 and any(numbers == [str(k + start) for k in range(len(numbers))] for start in (0, 1))
+    for at, row in enumerate(rows):
+        if not numeric[at]:
+            rows[at] = _in_words(lines[at], _headed(found[at], row, spans) if counted else row, usual)
+        elif 1 < len(row) < usual:
+            rows[at] = _below(found[at], row, spans)
+    return tuple(rows)
+
+
+def _in_words(line: str, row: tuple[str, ...], usual: int) -> tuple[str, ...]:
+    """Return the heads of a line: words that one blank parts are one head; the sign of a remark before them is none."""
+    if len(row) == usual + 1 and row[0] in _REMARKS:
+        return row[1:]
+    wide = tuple(re.split(r"\s{2,}|\t", line.strip())) if len(row) > usual else row
+    return wide if len(wide) in {usual, usual - 1} else row
 
 
 def _headed(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple[int, int]]) -> tuple[str, ...]:
@@ -129,13 +161,6 @@ def _below(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple
             return ()
         cells[under[0]] = text
     return tuple(cells)
-
-
-def _token(text: str) -> str:
-    """Return a token without the brackets and commas of a list, where a number is left."""
-    bare = text.strip('"')[:CELL_CHARACTERS]
-    stripped = bare.strip(_LISTS)
-    return stripped if stripped != bare and looks_numeric(stripped) else bare
 
 
 def _judged(rows: tuple[tuple[str, ...], ...], sign: str) -> tuple[tuple[float, ...], bool] | None:

@@ -12,8 +12,8 @@ from typing import Literal
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
-from coursework.grading.reading.numbers import PrintedNumber
-from coursework.grading.reading.table.headers import INDEX, TIME, Head, named_in
+from coursework.grading.reading.numbers import differ
+from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME, Head, may_be
 from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
 
@@ -41,40 +41,47 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     """
     names = grid.names
     filled = [at for at in range(len(layout.heads)) if any(row[at].stands_for_number for row in layout.body)]
-    places, repeated = _by_head(layout, filled)
+    places, repeated = _by_head(layout, filled, dict(grid.units))
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
     _add_time(layout, places, free, len(names), grid.step)
-    known = [name for name in names if name in places]
     rest = [at for at in free if at not in {place.at for place in places.values()}]
+    places |= _by_words(layout, rest, places)
+    known = [name for name in names if name in places]
+    rest = [at for at in rest if at not in {place.at for place in places.values()}]
     if not known and rest:
         lacking = grid.given if len(rest) == len(names) - len(grid.given) else ()
         places |= _in_order(layout, rest, [name for name in names if name not in lacking])
     else:
         places |= _lost_letters(layout, rest, [name for name in names if name not in places])
-        _add_told(layout, grid, places, rest)
+        _ask_for_unread(layout, grid, places, rest)
     if not any(name in places for name in names):
         raise unreadable("no_columns", columns=len(rest), names=tuple(names))
     return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})))
 
 
-def _add_told(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> None:
-    """Find the columns whose heads say more than their names.  Raises `Refused` where as many are unread as are missing."""
-    missing = {name for name in grid.names if name not in places}
-    unread = [at for at in rest if layout.heads[at].text and not layout.heads[at].candidates]
-    told = [(at, named_in(layout.heads[at].text, grid.units) & missing) for at in unread]
-    for at, meant in told:
-        if len(meant) == 1 and sum(meant == other for _, other in told) == 1:
-            places[next(iter(meant))] = Place(at, "header")
-            unread.remove(at)
-    lacking = [name for name in grid.names if name not in places and name not in grid.given]
-    heads = tuple(layout.heads[at].text for at in unread)
-    described = len(heads) == 1 and " " in heads[0]  # a symbol of its own, as V_M, is another column
-    if len(heads) >= len(lacking) > 1 or (len(lacking) == 1 and described):
-        raise doubtful("unread_heads", heads=heads, names=tuple(lacking))
+def _by_words(layout: Layout, rest: list[int], places: dict[str, Place]) -> dict[str, Place]:
+    """Return the columns whose heads say in words what they are, each of those that one head alone means."""
+    told = [(name, at) for at in rest for name in layout.heads[at].told if name not in places]
+    names = [name for name, _ in told]
+    return {name: Place(at, "header") for name, at in told if names.count(name) == 1}
 
 
-def _by_head(layout: Layout, filled: list[int]) -> tuple[dict[str, Place], set[int]]:
-    """Return the columns that a head names; the second of two equal ones is left out, two different ones are refused."""
+def _ask_for_unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> None:
+    """Raise `Refused` where as many columns are unread as are missing, or what stands in a column of the task is no number."""
+    unread = [at for at in rest if at not in {place.at for place in places.values()}]
+    for at, head in enumerate(layout.heads):
+        cells = [row[at].text for row in layout.body if row[at].flag == "text" and any(map(str.isdigit, row[at].text))]
+        if head.is_certain and head.candidates[0] in grid.names and head.candidates[0] not in places and cells:
+            raise doubtful("unread_column", name=head.candidates[0], text=cells[0][:40])
+    lacking = {name: unit for name, unit in grid.units if name not in places and name not in grid.given}
+    heads = [layout.heads[at] for at in unread]
+    if len(heads) >= len(lacking) > 1 or (len(heads) == len(lacking) == 1 and may_be(heads[0], *lacking.values())):
+        texts = tuple(head.text or f"({at + 1})" for at, head in zip(unread, heads, strict=True))
+        raise doubtful("unread_heads", heads=texts, names=tuple(lacking))
+
+
+def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[dict[str, Place], set[int]]:
+    """Return the columns that a head names; of two equal ones the finer or the first counts, two different ones are refused."""
     places: dict[str, Place] = {}
     repeated: set[int] = set()
     for at in filled:
@@ -84,14 +91,18 @@ def _by_head(layout: Layout, filled: list[int]) -> tuple[dict[str, Place], set[i
         name = head.candidates[0]
         first = places.setdefault(name, Place(at, "header"))
         if first.at != at:
-            if name not in {TIME, INDEX} and any(_differ(row[first.at], row[at]) for row in layout.body):
+            known = PRINTED.get(units.get(name, ""), {})
+            factors = [known.get(layout.heads[place].unit, 1.0) for place in (first.at, at)]
+            if name not in {TIME, INDEX} and any(differ(row[first.at], row[at], *factors) for row in layout.body):
                 raise doubtful("two_columns", name=name, first=first.at + 1, second=at + 1)
+            if factors[0] != factors[1] and _last_place(layout, at) * factors[1] < _last_place(layout, first.at) * factors[0]:
+                places[name], at = Place(at, "header"), first.at
             repeated.add(at)
     return places, repeated
 
 
-def _differ(first: PrintedNumber, second: PrintedNumber) -> bool:
-    return first.is_number and second.is_number and first.value != second.value
+def _last_place(layout: Layout, at: int) -> float:
+    return min((row[at].last_place for row in layout.body if row[at].is_number), default=1.0)
 
 
 def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns: int, step: float) -> None:
@@ -126,7 +137,7 @@ def _counts(values: list[float]) -> bool:
 
 def _rises(layout: Layout, at: int) -> bool:
     cells = [row[at] for row in layout.body if row[at].is_number]
-    unit = max((10.0 ** max(cell.place, -300) for cell in cells), default=0.0)
+    unit = max((cell.last_place for cell in cells), default=0.0)
     return 2 * len(cells) >= len(layout.body) and is_progression(sorted(cell.value for cell in cells), min(unit, 1.0) / 2)
 
 

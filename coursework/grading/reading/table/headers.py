@@ -7,26 +7,16 @@ Used by whatever reads a file of a student or of a platform.
 from __future__ import annotations
 
 import re
-import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
+from coursework.grading.reading.unit_names import fold, unit_of
 from coursework.system.frozen import frozen
-from coursework.variant.formula.alphabet import spell
 
 TIME = "t"
 INDEX = "№"
-# Letters of the Cyrillic alphabet that a keyboard leaves in place of Latin ones, after casefold().
-_LATIN = str.maketrans("асеорхуіјѕвкмнт", "aceopxyijsbkmht")
 _PUNCTUATION = re.compile(r"[\s_,.;:$\\{}()\[\]'\"=*^~-]+")
 
-_UNITS = {
-    "rad": "рад rad радиан радиани радиан. radian radians 弧度", "deg": "град град. ° deg degree degrees grad º 度 градусы",
-    "1/s": "1/с 1/s 1/c рад/с rad/s rad/sec рад/сек с-1 s-1 с^-1 s^-1 1/сек 1/sec 弧度/秒 rad/秒 rad/с рад·с-1",
-    "deg/s": "град/с deg/s °/s °/с град/сек grad/s 度/秒 º/s", "rpm": "об/мин rpm об/хв u/min min-1 мин-1 хв-1 rev/min r/min",
-    "s": "с s c сек сек. sec 秒 seconds sekunden", "ms": "мс ms", "m": "м m", "mm": "мм mm", "cm": "см cm",
-    "m/s": "м/с m/s м/сек m/sec 米/秒", "mm/s": "мм/с mm/s", "cm/s": "см/с cm/s",
-}  # fmt: skip
 # For each SI unit of a column: the units it may be printed in, and what one of them is in SI.
 PRINTED: dict[str, dict[str, float]] = {
     "rad": {"rad": 1.0, "deg": 0.017453292519943295},
@@ -60,17 +50,31 @@ _SYMBOLS = {
 }  # fmt: skip
 _TURNING = [*_SYMBOLS["phi"], *_SYMBOLS["theta"]]
 _BY_UNIT = {"rad": _TURNING, "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}
+# Parts of the words that say what stands in a column, that it is another quantity, and which link is meant.
+_RATE = [*map(fold, ("velocit", "speed", "скорост", "швидк", "geschwind", "速度", "vel", "rate"))]
+_ANGLE = [*map(fold, ("ang", "кут", "угол", "угл", "поворот", "winkel", "角", "rotat", "dreh"))]
+_OTHER = [*map(fold, ("err", "diff", "delta", "ускор", "прискор", "accel", "похиб", "погреш", "точн", "误差", "加速", "beschleun",
+                      "fehler", "exact", "start", "initial", "нач", "поч", "change"))]  # fmt: skip
+_ORDINALS = {1: ["first", "перв", "перш", "一", "erst"], 2: ["second", "втор", "друг", "二", "zweit"],
+             3: ["third", "трет", "三", "dritt"], 4: ["fourth", "четв", "四", "viert"]}  # fmt: skip
+_ORDINALS = {k: [*map(fold, words)] for k, words in _ORDINALS.items()}
+_PRIME = re.compile(r"(?<=[^\W_])['′’](?=\w|\s?[(\[,]|$)")
+_OF_TIME = ("(t)", "(tk)", "(ti)", "[t]")
 _FUNCTIONS = {"sin", "cos", "tan", "tg", "cot", "ctg"}  # a column of one is none of its argument
 _STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega")
 
 
 @frozen
 class Head:
-    """What a head may mean: a column, the time, a row number, several (lost Greek), or nothing known; its unit or ""."""
+    """What a head may mean: a column, the time, a row number, several (lost Greek), or nothing known; its unit or "".
+
+    `told` is the one column that the words of a head without a name say.
+    """
 
     text: str
     candidates: tuple[str, ...]
     unit: str
+    told: tuple[str, ...] = ()
 
     @property
     def is_certain(self) -> bool:
@@ -78,57 +82,80 @@ class Head:
         return len(self.candidates) == 1
 
 
-def fold(text: str) -> str:
-    """Return a text as heads are compared: one form of each letter, Latin for its look-alikes, Greek written out."""
-    plain = unicodedata.normalize("NFKC", text.replace("°", "º")).replace("º", "°").casefold()
-    return spell(plain.replace("−", "-").translate(_LATIN))
-
-
-_FOLDED_UNITS = {fold(spelling): unit for unit, spellings in _UNITS.items() for spelling in spellings.split()}
-
-
-def unit_of(text: str) -> str:
-    """Return the unit that a text is, "" where it is none."""
-    return _FOLDED_UNITS.get(re.sub(r"\s+", "", fold(text)).strip("[](){},;"), "")
-
-
 def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
     """Return what a head means for a task whose columns are (name, SI unit).
 
     >>> read_head("ω1z, 1/с", [("phi1", "rad"), ("w1", "1/s")])
-    Head(text='ω1z, 1/с', candidates=('w1',), unit='1/s')
+    Head(text='ω1z, 1/с', candidates=('w1',), unit='1/s', told=())
     """
-    known = tuple(columns)
+    return _head(text, tuple(columns))
+
+
+@lru_cache(maxsize=4096)
+def _head(text: str, known: tuple[tuple[str, str], ...]) -> Head:
     whole = fold(" ".join(text[:_LONGEST].split()))
+    whole = whole if whole.startswith("'") else _PRIME.sub("dot", whole)
     body, unit = _without_unit(whole)
     if any(si in {"N", "N·m"} for _, si in known) and (force := _OF_FORCE.fullmatch(whole)):
         body, unit = force[1], ("kN" if force[2] else "N") + ("·m" if force[3] else "")
     if (name := _PUNCTUATION.sub("", whole)) in aliases(known):  # "Winkel c" has an index, no unit
         body, unit = name, ""
+    found = _looked_up(body, known)
+    if len(found) > 1 and unit:
+        units = dict(known)
+        fitting = tuple(name for name in found if name not in units or _fits(unit, units[name]))
+        found = fitting or found
+    return Head(text.strip(), found, unit, () if found else _told(text, known))
+
+
+def _looked_up(body: str, known: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
+    """Return the columns that a folded head without its unit may be."""
     key = _PUNCTUATION.sub("", body)
     found = aliases(known).get(key, ())
     if not found and "?" in key:  # a Greek letter that the encoding could not hold
         word, _, rest = key.rpartition("?")
         found = aliases(known).get(word.strip("?") + rest, ()) if word.strip("?") else _indexed(known, rest.removesuffix("z"))
-    if len(found) > 1 and unit:
-        units = dict(known)
-        fitting = tuple(name for name in found if name not in units or _fits(unit, units[name]))
-        found = fitting or found
-    return Head(text.strip(), found, unit)
+    return found
 
 
-def named_in(text: str, columns: Sequence[tuple[str, str]]) -> frozenset[str]:
-    """Return the columns whose symbols stand among the words of a head that says more: "angle of the crank phi1, rad".
+def _told(text: str, known: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
+    """Return the column that the words of a head mean: a symbol among them, or what is measured and the number of the link.
 
-    >>> sorted(named_in("rate of link w1 (rad/s)", [("phi1", "rad"), ("w1", "1/s")]))
-    ['w1']
+    >>> _told("rate of link w1 (rad/s)", (("w1", "1/s"),)), _told("кутова швидкість 2-ї ланки", (("w1", "1/s"), ("w2", "1/s")))
+    (('w1',), ('w2',))
     """
-    words = re.findall(r"\w+", _without_unit(fold(" ".join(text[:_LONGEST].split())))[0])
-    if len(words) < 2 or {*words} & _FUNCTIONS:
-        return frozenset()
-    own = {fold(name) for name, _ in columns}
-    heads = (read_head(word, columns) for word in words if word in own or any(map(str.isdigit, word[1:])))
-    return frozenset(head.candidates[0] for head in heads if head.is_certain) - {TIME, INDEX}
+    said, unit = _without_unit(fold(" ".join(text[:_LONGEST].split())))
+    words = re.findall(r"\w+", said)
+    if {*words} & _FUNCTIONS or any(word in said for word in _OTHER):
+        return ()
+    own = {fold(name) for name, _ in known}
+    symbols = [word for word in words if len(words) > 1 and (word in own or any(map(str.isdigit, word[1:])))]
+    named = {found[0] for word in symbols if len(found := _looked_up(word, known)) == 1} - {TIME, INDEX}
+    named -= {name for name, si in known if unit and not _fits(unit, si)}
+    return tuple(named)[:1] if len(named) == 1 else () if named else _of_kind(said, unit, known)
+
+
+def _of_kind(said: str, unit: str, known: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
+    """Return the one column of the kind that words say, with the index that they say."""
+    turns, moves = (any(word in said for word in words) for words in (_ANGLE, _RATE))
+    kinds = {si for si in PRINTED if unit and _fits(unit, si) and (not moves or si != "rad")}
+    if turns or moves:
+        kinds = {"rad"} if not moves else {"1/s"} if turns or "1/s" in kinds else kinds & {"m/s"} or {"m/s", "1/s"}
+    indices = {*re.findall(r"\d+", said)} or {str(k) for k, words in _ORDINALS.items() if any(word in said for word in words)}
+    if len(indices) > 1 or not kinds or not (turns or moves or indices):
+        return ()
+    found = [name for name, si in known if si in kinds and (not indices or _parts(name)[1] in indices)]
+    if not indices and "m/s" in kinds:
+        found = [name for name, si in known if si == "m/s"]
+    return tuple(found) if len(found) == 1 else ()
+
+
+def may_be(head: Head, unit: str) -> bool:
+    """Return whether a head that names no column may stand over one of a unit; one of a length or a speed, as V_M, says so."""
+    if head.unit or " " in head.text:
+        return " " in head.text or _fits(head.unit, unit)
+    is_linear = _PUNCTUATION.sub("", fold(head.text)).startswith(("v", "x", "y", "s"))
+    return unit in {"m", "m/s"} or not is_linear
 
 
 def _indexed(columns: tuple[tuple[str, str], ...], index: str) -> tuple[str, ...]:
@@ -146,12 +173,12 @@ def _without_unit(text: str) -> tuple[str, str]:
     if bracket:
         if unit := unit_of(bracket[2]):
             return bracket[1].rstrip("/, "), unit
-        if bracket[1] and bracket[2].strip() in {"t", "tk", "ti"}:
+        if bracket[1] and f"({bracket[2].strip()})" in _OF_TIME:
             return bracket[1], ""
     for pattern in (r"(.+?)\s*,\s*(\S.*)", r"(.+)\s+in\s+(\S+)", r"(.*\S)\s+(\S+)", r"(.+?)\s*/\s*(\S.*)", r"(.*[^\s°])\s*(°)"):
         match = re.fullmatch(pattern, text)
         if match and (unit := unit_of(match[2])):
-            return match[1], unit
+            return _without_unit(match[1])[0] if match[1].endswith(_OF_TIME) else match[1], unit
     return text, ""
 
 

@@ -1,25 +1,28 @@
-"""Rows of cells -> the block of numbers in them, its heads, and which way it lies.
+"""Rows of cells -> the blocks of numbers in them, their heads, and which way they lie.
 
-Enters: a `Sheet`, its decimal mark, the columns of the task.  Leaves: `Layout`, or None where there is no table.
-Used by `table.py`.
+Enters: rows of cells, their decimal mark, the columns of the task.  Leaves: `Layout`s, one a table.
+Used by `parts.py`, `columns.py`, `rows.py` and `table.py`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise, takewhile, zip_longest
+from statistics import median
 
-from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.separators import is_progression
-from coursework.grading.reading.limits import doubtful
-from coursework.grading.reading.numbers import PrintedNumber, looks_numeric, marks, printed, stored
-from coursework.grading.reading.table.headers import TIME, Head, read_head, unit_of
+from coursework.grading.reading.numbers import PrintedNumber
+from coursework.grading.reading.table.headers import INDEX, TIME, Head, read_head
+from coursework.grading.reading.unit_names import unit_of
 from coursework.system.frozen import frozen
 
 _SEARCHED = 60  # rows in which the heads are looked for
 _FIRST = 6  # columns in which the heads of a transposed table are looked for
 _FEWEST = 3  # rows that show how rows are counted
-_Rows = list[list[PrintedNumber]]
+_ROUNDED = 0.3  # of a step that rounding may take
+Rows = list[list[PrintedNumber]]
+Columns = Sequence[tuple[str, str]]
 
 
 @frozen
@@ -36,83 +39,115 @@ class Layout:
     decimal: str
     above: tuple[str, ...] = ()
 
+    @property
+    def keys(self) -> dict[str, int]:
+        """Return where the time and the numbers of the rows stand, as far as heads say so."""
+        said = {head.candidates[0]: at for at, head in reversed([*enumerate(self.heads)]) if head.is_certain}
+        return {name: said[name] for name in (TIME, INDEX) if name in said}
 
-def lay_out(sheet: Sheet, separator: str, columns: Sequence[tuple[str, str]]) -> Layout | None:
-    """Return the table of a sheet; raises `Refused` where its decimal mark cannot be told."""
-    mark, mixed = _decimal_mark(sheet, separator)
-    rows = [[_printed(cell, mark, mixed) for cell in row] for row in sheet.rows]
+
+def layouts_of(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
+    """Return the tables in rows of cells: below each other under heads of their own, or beside each other under the same."""
+    rows = _numbered(rows)
     width = max(map(len, rows), default=0)
     if width < 2:
-        return None
+        return []
     upright = _heads_in(rows[:_SEARCHED], columns)
     turned = [list(column) for column in zip(*(_padded(row, width) for row in rows), strict=True)]
     lying = _heads_in(turned[:_FIRST], columns)
+    standing = [layout for section in _sections(rows, columns) for layout in _standing(section, mark, columns)]
     if lying[1] > max(upright[1], 1) or (not upright[1] and _lies(rows, turned, len(columns))):
         block = _block(turned, lying[0] if lying[1] else -1, columns, True, mark)
-        standing = _upright(rows, upright[0], columns, mark) if upright[1] else None
-        return standing if standing and (not block or len(block.body) < len(standing.body)) else block
-    return _upright(rows, upright[0] if upright[1] else -1, columns, mark)
+        longest = max((len(layout.body) for layout in standing if layout.has_heads), default=0)
+        return _beside_each_other(block) if block and len(block.body) >= longest else standing
+    return standing
 
 
-def _upright(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], mark: str) -> Layout | None:
-    return _block(_with_blank_head(rows, head) if head >= 0 else rows, head, columns, False, mark)
+def _sections(rows: Rows, columns: Columns) -> list[Rows]:
+    """Return the rows cut where heads stand below numbers: another table, or the next page."""
+    is_body = [*map(_is_body, rows)]
+    ends = [at for at in range(1, len(rows)) if is_body[at - 1] and not is_body[at]]
+    starts = [0]
+    for at in ends[:_SEARCHED]:
+        between = takewhile(lambda place: not is_body[place], range(at, min(at + _FIRST, len(rows))))
+        if _heads_in([rows[place] for place in between], columns)[1]:
+            starts.append(at)
+    return [rows[start:end] for start, end in pairwise((*starts, len(rows)))]
 
 
-def _with_blank_head(rows: _Rows, head: int) -> _Rows:
-    """Return the rows with a blank head first, where those below begin by counting and have one number more than heads."""
+def _standing(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
+    """Return the table of a section in the blocks that it is made of, nothing where it has no rows of numbers."""
+    head, named = _heads_in(rows[:_SEARCHED], columns)
+    block = _block(_with_blank_head(rows, head) if named else rows, head, columns, False, mark)
+    return _beside_each_other(block) if block else []
+
+
+def _beside_each_other(layout: Layout) -> list[Layout]:
+    """Return a table whose rows go on on the right, under the same heads once more, as the parts that it is made of."""
+    heads = [head.candidates for head in layout.heads]
+    starts = [at for at, head in enumerate(heads) if head == heads[0]]
+    if heads[0] not in {(TIME,), (INDEX,)} or len(starts) < 2:
+        return [layout]
+    ends = [max(at for at in range(start, end) if heads[at]) + 1 for start, end in pairwise((*starts, len(heads)))]
+    if any(heads[start:end] != heads[: ends[0]] for start, end in zip(starts, ends, strict=True)):
+        return [layout]
+    blocks = [
+        replace(layout, heads=layout.heads[start:end], body=tuple(cut for row in layout.body if _is_body(cut := row[start:end])))
+        for start, end in zip(starts, ends, strict=True)
+    ]
+    return blocks if all(map(goes_on, blocks, blocks[1:])) else [layout]
+
+
+def goes_on(first: Layout, second: Layout) -> bool:
+    """Return whether the second table begins where the first ends: with heads of its own behind it, without them one step on."""
+    keys = first.keys
+    for name in keys if second.has_heads else ("0", "1"):
+        at, other = (keys[name], second.keys.get(name)) if second.has_heads else (int(name), int(name))
+        before, after = _numbers(first, at), _numbers(second, other)
+        steps = [later - earlier for numbers in (before, after) for earlier, later in pairwise(numbers)]
+        step = median(steps) if before and after and steps and min(steps) >= 0 else 0.0
+        if step > 0 and (gap := (after[0] - before[-1]) / step) > 1 - _ROUNDED and (second.has_heads or gap < 1 + _ROUNDED):
+            return True
+    return False
+
+
+def _numbers(layout: Layout, at: int | None) -> list[float]:
+    return [row[at].value for row in layout.body if at is not None and at < len(row) and row[at].is_number]
+
+
+def _with_blank_head(rows: Rows, head: int) -> Rows:
+    """Return the rows with a blank head first, where those below have one number more: the time, or that of the row before it.
+
+    The name of an index, as pandas prints it, stands alone below the heads.
+    """
     below = [row for row in rows[head + 1 :] if len(row) == len(rows[head]) + 1 and row[-1].flag == ""]
-    counted = [row[0].value for row in below]
-    if len(below) < _FEWEST or counted != [counted[0] + place for place in range(len(counted))]:
+    has_time = any(read_head(cell.text, ()).candidates == (TIME,) for cell in rows[head])
+    counts = [row[1 if has_time else 0].value for row in below]  # of a time that counts no more columns are known
+    if len(below) < _FEWEST or not is_progression(counts) or (has_time and not is_progression([row[0].value for row in below])):
         return rows
-    if not is_progression([row[1].value for row in below]):  # the time itself may count
-        return rows
-    return [*rows[:head], [*_padded([], 1), *rows[head]], *rows[head + 1 :]]
-
-
-def _printed(cell: Cell, mark: str, mixed: bool) -> PrintedNumber:
-    if cell.kind == "number":
-        return stored(cell.text)
-    if cell.kind == "text":
-        return printed(cell.text, mark, mixed)
-    return PrintedNumber(cell.text, float("nan"), 0, 0, cell.kind)
+    first = rows[head + 1] if len(rows[head + 1]) == 1 else _padded([], 1)
+    return [*rows[:head], [*first, *rows[head]], *rows[head + 1 :]]
 
 
 def _padded(row: list[PrintedNumber], width: int) -> list[PrintedNumber]:
     return row + [PrintedNumber("", float("nan"), 0, 0, "missing")] * (width - len(row))
 
 
-def _decimal_mark(sheet: Sheet, separator: str) -> tuple[str, bool]:
-    """Return the decimal mark of a whole file and whether it uses both; 1,234 alone never decides.
-
-    Raises `Refused` where every number could be read in two ways.
-    """
-    texts = [cell.text for row in sheet.rows for cell in row if cell.kind == "text" and looks_numeric(cell.text)]
-    comma, point, either_comma, either_point = marks(texts)
-    if comma != point:
-        return ("," if comma > point else "."), comma > 0 and point > 0
-    if comma:
-        raise doubtful("two_marks", cells=comma)
-    if either_comma and separator == ";" and not either_point:
-        return ",", False  # programs write the semicolon because the comma is taken
-    if either_comma:
-        raise doubtful("thousands", cells=either_comma)
-    return ".", False
-
-
-def _heads_in(rows: _Rows, columns: Sequence[tuple[str, str]]) -> tuple[int, int]:
+def _heads_in(rows: Rows, columns: Columns) -> tuple[int, int]:
     """Return the row that names most columns, and how many; a single name is no row of heads."""
     best = (-1, 1)
     for place, row in enumerate(rows):
         texts = [cell.text for cell in row if cell.flag == "text"]
         if len(texts) > best[1]:
             heads = (read_head(text, columns) for text in texts)
-            named = len({head.candidates if head.is_certain else head.text for head in heads if head.candidates})
+            named = len({head.candidates or head.told if len(head.candidates) < 2 else head.text
+                         for head in heads if head.candidates or head.told})  # fmt: skip
             if named > best[1]:
                 best = place, named
     return best if best[1] > 1 else (-1, 0)
 
 
-def _lies(rows: _Rows, turned: _Rows, columns: int) -> bool:
+def _lies(rows: Rows, turned: Rows, columns: int) -> bool:
     """Return whether a table without heads has its columns in rows: few rows, and the time runs along the first."""
     numeric = [row for row in rows if sum(cell.is_number for cell in row) >= 3]
     if not columns <= len(numeric) <= columns + 2 or len(turned) < 3:
@@ -123,7 +158,7 @@ def _lies(rows: _Rows, turned: _Rows, columns: int) -> bool:
     return along and not down
 
 
-def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transposed: bool, mark: str) -> Layout | None:
+def _block(rows: Rows, head: int, columns: Columns, transposed: bool, mark: str) -> Layout | None:
     texts = [cell.text for cell in rows[head]] if head >= 0 else []
     body: list[tuple[PrintedNumber, ...]] = []
     units: list[str] = []
@@ -135,10 +170,8 @@ def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transpose
             before = row
         elif head >= 0 and not body and _is_units(row):
             units = [unit_of(cell.text) for cell in row]
-        elif body and _heads_in([row], columns)[1] and [cell.text for cell in row] != texts:
-            break  # another table begins; the same heads again are those of the next page
     width = max(map(len, body), default=0)
-    if len(body) < 2 or width < 2:
+    if width < 2:
         return None
     texts = _joined(texts, width)
     heads = [read_head(text, columns) for text in texts[:width]]
@@ -149,10 +182,46 @@ def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transpose
     return Layout(merged, head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark, above)
 
 
-def _is_body(row: list[PrintedNumber]) -> bool:
+def _is_body(row: Sequence[PrintedNumber]) -> bool:
     filled = sum(cell.flag != "missing" for cell in row)
     standing = sum(cell.stands_for_number for cell in row)
     return standing >= 2 and 2 * standing >= filled and any(cell.is_number or cell.flag == "formula" for cell in row)
+
+
+def _is_numbering(row: Sequence[PrintedNumber]) -> bool:
+    """Return whether a row without a time counts columns from 0 or 1, perhaps anew under each head."""
+    values = [cell.value for cell in row[1:] if cell.text]
+    steps = [later - earlier for earlier, later in pairwise(values)]
+    return (
+        len(steps) > 0 and not row[0].text and values[0] in {0, 1} and all(step == 1 or step < 0 for step in steps) and 1 in steps
+    )
+
+
+def _numbered(rows: Rows) -> Rows:
+    """Return the rows without those that count columns; what they count below heads over several columns is put into these."""
+    out: Rows = []
+    for row in rows:
+        heads = out[-1] if out and any(cell.flag == "text" for cell in out[-1]) and not _is_body(out[-1]) else []
+        heads = _padded(heads, len(row))
+        # A head that is merged with the cell below it stands there, too.
+        below = [cell._replace(text="") if cell.text == head.text else cell for head, cell in zip(heads, row, strict=False)]
+        if not _is_numbering(below):
+            out.append(row)
+        elif any(head.text for head in heads):
+            out[-1] = _with_numbers(heads, below)
+    return out
+
+
+def _with_numbers(heads: list[PrintedNumber], row: Sequence[PrintedNumber]) -> list[PrintedNumber]:
+    """Return heads with the number of each before their unit; one stands over the columns up to the next."""
+    found: list[PrintedNumber] = []
+    over = ""
+    for cell, number in zip_longest(heads, row):
+        over = cell.text or over
+        at = min((place for place, sign in enumerate(over) if sign in ",(["), default=len(over))
+        text = f"{over[:at].rstrip()}{number.text}{over[at:]}" if number and number.text else cell.text
+        found.append(cell._replace(text=text, flag="text" if text else "missing"))
+    return found
 
 
 def _is_units(row: list[PrintedNumber]) -> bool:

@@ -1,53 +1,180 @@
-"""A table that was handed in as several: positions in one, velocities in the next -> one table.
+"""Tables as a submission holds them -> those put together that are one, whatever kind of file they stand in.
 
-Enters: tables on one grid.  Leaves: `Table`; whether two say the same.  Used by `read_submission.py`.
+Enters: sheets of cells, where they come from, the `Grid`.  Leaves: `Part`s, in their order.  Raises `Refused`.
+A table goes on below (over pages, sheets or files, with its heads or without) or in another table of the same rows (the columns
+in blocks).  Used by `table.py`, `tables_of_file.py`, `read_document.py` and `read_submission.py`.
 """
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
-from coursework.grading.reading.student_work import Table, TableColumn
+from coursework.grading.reading.expected import Grid
+from coursework.grading.reading.files.cells import Cell, Sheet
+from coursework.grading.reading.limits import doubtful
+from coursework.grading.reading.numbers import PrintedNumber, differ, looks_numeric, marks, printed, stored
+from coursework.grading.reading.submission import Note
+from coursework.grading.reading.table.headers import INDEX, TIME, Head
+from coursework.grading.reading.table.layout import Layout, goes_on, layouts_of
+from coursework.system.frozen import frozen
+from coursework.words.sentence import Sentence
 
-_ROUNDED = 0.505  # of the last place: what printing takes from a number
+_Row = tuple[PrintedNumber, ...]
+_MOST = 200  # parts that are looked at
+NOTHING = PrintedNumber("", float("nan"), 0, 0, "missing")
 
 
-def alike(first: Table, second: Table) -> bool:
-    """Return whether two tables say the same; a report repeats the table of the file beside it, with digits of its own."""
-    return {c.name for c in first.columns} == {c.name for c in second.columns} and _same_where_both(first, second)
+@frozen
+class Origin:
+    """Where sheets come from: file, encoding and separator as grades.json names them, what was noticed on the way."""
+
+    file: str
+    encoding: str
+    separator: str
+    notes: tuple[Note, ...] = ()
+    place: Sentence | None = None
 
 
-def put_beside(first: Table, second: Table) -> Table | None:
+@frozen
+class Part:
+    """One table as it stands somewhere; `sheet` is the name of a spreadsheet's sheet."""
+
+    layout: Layout
+    origin: Origin
+    sheet: str | None = None
+
+    def names(self, grid: Grid) -> dict[str, int]:
+        """Return the columns of the task that heads may mean, and where they stand."""
+        return {
+            name: at for at, head in enumerate(self.layout.heads) for name in head.candidates or head.told if name in grid.names
+        }
+
+
+def parts_of(sheet: Sheet, origin: Origin, grid: Grid) -> list[Part]:
+    """Return the tables of a sheet.  Raises `Refused` where its decimal mark cannot be told."""
+    mark, mixed = _decimal_mark(sheet, origin.separator)
+    rows = [[_printed(cell, mark, mixed) for cell in row] for row in sheet.rows]
+    return [Part(layout, origin, sheet.name) for layout in layouts_of(rows, mark, grid.units)]
+
+
+def _printed(cell: Cell, mark: str, mixed: bool) -> PrintedNumber:
+    if cell.kind == "number":
+        return stored(cell.text)
+    if cell.kind == "text":
+        return printed(cell.text, mark, mixed)
+    return PrintedNumber(cell.text, float("nan"), 0, 0, cell.kind)
+
+
+def _decimal_mark(sheet: Sheet, separator: str) -> tuple[str, bool]:
+    """Return the decimal mark of a whole sheet and whether it uses both; 1,234 alone never decides.
+
+    Raises `Refused` where every number could be read in two ways.
+    """
+    texts = [cell.text for row in sheet.rows for cell in row if cell.kind == "text" and looks_numeric(cell.text)]
+    comma, point, either_comma, either_point = marks(texts)
+    if comma != point:
+        return ("," if comma > point else "."), comma > 0 and point > 0
+    if comma:
+        raise doubtful("two_marks", cells=comma)
+    if either_comma and separator == ";" and not either_point:
+        return ",", False  # programs write the semicolon because the comma is taken
+    if either_comma:
+        raise doubtful("thousands", cells=either_comma)
+    return ".", False
+
+
+def joined(parts: Sequence[Part], grid: Grid) -> list[Part]:
+    """Return the tables with those put together that are one."""
+    rows: list[Part] = []
+    for part in parts[:_MOST]:
+        for place in reversed(range(len(rows))):
+            is_next = part.layout.has_heads or place == len(rows) - 1
+            if is_next and (whole := _below(rows[place], part, grid) or _below(part, rows[place], grid)):
+                rows[place] = whole
+                break
+        else:
+            rows.append(part)
+    out: list[Part] = []
+    for part in rows:
+        for place, first in enumerate(out):  # the first that fits: tables of two schemes stand in one order
+            if whole := _beside(first, part, grid):
+                out[place] = whole
+                break
+        else:
+            out.append(part)
+    return [part for part in out if len(part.layout.body) > 1]
+
+
+def _below(first: Part, second: Part, grid: Grid) -> Part | None:
+    """Return a table with the rows of a second behind its own, None where they are no parts of one.
+
+    Both have the same heads, or the second none and as many columns; it begins where the first ends.
+    """
+    above, below = first.layout, second.layout
+    alike = _said(above) == _said(below) if below.has_heads else len(above.heads) == len(below.heads)
+    counted = len(above.body) + len(below.body) <= grid.rows and not above.keys and below.has_heads
+    if not alike or above.transposed != below.transposed or not (goes_on(above, below) or counted):
+        return None
+    return _whole(first, second, above.heads, above.body + below.body)
+
+
+def _said(layout: Layout) -> list[tuple[str, ...]]:
+    return [head.candidates or head.told or (head.text,) for head in layout.heads]
+
+
+def _beside(first: Part, second: Part, grid: Grid) -> Part | None:
     """Return a table with the columns that only the second has behind its own, None where they are no parts of one.
 
-    What both have is the same, and each has all rows that the other has: halves of one table.
+    They hold different columns of the task in the same rows, and what both hold is the same.
     """
-    added = [column for column in second.columns if first.column(column.name) is None]
-    if not added or first.own or second.own or first.rows_present != second.rows_present or not _same_where_both(first, second):
+    names, others = first.names(grid), second.names(grid)
+    added = others.keys() - names.keys()
+    if not added or not names.keys() - others.keys():
         return None
-    shift = max(len(first.reading.header), *(column.at for column in first.columns))
-    columns: dict[str, Any] = {c.name: {**second.reading.columns[c.name], "at": c.at + shift} for c in added}
-    heads = (*first.reading.header, *second.reading.header) if first.reading.header and second.reading.header else ()
-    return replace(
-        first,
-        reading=replace(first.reading, header=heads, columns={**first.reading.columns, **columns}),
-        columns=(*first.columns, *(replace(column, at=column.at + shift) for column in added)),
-        notes=first.notes + tuple(one for one in second.notes if one not in first.notes),
-        strange=first.strange + second.strange,
-    )
+    pairs = _pairs(first.layout, second.layout)
+    if pairs is None:
+        return _beside(second, first, grid) if _pairs(second.layout, first.layout) else None
+    shared = [(names[name], others[name]) for name in names.keys() & others.keys()]
+    if any(other and differ(row[at], other[place]) for row, other in pairs for at, place in shared):
+        return None
+    kept = [
+        at for at, head in enumerate(second.layout.heads) if not (meant := {*head.candidates} or {*head.told}) or added & meant
+    ]
+    body = tuple((*row, *(other[at] if other else NOTHING for at in kept)) for row, other in pairs)
+    return _whole(first, second, (*first.layout.heads, *(second.layout.heads[at] for at in kept)), body)
 
 
-def _same_where_both(first: Table, second: Table) -> bool:
-    digits = _ROUNDED if first.place or second.place else 0.0
-    both = [(column, other) for column in first.columns if (other := second.column(column.name))]
-    return all(_same(column, other, digits) for column, other in both)
+def _pairs(first: Layout, second: Layout) -> list[tuple[_Row, _Row]] | None:
+    """Return each row of a table with that of a second, () where there is none; None where they do not stand in the same rows.
+
+    Rows are told by the time, by their numbers or, where the second has neither, by their order.
+    """
+    for name in (TIME, INDEX):
+        rows, others = _by(first, name), _by(second, name)
+        if others and others.keys() <= rows.keys() and 2 * len(others) >= len(rows):
+            return [(row, others.get(number, ())) for number, row in rows.items()]
+    if second.keys or len(first.body) != len(second.body):
+        return None
+    return [*zip(first.body, second.body, strict=True)]
 
 
-def _same(column: TableColumn, other: TableColumn, digits: float) -> bool:
-    return all(
-        math.isfinite(value) is math.isfinite(same)
-        and (not math.isfinite(value) or abs(value - same) <= digits * (unit + other_unit))
-        for value, unit, same, other_unit in zip(column.values, column.last_place, other.values, other.last_place, strict=True)
-    )
+def _by(layout: Layout, name: str) -> dict[float, _Row]:
+    """Return the rows by their time or number, nothing where not each has one of its own."""
+    at = layout.keys.get(name)
+    found = {} if at is None else {row[at].value: row for row in layout.body if row[at].is_number}
+    return found if len(found) == len(layout.body) else {}
+
+
+def _whole(first: Part, second: Part, heads: Sequence[Head], body: Sequence[_Row]) -> Part:
+    origin, other = first.origin, second.origin
+    notes = (*origin.notes, *(one for one in other.notes if one not in origin.notes))
+    separator = origin.separator if origin.separator == other.separator else "cells"
+    encoding, file = _both(origin.encoding, other.encoding), _both(origin.file, other.file)
+    origin = replace(origin, file=file, encoding=encoding, separator=separator, notes=notes)
+    sheet = _both(first.sheet, second.sheet) if first.sheet and second.sheet else first.sheet
+    return Part(replace(first.layout, heads=tuple(heads), body=tuple(body)), origin, sheet)
+
+
+def _both(first: str, second: str) -> str:
+    return first if second in first.split(" + ") else f"{first} + {second}"

@@ -76,7 +76,7 @@ def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], floa
 
 def _coarse(cells: Sequence[PrintedNumber]) -> float:
     """Return the unit of the last place that the times are printed with."""
-    return min((10.0 ** max(cell.place, -300) for cell in cells if cell.is_number), default=0.0)
+    return min((cell.last_place for cell in cells if cell.is_number), default=0.0)
 
 
 def _time_unit(head: str, cells: Sequence[PrintedNumber], grid: Grid) -> str:

@@ -1,7 +1,7 @@
-"""Sheets of a file -> the student's table on the assigned grid, with the record of how it was read.
+"""Parts of tables -> the student's tables on the assigned grid, with the record of how each was read.
 
-Enters: sheets, what is known of the file, the `Grid`.  Leaves: `Table`.  Raises `Refused`.
-Used by `tables_of_file.py`.
+Enters: `Part`s, the `Grid`.  Leaves: `Table`s, or why one is `Refused`.
+Used by `tables_of_file.py`, `read_document.py` and `read_submission.py`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from itertools import pairwise
 from typing import Any
 
 from coursework.grading.reading.expected import Grid, GridColumn
-from coursework.grading.reading.files.cells import Sheet
 from coursework.grading.reading.limits import Refused, unreadable
 from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.student_work import OwnTimes, Reading, Table, TableColumn
@@ -22,48 +21,36 @@ from coursework.grading.reading.submission import Note, note
 from coursework.grading.reading.table.columns import Place, Places, find_columns
 from coursework.grading.reading.table.digits import last_places
 from coursework.grading.reading.table.headers import INDEX, TIME
-from coursework.grading.reading.table.layout import Layout, lay_out
+from coursework.grading.reading.table.layout import Layout
+from coursework.grading.reading.table.parts import NOTHING, Part, joined
 from coursework.grading.reading.table.rows import Rows, place_rows
 from coursework.grading.reading.table.units import factor_of, stands_beside, unit_of_column, whole_turns
-from coursework.system.frozen import frozen
 from coursework.words.sentences import ranges
 
 _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
-_EMPTY = PrintedNumber("", math.nan, 0, 0, "missing")
 
 
-@frozen
-class Origin:
-    """Where sheets come from: file, encoding and separator as grades.json names them, what was noticed on the way."""
-
-    file: str
-    encoding: str
-    separator: str
-    notes: tuple[Note, ...] = ()
+def read_parts(parts: Sequence[Part], grid: Grid) -> list[tuple[Part, Table | Refused]]:
+    """Return the tables that parts make, those that are one put together, each on the grid or why it is refused."""
+    return [(part, _read(part, grid)) for part in joined(parts, grid) if _is_table(part.layout)]
 
 
-def read_sheets(sheets: Sequence[Sheet], origin: Origin, grid: Grid) -> Table | None:
-    """Return the table of the first sheet that holds one, None where none does.  Raises `Refused`."""
-    for sheet in sheets:
-        layout = lay_out(sheet, origin.separator, grid.units)
-        if layout and _is_table(layout):
-            return _table(sheet, layout, origin, grid)
-    return None
-
-
-def promised(sheet: Sheet, origin: Origin, grid: Grid) -> float:
-    """Return the most that a refused sheet could weigh as a table: its cells under heads of the task, others a quarter."""
+def _read(part: Part, grid: Grid) -> Table | Refused:
     try:
-        layout = lay_out(sheet, origin.separator, grid.units)
-    except Refused:  # its decimal mark cannot be told
-        return 0.25 * sum(bool(cell.text) for row in sheet.rows for cell in row)
-    if layout is None:
-        return 0.0
-    named = [{*head.candidates} & {*grid.names} for head in layout.heads]
+        return _table(part, grid)
+    except Refused as refused:
+        return refused
+
+
+def weight(part: Part, read: Table | Refused, grid: Grid) -> float:
+    """Return how much speaks for a table, for a refused one the most that it could weigh: cells without heads a quarter."""
+    if isinstance(read, Table):
+        return read.weight
+    named = {*part.names(grid).values()}
     return sum(
-        1.0 if name else 0.25
-        for row in layout.body[: grid.rows]
-        for cell, name in zip(row, named, strict=True)
+        1.0 if at in named else 0.25
+        for row in part.layout.body[: grid.rows]
+        for at, cell in enumerate(row)
         if cell.stands_for_number
     )
 
@@ -74,7 +61,8 @@ def _is_table(layout: Layout) -> bool:
     return filled >= (2 if layout.has_heads else 3)
 
 
-def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
+def _table(part: Part, grid: Grid) -> Table:
+    layout, origin = part.layout, part.origin
     standing = [cell for row in layout.body for cell in row if cell.stands_for_number]
     uncomputed = sum(cell.flag == "formula" for cell in standing)
     if uncomputed > _UNCOMPUTED * len(standing):
@@ -91,14 +79,20 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
         units = {TIME: {"at": time.at + 1, "by": time.by, "unit": rows.time_unit}} | units
     order = "sorted" if rows.is_sorted else "given"
     reading = Reading(
-        origin.file, origin.encoding, origin.separator, layout.decimal, sheet.name, layout.transposed,
+        origin.file, origin.encoding, origin.separator, layout.decimal, part.sheet, layout.transposed,
         tuple(head.text for head in layout.heads) if layout.has_heads else (), units, len(layout.body), order,  # type: ignore[arg-type]
     )  # fmt: skip
     present = tuple(row is not None for row in rows.of_grid)
     notes = origin.notes + tuple(_notes(layout, places, rows, read, grid))
     own = _own_times(grid, places, layout, rows, read) if rows.own else None
     return Table(
-        reading, tuple(read), present, notes, own, strange=sum(_filled(column) for column in read if _is_strange(column, layout))
+        reading,
+        tuple(read),
+        present,
+        notes,
+        own,
+        origin.place,
+        strange=sum(_filled(column) for column in read if _is_strange(column, layout)),
     )
 
 
@@ -126,7 +120,7 @@ def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Seq
 
 
 def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> TableColumn:
-    cells = [_EMPTY if row is None else layout.body[row][place.at] for row in rows.of_grid]
+    cells = [NOTHING if row is None else layout.body[row][place.at] for row in rows.of_grid]
     decimals, steps = last_places(cells)
     unit = unit_of_column(column, layout.heads[place.at].unit, [cell.value for cell in cells])
     factor = factor_of(column, unit)

@@ -1,12 +1,13 @@
 """One file -> the table in it, whatever program wrote it.
 
-Enters: the name of a file, an `Archive` or a decoded text, the `Grid`.  Leaves: `Table`.  Raises `Refused`.
+Enters: the name of a file, an `Archive` or a decoded text, the `Grid`.  Leaves: `Part`s, `Table`.  Raises `Refused`.
 Used by `read_submission.py` and `read_document.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files import ods, xlsx
@@ -16,8 +17,10 @@ from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.separators import split
 from coursework.grading.reading.limits import Refused, bounds, unreadable
 from coursework.grading.reading.student_work import Table
-from coursework.grading.reading.submission import Note, note
-from coursework.grading.reading.table.table import Origin, promised, read_sheets
+from coursework.grading.reading.submission import note
+from coursework.grading.reading.table.parts import Origin, Part, parts_of
+from coursework.grading.reading.table.table import read_parts, weight
+from coursework.words.sentence import Sentence
 
 
 def is_spreadsheet(archive: Archive) -> bool:
@@ -25,7 +28,7 @@ def is_spreadsheet(archive: Archive) -> bool:
     return xlsx.WORKBOOK in archive.parts or ods.CONTENT in archive.parts
 
 
-def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[Table | None, list[Sheet]]:
+def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Part, Table] | None, list[Sheet]]:
     """Return the table of a spreadsheet, None where no sheet has one, and its sheets.  Raises `Refused`."""
     given: Iterable[Sheet]
     if xlsx.WORKBOOK in archive.parts:
@@ -34,29 +37,37 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[Table | N
         given, kind = ods.sheets_of(archive, *bounds(grid.rows)), "ods"
     else:
         raise unreadable("damaged")
-    found: list[tuple[float, Table | Refused]] = []  # by what stands under the heads of the task
+    parts: list[Part] = []
+    refused: list[Refused] = []
     sheets: list[Sheet] = []
     try:
         for sheet in given:
-            found += _found_in(sheet, Origin(name, kind, "cells", _told(sheet, sheets)), grid)
             sheets.append(sheet)
+            try:
+                parts += parts_of(sheet, Origin(name, kind, "cells"), grid)
+            except Refused as error:  # its decimal mark cannot be told
+                refused.append(error)
     except Refused:  # of a sheet behind the table nothing need be read
-        if not any(isinstance(table, Table) for _, table in found):
+        if not any(isinstance(table, Table) for _, table in read_parts(parts, grid)):
             raise
-    # The first of equally good ones; what a person must look at or save again is never passed over for a worse sheet.
-    best = max(found, key=lambda entry: (entry[0], _stands(entry[1])), default=(0.0, None))[1]
-    if isinstance(best, Refused):
-        raise best
-    return best, sheets
+    found = _best(parts, grid)
+    if found is None and refused:
+        raise refused[0]
+    if found and found[0].sheet != sheets[0].name:
+        told = note("ignored_file", "sheet", sheet=found[0].sheet or "")
+        found = found[0], replace(found[1], notes=(told, *found[1].notes))
+    return found, sheets
 
 
-def _found_in(sheet: Sheet, origin: Origin, grid: Grid) -> list[tuple[float, Table | Refused]]:
-    """Return the table of a sheet, or why it was refused, with how much speaks for it; nothing where it has no table."""
-    try:
-        table = read_sheets([sheet], origin, grid)
-    except Refused as refused:
-        return [(promised(sheet, origin, grid), refused)]
-    return [(table.weight, table)] if table else []
+def _best(parts: Sequence[Part], grid: Grid) -> tuple[Part, Table] | None:
+    """Return the first of the tables that weigh most.  Raises `Refused` where that is one to look at or to save again."""
+    read = read_parts(parts, grid)
+    if not read:
+        return None
+    part, table = max(read, key=lambda entry: (weight(entry[0], entry[1], grid), _stands(entry[1])))
+    if isinstance(table, Refused):
+        raise table
+    return part, table
 
 
 def _stands(found: Table | Refused) -> bool:
@@ -64,17 +75,18 @@ def _stands(found: Table | Refused) -> bool:
     return isinstance(found, Table) or found.trouble.code == "formulas" or found.trouble.state == "needs-review"
 
 
-def table_of_text(decoded: Decoded, name: str, grid: Grid) -> Table | None:
+def table_of_text(decoded: Decoded, name: str, grid: Grid) -> tuple[Part, Table] | None:
     """Return the table of a text, None for a text that holds none.  Raises `Refused`."""
+    return _best(parts_of_text(decoded, name, grid), grid)
+
+
+def parts_of_text(decoded: Decoded, name: str, grid: Grid, place: Sentence | None = None) -> list[Part]:
+    """Return the tables that stand in a text, at a `place` of a document.  Raises `Refused`."""
     found = split(decoded.text, *bounds(grid.rows))
     if found is None:
-        return None
+        return []
     if found.has_pairs:
         raise unreadable("comma_twice")
     sheet = Sheet(None, tuple(tuple(map(Cell, row)) for row in found.rows))
     notes = (note("encoding"),) if decoded.had_nuls else ()
-    return read_sheets([sheet], Origin(name, decoded.encoding, found.separator, notes), grid)
-
-
-def _told(sheet: Sheet, before: list[Sheet]) -> tuple[Note, ...]:
-    return (note("ignored_file", "sheet", sheet=sheet.name or ""),) if before else ()
+    return parts_of(sheet, Origin(name, decoded.encoding, found.separator, notes, place), grid)

@@ -176,7 +176,7 @@ def typst_pdf(stroke: str, height: str = "29.7cm") -> Maker:
         source = "\n".join(
             [
                 f"#set page(width: 21cm, height: {height})", "= Report", "Step $h = 0.02$ s.",
-                *(f"$ {_typst(text)} $" for text in equations),
+                *(f"$ {_typst(text)} $" if "=" in text else text for text in equations),
                 f"#table(columns: {len(heads)}, stroke: {stroke}, table.header(repeat: {repeat}, {head}), {cells})",
                 "The end.",
             ]

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
-from coursework.grading.reading.documents.document import DocumentTable, place_of
-from coursework.grading.reading.documents.join_tables import joined
-from coursework.grading.reading.files.cells import Cell
+from coursework.grading.reading.files.cells import Cell, Sheet
+from coursework.grading.reading.numbers import looks_numeric
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.grading.reading.table.parts import Origin, joined, parts_of
+from tests.grading.reading.dialects import workbook
 from tests.grading.reading.documents.test_hostile_documents import one_page
 from tests.grading.reading.misread import GRID, HEAD, ROWS
 from tests.grading.scenes import expected
@@ -64,8 +67,8 @@ def test_a_table_in_parts_is_one(case: str) -> None:
 
 def test_other_tables_stay_apart() -> None:
     def count(*tables: Rows) -> int:
-        given = [DocumentTable(tuple(tuple(map(Cell, row)) for row in rows), place_of("line", line=1)) for rows in tables]
-        return len(joined(given, GRID.units))
+        sheets = [Sheet(None, tuple(tuple(map(Cell, row)) for row in rows)) for rows in tables]
+        return len(joined([part for sheet in sheets for part in parts_of(sheet, Origin("x", "x", "cells"), GRID)], GRID))
 
     later = [HEAD, *([str(float(row[0]) + 0.005), *row[1:]] for row in ROWS)]
     speeds = [[row[at] for at in SPEEDS] for row in later]
@@ -106,3 +109,56 @@ def test_merged_heads_of_a_page_stand_over_their_columns() -> None:
     table, whole = read(content.encode()).table, read(page(WHOLE)).table
     assert table is not None and whole is not None
     assert [column.values for column in table.columns] == [column.values for column in whole.columns]
+
+
+def _csv(rows: Rows) -> bytes:
+    return "\n".join(";".join(row) for row in rows).encode()
+
+
+def _sheet(rows: Rows) -> Rows:
+    return [[f"{'n' if looks_numeric(cell) else 't'}:{cell}" for cell in row] for row in rows]
+
+
+def _pipes(rows: Rows) -> str:
+    return "\n".join("| " + " | ".join(row) + " |" for row in (rows[0], ["---"] * len(rows[0]), *rows[1:]))
+
+
+WRITTEN: dict[str, Callable[[list[Rows]], dict[str, bytes]]] = {
+    "files": lambda tables: {f"{at}.csv": _csv(rows) for at, rows in enumerate(tables)},
+    "transposed files": lambda tables: {f"{k}.csv": _csv([*map(list, zip(*rows, strict=True))]) for k, rows in enumerate(tables)},
+    "sheets": lambda tables: {"t.xlsx": workbook({f"part {at}": _sheet(rows) for at, rows in enumerate(tables)})},
+    "one csv": lambda tables: {"t.csv": b"\n\n".join(map(_csv, tables))},
+    "blanks": lambda tables: {"t.txt": "\n\n".join("\n".join("  ".join(row) for row in rows) for rows in tables).encode()},
+    "markdown": lambda tables: {"t.md": "\n\n## More\n\n".join(map(_pipes, tables)).encode()},
+    "page": lambda tables: {"t.html": page(*tables)},
+}  # fmt: skip
+CUT: dict[str, list[Rows]] = {
+    "columns in blocks": [of(ANGLES), of(SPEEDS)],
+    "columns in three blocks": [of(ANGLES), of(SPEEDS[:3]), of([0, *SPEEDS[3:]])],
+    "the second block without the time": [of(ANGLES), of(SPEEDS[1:])],
+    "rows in halves": [of([*range(len(HEAD))], ROWS[:HALF]), of([*range(len(HEAD))], ROWS[HALF:])],
+    "the second half without heads": [[HEAD, *ROWS[:HALF]], ROWS[HALF:]],
+    "a column that both have": [of(ANGLES), of([0, ANGLES[1], *SPEEDS[1:]])],
+}
+
+
+@pytest.mark.parametrize("kind", WRITTEN)
+@pytest.mark.parametrize("case", CUT)
+def test_parts_are_put_together_in_every_kind_of_file(kind: str, case: str) -> None:
+    if case == "the second half without heads" and kind in {"markdown", "transposed files"}:
+        pytest.skip("its first row would be the heads")
+    files = tuple(submitted_file(name, content) for name, content in WRITTEN[kind](CUT[case]).items())
+    table, whole = read_submission(Submission("x", None, files), expected()).table, read(page(WHOLE)).table
+    assert table is not None and whole is not None and all(table.rows_present)
+    assert {column.name: column.values for column in table.columns} == {column.name: column.values for column in whole.columns}
+    assert {*table.reading.file.split(" + ")} == {file.name for file in files}
+
+
+@pytest.mark.parametrize("kind", WRITTEN)
+def test_two_schemes_are_no_parts_of_one(kind: str) -> None:
+    other = [HEAD, *([row[0], *(f"{float(cell) + 1:.4f}" for cell in row[1:])] for row in ROWS)]
+    summary = [HEAD, *([str(row), *["1.5"] * (len(HEAD) - 1)] for row in (25, 0.2, 3))]  # of a data frame, under the same heads
+    for second in (other, summary):
+        files = tuple(submitted_file(name, content) for name, content in WRITTEN[kind]([WHOLE, second]).items())
+        table = read_submission(Submission("x", None, files), expected()).table
+        assert table is None or {column.values for column in table.columns} == {c.values for c in read(page(WHOLE)).table.columns}  # type: ignore[union-attr]

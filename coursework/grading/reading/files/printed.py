@@ -1,0 +1,126 @@
+"""Tables as programs print them and as programs have them -> rows: columns in pieces, a common factor, lists, names with values.
+
+Enters: lines, a text.  Leaves: whole lines; rows of texts, () where it holds nothing of the kind.
+Used by `separators.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from itertools import chain, groupby, islice
+
+from coursework.grading.reading.numbers import looks_numeric
+
+_PIECE = re.compile(r"^[ \t]*columns?[ \t]+(\d{1,3})(?:[ \t]+(?:through|to|and|-)[ \t]+\d{1,3})?[ \t]*:?[ \t]*$", re.IGNORECASE)
+_FACTOR = re.compile(r"[ \t]*1(?:\.0+)?[eE]([-+]?\d{1,2})[ \t]*\*[ \t]*")
+_DECIMAL = re.compile(r"(?<![\w.])-?\d+\.\d+(?![\w.])")
+_LIST = re.compile(r"[\[{(<]([^\[\]{}()<>]{3,})[\]})>]")
+_VECTOR = re.compile(r"(?<=[=:])[ \t]*\n([-+\d.,eE\s]{6,})")  # as MATLAB shows one, or line by line
+_NAMED = re.compile(r"([^\W\d]\w{0,20})[ \t]*(?:[:=]|:=)[ \t]*(?:[A-Za-z.]{1,20}\()?[ \t]*$")
+_QUOTED = re.compile(r"""['"]([^'"\n]{1,40})['"]""")
+_PAIR = re.compile(r"(?<![\w.])([^\W\d][\w.]{0,20})[ \t]*(?:=|:)[ \t]*([-+−]?\d[\d.,]*(?:[eE][-+]?\d{1,3})?)(?![\w.*/^(])")
+_FEWEST, _MOST_LISTS, _BEFORE = 3, 5000, 40
+
+
+def in_whole_lines(given: list[str]) -> list[str]:
+    r"""Return lines in which no table is printed in pieces, as pandas, MATLAB and Octave do, or with a factor before it.
+
+    >>> in_whole_lines(["  Columns 1 through 2", "", " 0 1.5", " 1 1.6", "", "  Column 3", "", " 2.5", " 2.6"])
+    ['', ' 0 1.5 2.5', ' 1 1.6 2.6']
+    >>> in_whole_lines(["   t  phi1  \\", "0  0  1.63   ", "1  1  1.65   ", "", "    w1  ", "0  2.0  ", "1  2.1  "])
+    ['', '   t  phi1    w1', '0  0  1.63   2.0', '1  1  1.65   2.1']
+    >>> in_whole_lines(["T =", "   1.0e+03 *", "   0   1.5"])
+    ['T =', '', '   0   1.5e+03']
+    """
+    lines = _without_factors(given)
+    is_piece = [bool("olumn" in line and _PIECE.match(line)) for line in lines]
+    if not any(is_piece) and not any(line.rstrip().endswith("  \\") for line in lines):
+        return lines
+    out: list[list[str]] = []
+    goes_on = is_numbered = False
+    for kind, group in groupby(zip(lines, is_piece, strict=True), lambda pair: 2 * pair[1] + bool(pair[0].strip())):
+        rows = [line.rstrip() for line, _ in group]
+        if kind > 1:
+            goes_on = (found := _PIECE.match(rows[-1])) is not None and found[1] != "1"
+        elif kind:
+            ends = rows[0].endswith("  \\")  # of pandas: the numbers of the rows stand before each piece
+            rows[0] = rows[0].removesuffix("\\").rstrip()
+            if goes_on and out and len(out[-1]) == len(rows):
+                out[-1] = _beside(out[-1], rows, is_numbered)
+            else:
+                out.append(rows)
+            goes_on = is_numbered = ends
+    return [line for rows in out for line in ("", *rows)]
+
+
+def _beside(before: list[str], rows: list[str], is_numbered: bool) -> list[str]:
+    width = max(map(len, before)) + 1
+    label = max((len(row) - len(row.lstrip("0123456789.")) for row in rows[1:]), default=0) if is_numbered else 0
+    return [f"{first.ljust(width)}{row[label:] if is_numbered else row.strip()}" for first, row in zip(before, rows, strict=True)]
+
+
+def _without_factors(lines: list[str]) -> list[str]:
+    """Return the lines with the numbers below a factor of their own, up to the next line of words."""
+    out: list[str] = []
+    power = ""
+    for line in lines:
+        if found := _FACTOR.fullmatch(line):
+            power = f"e{found[1]}"
+            out.append("")
+            continue
+        if power and not _PIECE.match(line) and any(map(str.isalpha, line)):
+            power = ""
+        out.append(_DECIMAL.sub(rf"\g<0>{power}", line) if power else line)
+    return out
+
+
+def listed_rows(text: str, most_rows: int, most_columns: int) -> tuple[tuple[str, ...], ...]:
+    r"""Return the rows of a table that is written as lists, as programs have it, each behind its name where it has one.
+
+    >>> listed_rows("T = [0 1.5; 1 1.6; 2 1.7];", 600, 40)
+    (('0', '1.5'), ('1', '1.6'), ('2', '1.7'))
+    >>> listed_rows("t = [0, 1, 2]\nw1 = [5, 6, 7]\nw2 = [7, 8, 9]", 600, 40)
+    (('t', '0', '1', '2'), ('w1', '5', '6', '7'), ('w2', '7', '8', '9'))
+    """
+    found: list[tuple[str, list[str]]] = []
+    first = 0
+    for group in islice(chain(_LIST.finditer(text), _VECTOR.finditer(text)), _MOST_LISTS):
+        name = _NAMED.search(text[max(group.start(1) - 1 - _BEFORE, 0) : group.start(1) - 1])
+        lines = [line for line in re.split(r"[;\n]", group[1]) if line.strip(" \t,.")] if ";" in group[1] else [group[1]]
+        for line in lines:
+            cells = _entries(line)
+            if len(cells) > 1 and all(map(looks_numeric, cells)):
+                first = first or group.start()
+                found.append((name[1] if name and len(lines) == 1 else "", cells))
+    usual = Counter(len(cells) for _, cells in found).most_common(1)
+    rows = [(name, cells) for name, cells in found if usual and len(cells) == usual[0][0]]
+    if len(rows) < _FEWEST or len(rows) > most_rows:
+        return ()
+    if all(name for name, _ in rows):
+        return tuple((name, *cells) for name, cells in rows)[:most_columns]
+    heads = _QUOTED.findall(text[:first])
+    return tuple(tuple(row[:most_columns]) for row in ([heads] * (len(heads) == usual[0][0]) + [cells for _, cells in rows]))
+
+
+def _entries(line: str) -> list[str]:
+    """Return the entries of a list: between commas, where it has such that are no decimal marks, else between blanks."""
+    bare = line.replace("...", " ").strip(" \t\n,")
+    is_parted = ", " in bare or ",\n" in bare or not re.search(r"\s", bare)
+    return [cell.strip() for cell in bare.split(",")] if is_parted else [cell for cell in bare.split() if cell != "-"]
+
+
+def named_rows(text: str, most_rows: int) -> tuple[tuple[str, ...], ...]:
+    r"""Return the rows of a table in which each number stands behind its name, line by line or row by row.
+
+    >>> named_rows("t=0 w1=5\nt=1 w1=6\nt=2 w1=7", 600)
+    (('t', 'w1'), ('0', '5'), ('1', '6'), ('2', '7'))
+    """
+    records: list[dict[str, str]] = [{}]
+    for found in islice(_PAIR.finditer(text), 40 * most_rows):
+        if found[1] in records[-1]:
+            records.append({})
+        records[-1][found[1]] = found[2].rstrip(",")
+    usual = Counter(map(tuple, records)).most_common(1)[0][0]
+    rows = [tuple(record.values()) for record in records if tuple(record) == usual]
+    return (usual, *rows)[: most_rows + 1] if len(rows) >= _FEWEST and len(usual) > 1 else ()

@@ -1,0 +1,30 @@
+"""Two tables on one grid -> whether they say the same.
+
+Enters: `Table`s.  Leaves: yes or no.  Used by `read_submission.py`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from coursework.grading.reading.numbers import ROUNDED
+from coursework.grading.reading.student_work import Table, TableColumn
+
+
+def alike(first: Table, second: Table) -> bool:
+    """Return whether two tables say the same; a report repeats the table of the file beside it, with digits of its own."""
+    return {c.name for c in first.columns} == {c.name for c in second.columns} and _same_where_both(first, second)
+
+
+def _same_where_both(first: Table, second: Table) -> bool:
+    digits = ROUNDED if first.place or second.place else 0.0
+    both = [(column, other) for column in first.columns if (other := second.column(column.name))]
+    return all(_same(column, other, digits) for column, other in both)
+
+
+def _same(column: TableColumn, other: TableColumn, digits: float) -> bool:
+    return all(
+        math.isfinite(value) is math.isfinite(same)
+        and (not math.isfinite(value) or abs(value - same) <= digits * (unit + other_unit))
+        for value, unit, same, other_unit in zip(column.values, column.last_place, other.values, other.last_place, strict=True)
+    )
