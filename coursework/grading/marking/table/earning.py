@@ -19,6 +19,9 @@ from coursework.grading.marking.table.points import Earned, Rule, TablePoints, s
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
+# Of a table whose steps were made with rounded velocities.
+ROUNDED = 0.98
+
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
     """Return what earns most; of equal ones the cells, then the first.  `others` are tables of other variants by name."""
@@ -61,9 +64,14 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
 
 
 def _worth(rubric: Rubric, code: str) -> float:
-    """Return what a cell is worth that a misconception explains: one sign less than a wrong method, a right velocity all."""
+    """Return what a cell is worth that a misconception explains: one sign less than a wrong method, a right velocity all.
+
+    Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
+    """
     if code in {OTHER_STEP, ROWS_SHIFTED}:
         return 1.0
+    if code.startswith("rounded_omega_"):
+        return ROUNDED
     one_sign = code == "sign_drive" or code.startswith("equation_")
     return rubric.own_equations_floor if one_sign else rubric.misconception_floor
 

@@ -18,9 +18,10 @@ from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.odd_rows import displaced_rows
 from coursework.grading.marking.table.own_equations import OWN
-from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
+from coursework.grading.marking.table.own_rows import on_own_rows
 from coursework.grading.marking.table.points import explained_share, stands_still
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
+from coursework.grading.marking.table.untold import untold_cells
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -72,21 +73,23 @@ class Fit:
 class Found:
     """What is `named` with ground, and what explains anything at all, one `Fit` a code.
 
-    `from_own_start` is the table marked against Euler's from the student's own start, None where that explains nothing.
+    `from_own_start` is the table marked against Euler's from the student's own start, None where that explains nothing; `untold`
+    (n, m + r) the right cells that the digits cannot tell from what explains most, None where nothing does.
     """
 
     named: Misconception | None = None
     fits: tuple[Fit, ...] = ()
     from_own_start: OwnStart | None = None
+    untold: Flags | None = None
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
-    """Return whether a table of `count` cells is wrong in so many, or in its start, that a misconception is looked for.
+    """Return whether a table of `count` cells is wrong in so many, or in start or times, that a misconception is looked for.
 
     Under a steady drive the rows behind one that stands twice follow each other again, and few cells are wrong.
     """
     wrong = int(cells.wrong.sum())
-    if wrong > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells):
+    if wrong > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells) or cells.student.own is not None:
         return True
     return wrong > 0 and bool(displaced_rows(key, cells))
 
@@ -118,7 +121,7 @@ def explanations(
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
     read_off: set[str] = set()
-    part = 1.0
+    told: tuple[float, bool, Flags] = ((explained | by_key).sum() + BETTER * spoken.sum(), False, np.zeros_like(by_key))
     # A closer look is for what does not explain everything.
     most = int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
@@ -135,8 +138,9 @@ def explanations(
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
-            part = claim.part if claim.code == OTHER_STEP else part
         count = int((holds | by_key).sum())
+        if claim.student is None and (count, not claim.is_read_off) > told[:2]:
+            told = count, not claim.is_read_off, untold_cells(key, cells, claim, holds)
         if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
             held[claim.code] = count, claim, holds
     for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
@@ -144,33 +148,30 @@ def explanations(
         fit = explained_share(key, cells, holds, only_velocities=code == OTHER_STEP)
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
-            part = claim.part if code == OTHER_STEP else part
     against_rows = explained_share(key, cells, by_key)  # rows that were shifted whole follow Euler's rules as well as before
     fits = {code: fit for code, fit in fits.items() if fit.share > (against_rows if code == ROWS_SHIFTED else euler_fit) + BETTER}
     if own := _other_step(key, cells):
         share, fit = own
-        if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
-            # Its own times say so; of rows that leave steps of the task out, other rules explain the velocities alone.
+        if share >= NAMED:
+            # Its own times say so, where its digits do not too; of rows that leave steps of the task out, other rules explain
+            # the velocities alone.
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
             named.setdefault(OTHER_STEP, (share, euler_share, ()))
+            told[2][:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
-            part = cells.student.own.step / key.step if cells.student.own else 1.0
-    if OTHER_STEP in fits:
-        share = min(1.0, fits[OTHER_STEP].share * more_on_grid(key, cells.student, 1.0 / part))
-        fits[OTHER_STEP] = replace(fits[OTHER_STEP], share=share)
     if began:
         share = _share(*euler_cells(key, began.cells))
         if share >= NAMED and share > key_share + BETTER:
             named[f"start_{began.names[0]}"] = share, key_share, began.names
     found = tuple(fits.values())
     if not named:
-        return Found(None, found, began)
+        return Found(None, found, began, told[2])
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     tied = [code for code in tied if code not in read_off] or tied
     share, against, names = named[tied[0]]
-    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began)
+    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, told[2])
 
 
 def _as_it_stood(key: Key, put_back: Cells) -> Flags:
