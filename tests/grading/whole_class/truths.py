@@ -254,7 +254,7 @@ CHECKS: dict[str, Check] = {
     "feedback.counts": _counts,
     "feedback.all_right": lambda held, values: held.truth.kind in ("right", "sign") and int(values["cells"]) == held.counted,
     "feedback.earned.cells": _cells,
-    **dict.fromkeys(("feedback.earned.misconception", "feedback.earned.start", "feedback.earned.own_equations"), _product),
+    **dict.fromkeys([f"feedback.earned.{rule}" for rule in ("misconception", "other_step", "start", "own_equations")], _product),
     **dict.fromkeys(("feedback.independent", "feedback.earned.equations"), _equations),
     **dict.fromkeys(("feedback.line_wrong", "feedback.place_wrong", "feedback.equation.wrong", "feedback.hint"), _line),
     "feedback.hint.sign": _sign,

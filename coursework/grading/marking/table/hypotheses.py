@@ -148,7 +148,12 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             at_once = printed.stacked(several)
             claim = printed.claim("other_step", printed.steps(at_once(printed.q), printed.spread(at_once)))
             claims.append(replace(claim, table=printed.marched(made[0], several)))
-        yield from (replace(claim, part=part) for claim in claims)
+        yield from (replace(claim, part=part, names=(in_seconds(part * h),)) for claim in claims)
+
+
+def in_seconds(step: float) -> str:
+    """Return a step (s) as a sentence says it."""
+    return f"{step:.4g} s"
 
 
 def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:

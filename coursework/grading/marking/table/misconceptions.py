@@ -15,7 +15,7 @@ from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key, MisreadKey
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.hypotheses import claims
+from coursework.grading.marking.table.hypotheses import claims, in_seconds
 from coursework.grading.marking.table.odd_rows import displaced_rows
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.own_rows import on_own_rows
@@ -42,7 +42,7 @@ OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
 class Misconception:
     """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much.
 
-    `names` are the columns exchanged, the starts or the equations that it speaks of, () for most.
+    `names` are the columns exchanged, the starts or equations that it speaks of, a datum's value or a step's, () for most.
     """
 
     code: str
@@ -150,13 +150,13 @@ def explanations(
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     against_rows = explained_share(key, cells, by_key)  # rows that were shifted whole follow Euler's rules as well as before
     fits = {code: fit for code, fit in fits.items() if fit.share > (against_rows if code == ROWS_SHIFTED else euler_fit) + BETTER}
-    if own := _other_step(key, cells):
-        share, fit = own
+    if (own := cells.student.own) and (fitting := _other_step(key, cells)):
+        share, fit = fitting
         if share >= NAMED:
             # Its own times say so, where its digits do not too; of rows that leave steps of the task out, other rules explain
             # the velocities alone.
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
-            named.setdefault(OTHER_STEP, (share, euler_share, ()))
+            named.setdefault(OTHER_STEP, (share, euler_share, (in_seconds(own.step),)))
             told[2][:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
