@@ -127,7 +127,8 @@ def _false_of_file(pupil: Pupil, every: list[Said]) -> Iterator[str]:
 
 
 def _false_cause(truth: Truth, every: list[Said]) -> Iterator[str]:
-    said = {key.rpartition(".")[2].removesuffix("_several") for key, _ in every if key.startswith("feedback.misconception.")}
+    said = {key.rpartition(".")[2] for key, _ in every if key.startswith("feedback.misconception.")}
+    said = {cause.removesuffix("_several").removesuffix("_value") for cause in said}
     said -= {"share", "partly", "ties", "none"}
     if said and not truth.code:
         yield f"a cause where there is none: {said}"

@@ -19,9 +19,9 @@ from coursework.grading.marking.table.hypotheses import claims, in_seconds
 from coursework.grading.marking.table.odd_rows import displaced_rows
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.own_rows import on_own_rows
-from coursework.grading.marking.table.points import explained_share, stands_still
+from coursework.grading.marking.table.points import explained_share, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
-from coursework.grading.marking.table.untold import untold_cells
+from coursework.grading.marking.table.untold import FINEST, untold_cells
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -121,7 +121,8 @@ def explanations(
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
     read_off: set[str] = set()
-    told: tuple[float, bool, Flags] = ((explained | by_key).sum() + BETTER * spoken.sum(), False, np.zeros_like(by_key))
+    most_told: tuple[float, bool] = (explained | by_key).sum() + BETTER * spoken.sum(), False
+    teller: tuple[Claim, Flags] | None = None
     # A closer look is for what does not explain everything.
     most = int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
@@ -139,8 +140,8 @@ def explanations(
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())
-        if claim.student is None and (count, not claim.is_read_off) > told[:2]:
-            told = count, not claim.is_read_off, untold_cells(key, cells, claim, holds)
+        if (count, not claim.is_read_off) > most_told:
+            most_told, teller = (count, not claim.is_read_off), (claim, holds)
         if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
             held[claim.code] = count, claim, holds
     for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
@@ -148,6 +149,7 @@ def explanations(
         fit = explained_share(key, cells, holds, only_velocities=code == OTHER_STEP)
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
+    untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
     against_rows = explained_share(key, cells, by_key)  # rows that were shifted whole follow Euler's rules as well as before
     fits = {code: fit for code, fit in fits.items() if fit.share > (against_rows if code == ROWS_SHIFTED else euler_fit) + BETTER}
     if (own := cells.student.own) and (fitting := _other_step(key, cells)):
@@ -157,7 +159,7 @@ def explanations(
             # the velocities alone.
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
             named.setdefault(OTHER_STEP, (share, euler_share, (in_seconds(own.step),)))
-            told[2][:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
+            untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
     if began:
@@ -166,12 +168,26 @@ def explanations(
             named[f"start_{began.names[0]}"] = share, key_share, began.names
     found = tuple(fits.values())
     if not named:
-        return Found(None, found, began, told[2])
+        return Found(None, found, began, untold)
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     tied = [code for code in tied if code not in read_off] or tied
     share, against, names = named[tied[0]]
-    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, told[2])
+    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, untold)
+
+
+def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
+    """Return the right cells (n, m + r) that too few digits do not tell from what a claim makes, where that `holds`."""
+    if claim.student is not None:
+        return np.zeros_like(holds)
+    found = untold_cells(key, cells, claim, holds)
+    if claim.table is None or not found.any():
+        return found
+    table = claim.table()
+    made = mark_cells(key, StudentTable(table, np.full(table.shape, FINEST)))
+    points = table_points(key, made)
+    nothing = made.wrong | (made.missing if points.uncounted is None else made.missing | points.uncounted)
+    return found | ((cells.marks == KEY) & nothing & cells.counted & alike(key, cells.student, table))
 
 
 def _as_it_stood(key: Key, put_back: Cells) -> Flags:
