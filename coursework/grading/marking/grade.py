@@ -191,7 +191,7 @@ class Marker:
         points = untold_points(cells, points, judged) if made else points
         earned = best_rule(self.key, self.rubric, judged, points, found, self.others)
         first = first_wrong(self.key, cells, table)
-        named = made.named if made else found.named
+        named = made.named if made and made.named else found.named
         return TableMarks(table, cells, points, first, named, earned, hidden, self._forces(table))
 
     def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:

@@ -23,20 +23,21 @@ from coursework.grading.marking.table.ways import StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# How much more of a table a cause must make than the task does.
-_MORE = 0.05
+# Of a table the part that a cause must make, and how much more than the task does.  Far fewer than name it: a cell put right must
+# not decide on all others.
+_MOST, _MORE = 0.7, 0.05
 
 
 @frozen
 class AsMade:
-    """The `student`'s table with all digits where it is what the cause makes; what is `named` with that."""
+    """The `student`'s table with all digits where it is what the cause makes; what is `named` with that, None with too little."""
 
     student: StudentTable
-    named: Misconception
+    named: Misconception | None
 
 
 def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
-    """Return the table that a cause makes, where that is nearly all of the one printed and the key's is not; else None."""
+    """Return the table that a cause makes, where that is most of the one printed and the key's is less; else None."""
     spoken = cells.counted & ~cells.missing
     by_key = _share(alike(key, cells.student, key.table), spoken)
     made: dict[str, tuple[float, Array, tuple[str, ...]]] = {}
@@ -45,7 +46,7 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
             continue
         table = claim.table()
         share = _share(alike(key, cells.student, table), spoken)
-        if share >= max(NAMED, by_key + _MORE) and (claim.code not in made or share > made[claim.code][0]):
+        if share >= max(_MOST, by_key + _MORE) and (claim.code not in made or share > made[claim.code][0]):
             made[claim.code] = share, table, claim.names
     if not made:
         return None
@@ -54,7 +55,8 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     share, table, names = made[first]
     same = alike(key, cells.student, table)
     values, units = np.where(same, table, cells.student.values), np.where(same, FINEST, cells.student.units)
-    return AsMade(replace(cells.student, values=values, units=units), Misconception(first, share, by_key, tuple(ties), names))
+    named = Misconception(first, share, by_key, tuple(ties), names) if share >= NAMED else None
+    return AsMade(replace(cells.student, values=values, units=units), named)
 
 
 def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints:
@@ -66,9 +68,9 @@ def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints
 
 
 def _may_be(cells: Cells, claim: Claim, spoken: Flags) -> bool:
-    """Return whether a claim holds in nearly all cells of which it says anything: only then its whole table is made."""
+    """Return whether a claim holds in most cells of which it says anything: only then its whole table is made."""
     says = spoken & np.isfinite(claim.expected)
-    return _share(near(cells.student.values, claim.expected, claim.tolerance), says) >= NAMED
+    return _share(near(cells.student.values, claim.expected, claim.tolerance), says) >= _MOST
 
 
 def _share(holds: Flags, of: Flags) -> float:
