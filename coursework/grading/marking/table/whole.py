@@ -30,7 +30,7 @@ _MOST, _MORE = 0.7, 0.05
 
 @frozen
 class AsMade:
-    """The `student`'s table with all digits where it is what the cause makes; what is `named` with that, None with too little."""
+    """The `student`'s table with all digits where it is what the cause makes or the task has; what is `named` by it."""
 
     student: StudentTable
     named: Misconception | None
@@ -39,7 +39,8 @@ class AsMade:
 def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     """Return the table that a cause makes, where that is most of the one printed and the key's is less; else None."""
     spoken = cells.counted & ~cells.missing
-    by_key = _share(alike(key, cells.student, key.table), spoken)
+    right = alike(key, cells.student, key.table)
+    by_key = _share(right, spoken)
     made: dict[str, tuple[float, Array, tuple[str, ...]]] = {}
     for claim in claims if by_key < 1.0 - _MORE else ():
         if claim.table is None or claim.code == OWN or not _may_be(cells, claim, spoken):
@@ -54,7 +55,8 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     first, *ties = [code for code, (share, *_) in made.items() if share >= best - TIE]
     share, table, names = made[first]
     same = alike(key, cells.student, table)
-    values, units = np.where(same, table, cells.student.values), np.where(same, FINEST, cells.student.units)
+    values = np.where(same, table, np.where(right, key.table, cells.student.values))  # others may be put right
+    units = np.where(same | right, FINEST, cells.student.units)
     named = Misconception(first, share, by_key, tuple(ties), names) if share >= NAMED else None
     return AsMade(replace(cells.student, values=values, units=units), named)
 
