@@ -218,9 +218,9 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
         yield printed.claim("new_phi", None, printed.velocities(moved, spread))
     found, tolerance = printed.true_velocities
     for place, name in enumerate(key.velocities):
-        turned = found.copy()
-        turned[:, place] *= -1
-        yield printed.claim(f"sign_{name}", None, (turned, tolerance))
+        sign = np.where(np.arange(m + len(key.velocities)) == m + place, -1.0, 1.0)
+        claim = printed.claim(f"sign_{name}", None, (found * sign[m:], tolerance))
+        yield replace(claim, table=partial(np.multiply, key.table, sign))
     for code in MISREAD:
         if code not in apart and (velocities := key.misread(code)):
             yield from printed.velocity_claim(code, velocities)

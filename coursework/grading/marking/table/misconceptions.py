@@ -126,12 +126,11 @@ def explanations(
     # A closer look is for what does not explain everything.
     most = int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
-        if claim.code in hidden:
-            continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
         share, against = _share(holds, says), key_share if claim.is_whole else euler_share
         known = named.get(claim.code)
-        if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
+        is_told = claim.code != OWN and claim.code not in hidden
+        if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
         if claim.code == ROWS_SHIFTED:
@@ -140,7 +139,7 @@ def explanations(
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())
-        if (count, not claim.is_read_off) > most_told:
+        if (count, not claim.is_read_off) > most_told and claim.code not in hidden:
             most_told, teller = (count, not claim.is_read_off), (claim, holds)
         if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
             held[claim.code] = count, claim, holds
@@ -187,7 +186,7 @@ def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
     made = mark_cells(key, StudentTable(table, np.full(table.shape, FINEST)))
     points = table_points(key, made)
     nothing = made.wrong | (made.missing if points.uncounted is None else made.missing | points.uncounted)
-    return found | ((cells.marks == KEY) & nothing & cells.counted & alike(key, cells.student, table))
+    return np.asarray(found | ((cells.marks == KEY) & nothing & cells.counted & alike(key, cells.student, table)))
 
 
 def _as_it_stood(key: Key, put_back: Cells) -> Flags:

@@ -232,7 +232,7 @@ def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
     rows, m = handed_in(cells), len(key.coordinates)
     printed, before, right = cells.student.values, (cells.before or cells.student).values, key.table
     moves = _moves(printed[rows, :m]) | _moves(before[rows, :m])
-    return moves | ~_moves(right[rows, :m]) | (moves.sum(axis=0) >= _MOVES * len(moves))
+    return np.asarray(moves | ~_moves(right[rows, :m]) | (moves.sum(axis=0) >= _MOVES * len(moves)))
 
 
 def _step(cells: Cells) -> Way:
