@@ -13,7 +13,7 @@ import numpy as np
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.misconceptions import OTHER_STEP, ROWS_SHIFTED, Found
+from coursework.grading.marking.table.misconceptions import NAMED, OTHER_STEP, ROUNDED_OMEGA, ROWS_SHIFTED, Found
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart
@@ -55,11 +55,14 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 
 
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
-    """Give what each explanation earns; the table of another variant is no work of the student's."""
+    """Give what each explanation earns; the table of another variant is no work of the student's.
+
+    Rounding explains a little of any steps; it is a cause where it explains nearly all.
+    """
     for fit in found.fits:
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
-        elif not fit.code.startswith("variant_"):
+        elif not fit.code.startswith("variant_") and (fit.share >= NAMED or not fit.code.startswith(ROUNDED_OMEGA)):
             yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
 
 
@@ -70,7 +73,7 @@ def _worth(rubric: Rubric, code: str) -> float:
     """
     if code in {OTHER_STEP, ROWS_SHIFTED}:
         return 1.0
-    if code.startswith("rounded_omega_"):
+    if code.startswith(ROUNDED_OMEGA):
         return ROUNDED
     one_sign = code == "sign_drive" or code.startswith("equation_")
     return rubric.own_equations_floor if one_sign else rubric.misconception_floor

@@ -35,7 +35,7 @@ ALIKE = 0.98
 # How many of those that explain most have their whole table made.
 _CLOSER = 3
 _ROUND_OFF = 1e-9
-OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
+OTHER_STEP, ROWS_SHIFTED, ROUNDED_OMEGA = "other_step", "rows_shifted", "rounded_omega_"
 
 
 @frozen
@@ -126,6 +126,8 @@ def explanations(
     # A closer look is for what does not explain everything.
     most = int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
+        if claim.code in hidden and not claim.code.startswith(ROUNDED_OMEGA):
+            continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
         share, against = _share(holds, says), key_share if claim.is_whole else euler_share
         known = named.get(claim.code)
