@@ -19,6 +19,7 @@ from coursework.grading.marking.table.points import Earned, Rule, TablePoints, s
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
+_SLIPS = ("equation_", "sign_drive", "datum_", "swap_", "confusion_")
 # Of a table whose steps were made with rounded velocities.
 ROUNDED = 0.98
 
@@ -67,16 +68,16 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
 
 
 def _worth(rubric: Rubric, code: str) -> float:
-    """Return what a cell is worth that a misconception explains: one sign less than a wrong method, a right velocity all.
+    """Return what a cell is worth that a misconception explains: one slip more than a wrong method, a right velocity all.
 
+    A datum is a slip as a sign or a factor in an equation is: often nobody can tell which of them it was.
     Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
     """
     if code in {OTHER_STEP, ROWS_SHIFTED}:
         return 1.0
     if code.startswith(ROUNDED_OMEGA):
         return ROUNDED
-    one_sign = code == "sign_drive" or code.startswith("equation_")
-    return rubric.own_equations_floor if one_sign else rubric.misconception_floor
+    return rubric.own_equations_floor if code.startswith(_SLIPS) else rubric.misconception_floor
 
 
 def _earned(rule: Rule, points: TablePoints, explained: float, worth: float, cause: str) -> Earned:
