@@ -20,11 +20,14 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.claims import TableUnderTest
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import first_wrong
+from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.misconceptions import Found, explanations, indistinct, looked_for
 from coursework.grading.marking.table.ways import HALF, StudentTable
+from coursework.grading.marking.table.whole import AsMade, as_made, untold_points
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
@@ -178,13 +181,29 @@ class Marker:
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
         cells = marked(self.key, student)
         points = points_of(self.key, cells, self.rubric.carried)
+        made = self._as_made(cells, equations)
+        judged = marked(self.key, made.student) if made else cells
         found, hidden = Found(), None
-        if not self.by_forces and looked_for(self.key, cells, points.cells):
-            hidden = self._hidden(cells.student)
-            found = explanations(self.key, cells, self.confusions, self.others, hidden, equations)
-        earned = best_rule(self.key, self.rubric, cells, points, found, self.others)
+        if not self.by_forces and looked_for(self.key, judged, points.cells):
+            hidden = self._hidden(judged.student)
+            found = self._explained(judged, equations)
+            points = points_of(self.key, judged, self.rubric.carried, found.untold)
+        points = untold_points(cells, points, judged) if made else points
+        earned = best_rule(self.key, self.rubric, judged, points, found, self.others)
         first = first_wrong(self.key, cells, table)
-        return TableMarks(table, cells, points, first, found.named, earned, hidden, self._forces(table))
+        named = (made.named or self._explained(cells, equations).named) if made else found.named
+        return TableMarks(table, cells, points, first, named, earned, hidden, self._forces(table))
+
+    def _explained(self, cells: Cells, equations: EquationMarks | None) -> Found:
+        hidden = self._hidden(cells.student)
+        return explanations(self.key, cells, self.confusions, self.others, hidden, equations)
+
+    def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:
+        """Return the table that a cause makes, where too few digits were printed to see it in each cell."""
+        if self.by_forces or not fewer_decimals(self.key, cells):
+            return None
+        printed = TableUnderTest(self.key, cells.student)
+        return as_made(self.key, cells, claims(printed, self.confusions, self.others, equations))
 
     def _forces(self, table: Table) -> ForceColumns | None:
         if not self.rubric.forces:

@@ -36,10 +36,10 @@ def variants():
 
 
 class Desk:
-    """Where tables of one variant are handed in."""
+    """Where tables of one variant are handed in; `accepted` decimals are those of its class."""
 
-    def __init__(self, variant):
-        self.machine, self.variant, self.key = Machine(variant), variant, key_of(variant)
+    def __init__(self, variant, accepted=None):
+        self.machine, self.variant, self.key = Machine(variant), variant, key_of(variant, accepted)
         self.marker = Marker(self.key, Rubric())
         self.expected = Expected(self.key.grid, variant)
 

@@ -64,6 +64,17 @@ def _of_both_rows(machine, old):
     return table if np.allclose(np.diff(table[:, :m], axis=0), steps, atol=1e-7) else np.full_like(table, np.nan)
 
 
+def from_rows_before(machine):
+    """The table whose steps use the velocities of the row before the one that they start from."""
+    rates = []
+
+    def increment(t, q):
+        rates.append(slopes(machine, t, q))
+        return machine.h * rates[max(len(rates) - 2, 0)]
+
+    return machine.table(increment)
+
+
 def _signed(machine, place):
     def printed(t, q):
         w = machine.velocities(t, q)
@@ -81,6 +92,7 @@ def faults(machine: Machine) -> Iterator[tuple[str, Make]]:
         yield code, lambda step=step: machine.table(lambda t, q: step(machine, t, q))
     yield "trapezoid", lambda: _of_both_rows(machine, 0.5)
     yield "backward", lambda: _of_both_rows(machine, 0.0)
+    yield "row_before", lambda: from_rows_before(machine)
     yield "time_ahead", lambda: machine.table(printed=lambda t, q: machine.velocities(t + h, q))
     yield "time_behind", lambda: machine.table(printed=lambda t, q: machine.velocities(t - h, q))
     yield "step_ahead", lambda: machine.table(lambda t, q: h * slopes(machine, t + h, q))

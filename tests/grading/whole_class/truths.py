@@ -127,7 +127,8 @@ def _false_of_file(pupil: Pupil, every: list[Said]) -> Iterator[str]:
 
 
 def _false_cause(truth: Truth, every: list[Said]) -> Iterator[str]:
-    said = {key.rpartition(".")[2].removesuffix("_several") for key, _ in every if key.startswith("feedback.misconception.")}
+    said = {key.rpartition(".")[2] for key, _ in every if key.startswith("feedback.misconception.")}
+    said = {cause.removesuffix("_several").removesuffix("_value") for cause in said}
     said -= {"share", "partly", "ties", "none"}
     if said and not truth.code:
         yield f"a cause where there is none: {said}"
@@ -254,7 +255,7 @@ CHECKS: dict[str, Check] = {
     "feedback.counts": _counts,
     "feedback.all_right": lambda held, values: held.truth.kind in ("right", "sign") and int(values["cells"]) == held.counted,
     "feedback.earned.cells": _cells,
-    **dict.fromkeys(("feedback.earned.misconception", "feedback.earned.start", "feedback.earned.own_equations"), _product),
+    **dict.fromkeys([f"feedback.earned.{rule}" for rule in ("misconception", "other_step", "start", "own_equations")], _product),
     **dict.fromkeys(("feedback.independent", "feedback.earned.equations"), _equations),
     **dict.fromkeys(("feedback.line_wrong", "feedback.place_wrong", "feedback.equation.wrong", "feedback.hint"), _line),
     "feedback.hint.sign": _sign,

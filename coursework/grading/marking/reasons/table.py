@@ -11,7 +11,7 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
 from coursework.grading.marking.student_table import lacking
-from coursework.grading.marking.table.misconceptions import Misconception
+from coursework.grading.marking.table.misconceptions import OTHER_STEP, Misconception
 from coursework.grading.marking.table.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
@@ -66,7 +66,7 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
     less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
-    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" and "start" not in shut(marked) else ""
+    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" and marked.earned.of_cells else ""
     total = _sum(marked, found.cells, points, most)
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
@@ -97,6 +97,8 @@ def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
         return say("feedback.misconception.swapped", names=names)
     if code.startswith(_DATUM) and names:
         return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), value=names[0])
+    if code == OTHER_STEP and names:
+        return say("feedback.misconception.other_step_value", value=names[0])
     if len(names) > 1 and code.startswith(_SEVERAL):
         return say(f"feedback.misconception.{code.partition('_')[0]}_several", names=names)
     return misconception_sentence(code, for_student=True)
@@ -130,7 +132,8 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     known = {"points": points, "most": most, "worth": in_sum(earned.worth), "explained": in_sum(earned.explained)}
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
-    return say(f"feedback.earned.{earned.rule}", **known, alone=round(earned.of_cells * most, 2), line=earned.cause)
+    rule = OTHER_STEP if earned.cause == OTHER_STEP else earned.rule
+    return say(f"feedback.earned.{rule}", **known, alone=round(earned.of_cells * most, 2), line=earned.cause)
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:

@@ -28,6 +28,7 @@ from coursework.grading.marking.table.ways import (
     as_printed,
     near,
 )  # fmt: skip
+from coursework.system.arrays import Flags
 
 
 def marked(key: Key, student: StudentTable) -> Cells:
@@ -35,9 +36,9 @@ def marked(key: Key, student: StudentTable) -> Cells:
     return mark_cells(key, student) if key.free is None else _mark_rows(key, student)
 
 
-def points_of(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
-    """Return the points of a table."""
-    return table_points(key, cells, carried) if key.free is None else _points(key, cells, carried)
+def points_of(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | None = None) -> TablePoints:
+    """Return the points of a table, without cells that are `untold` (`table_points`)."""
+    return table_points(key, cells, carried, untold) if key.free is None else _points(key, cells, carried)
 
 
 def _mark_rows(key: Key, student: StudentTable) -> Cells:

@@ -13,11 +13,15 @@ import numpy as np
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.misconceptions import OTHER_STEP, ROWS_SHIFTED, Found
+from coursework.grading.marking.table.misconceptions import NAMED, OTHER_STEP, ROUNDED_OMEGA, ROWS_SHIFTED, Found
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
+
+_SLIPS = ("equation_", "sign_drive")
+# Of a table whose steps were made with rounded velocities.
+ROUNDED = 0.98
 
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
@@ -52,20 +56,27 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 
 
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
-    """Give what each explanation earns; the table of another variant is no work of the student's."""
+    """Give what each explanation earns; the table of another variant is no work of the student's.
+
+    Rounding explains a little of any steps; it is a cause where it explains nearly all.
+    """
     for fit in found.fits:
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
-        elif not fit.code.startswith("variant_"):
+        elif not fit.code.startswith("variant_") and (fit.share >= NAMED or not fit.code.startswith(ROUNDED_OMEGA)):
             yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
 
 
 def _worth(rubric: Rubric, code: str) -> float:
-    """Return what a cell is worth that a misconception explains: one sign less than a wrong method, a right velocity all."""
+    """Return what a cell is worth that a misconception explains: one sign more than a wrong method, a right velocity all.
+
+    Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
+    """
     if code in {OTHER_STEP, ROWS_SHIFTED}:
         return 1.0
-    one_sign = code == "sign_drive" or code.startswith("equation_")
-    return rubric.own_equations_floor if one_sign else rubric.misconception_floor
+    if code.startswith(ROUNDED_OMEGA):
+        return ROUNDED
+    return rubric.own_equations_floor if code.startswith(_SLIPS) else rubric.misconception_floor
 
 
 def _earned(rule: Rule, points: TablePoints, explained: float, worth: float, cause: str) -> Earned:

@@ -18,6 +18,7 @@ from coursework.grading.marking.table.claims import Claim, TableUnderTest, shift
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
 from coursework.grading.marking.table.own_equations import equation_claims
+from coursework.grading.marking.table.starts import march
 from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array
 
@@ -26,6 +27,10 @@ SCHEMES_TRIED = ("heun", "midpoint", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
 _WHOLE = 0.01
+# Velocities from this part of a column's largest on tell how long a step was.
+_FAST = 0.2
+# How often a step with the velocities of its own end is repeated, until it stands to so much (rad or m).
+_REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
 MISREAD = ("sign_drive", "degree_mode", "degree_drive", "degree_geometry")
 
@@ -72,8 +77,36 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
         yield replace(claim, table=printed.marched(velocities_at, made))
     rates, units = printed.w, printed.w_units[:, :m]
     following, units_after = shifted(rates, -1), np.nan_to_num(shifted(units, -1))
-    yield printed.claim("trapezoid", printed.steps(h / 2 * (rates + following), h / 2 * (units + units_after)))
-    yield printed.claim("backward", printed.steps(h * following, h * units_after))
+    trapezoid = printed.claim("trapezoid", printed.steps(h / 2 * (rates + following), h / 2 * (units + units_after)))
+    backward = printed.claim("backward", printed.steps(h * following, h * units_after))
+    for claim, new in ((trapezoid, 0.5), (backward, 1.0)):
+        yield replace(claim, table=printed.marched(velocities_at, partial(_implicit, printed.key, m, new)))
+    before, units_before = shifted(rates, 1), np.nan_to_num(shifted(units, 1))
+    claim = printed.claim("row_before", printed.steps(h * before, h * units_before))
+    yield replace(claim, table=partial(_from_rows_before, printed.key))
+
+
+def _from_rows_before(key: Key) -> Array:
+    """Return the table (n, m + r) whose steps use the velocities of the row before; the first has its own only."""
+    m = len(key.coordinates)
+    rates: list[Array] = []
+
+    def increments(t: Array, q: Array, w: Array) -> Array:
+        rates.append(w[:, :m])
+        return key.step * rates[max(len(rates) - 2, 0)]
+
+    return march(key, key.table[0, :m], key.velocities_at, increments)
+
+
+def _implicit(key: Key, m: int, new: float, t: Array, q: Array, w: Array) -> Array:
+    """Return the increments (n, m) of steps with this part of the new row's velocities, NaN where repetition finds none."""
+    h, found = key.step, key.step * w[:, :m]
+    for _ in range(_REPEATED):
+        before = found
+        found = h * ((1 - new) * w[:, :m] + new * key.velocities_at(t + h, q + before)[:, :m])
+        if np.all(np.abs(found - before) < _STANDS):
+            return found
+    return np.full_like(q, np.nan)
 
 
 def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
@@ -94,11 +127,11 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
     units = printed.w_units[:, :m]
     for decimals in ROUNDED_TO:
         if np.nanmax(np.where(units > 0, units, np.nan), initial=0.0) < 10.0**-decimals * 0.99:
-            rounded = np.round(printed.w, decimals)
-            yield printed.claim(f"rounded_omega_{decimals}", printed.steps(h * rounded, np.zeros_like(units)))
-    own = printed.student.own
-    spread = printed.spread(partial(_small_steps, printed, 1))
-    for part in (*STEPS, *([own.step / h] if own else [])):
+            claim = printed.claim(
+                f"rounded_omega_{decimals}", printed.steps(h * np.round(printed.w, decimals), np.zeros_like(units))
+            )
+            yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_rounded, h, m, decimals)))
+    for part in _parts(printed):
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h, m)
         claims = [printed.claim("other_step", step)]
@@ -111,8 +144,16 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             for claim, velocities_at in zip(claims, made, strict=False)
         ]
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
-            claims.append(printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread)))
-        yield from (replace(claim, part=part) for claim in claims)
+            several = partial(_small_steps, printed.key, m, times)
+            at_once = printed.stacked(several)
+            claim = printed.claim("other_step", printed.steps(at_once(printed.q), printed.spread(at_once)))
+            claims.append(replace(claim, table=printed.marched(made[0], several)))
+        yield from (replace(claim, part=part, names=(in_seconds(part * h),)) for claim in claims)
+
+
+def in_seconds(step: float) -> str:
+    """Return a step (s) as a sentence says it."""
+    return f"{step:.4g} s"
 
 
 def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:
@@ -125,13 +166,33 @@ def _longer(step: float, m: int, t: Array, q: Array, w: Array) -> Array:
     return step * w[:, :m]
 
 
-def _small_steps(printed: TableUnderTest, times: int, q: Array) -> Array:
+def _rounded(h: float, m: int, decimals: int, t: Array, q: Array, w: Array) -> Array:
+    """Return the increments (n, m) of steps with velocities of so many decimals."""
+    return h * np.round(w[:, :m], decimals)
+
+
+def _small_steps(key: Key, m: int, times: int, t: Array, q: Array, w: Array | None = None) -> Array:
     """Return the increments (n, m) of each row in so many steps in the place of one."""
-    h, m, t = printed.key.step / times, printed.m, np.tile(printed.key.t, len(q) // len(printed.key.t))
-    moved = q
+    h, moved = key.step / times, q
     for place in range(times):
-        moved = moved + h * printed.key.velocities_at(t + place * h, moved)[:, :m]
+        moved = moved + h * key.velocities_at(t + place * h, moved)[:, :m]
     return moved - q
+
+
+def _parts(printed: TableUnderTest) -> list[float]:
+    """Return which parts of the task's step may have been made: the usual ones, that of the own times, that of the own steps.
+
+    The last one is what half of the steps lie above, in seconds to two digits, as a step is typed.
+    """
+    h, own = printed.key.step, printed.student.own
+    parts = [*STEPS, *([own.step / h] if own else [])]
+    rates, steps = printed.w[:-1], np.diff(printed.q, axis=0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        made = (steps / rates)[np.abs(rates) > _FAST * np.nanmax(np.abs(rates), axis=0, initial=0.0)]
+    read = float(f"{np.median(made[np.isfinite(made)]):.2g}") / h if np.isfinite(made).any() else 1.0
+    if read > 0 and all(abs(read / part - 1) > _WHOLE for part in (1.0, *parts)):
+        parts.append(read)
+    return parts
 
 
 def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Claim]:
@@ -157,9 +218,9 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
         yield printed.claim("new_phi", None, printed.velocities(moved, spread))
     found, tolerance = printed.true_velocities
     for place, name in enumerate(key.velocities):
-        turned = found.copy()
-        turned[:, place] *= -1
-        yield printed.claim(f"sign_{name}", None, (turned, tolerance))
+        sign = np.where(np.arange(m + len(key.velocities)) == m + place, -1.0, 1.0)
+        claim = printed.claim(f"sign_{name}", None, (found * sign[m:], tolerance))
+        yield replace(claim, table=partial(np.multiply, key.table, sign))
     for code in MISREAD:
         if code not in apart and (velocities := key.misread(code)):
             yield from printed.velocity_claim(code, velocities)

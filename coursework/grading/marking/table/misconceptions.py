@@ -15,12 +15,13 @@ from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key, MisreadKey
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.hypotheses import claims
+from coursework.grading.marking.table.hypotheses import claims, in_seconds
 from coursework.grading.marking.table.odd_rows import displaced_rows
 from coursework.grading.marking.table.own_equations import OWN
-from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
-from coursework.grading.marking.table.points import explained_share, stands_still
+from coursework.grading.marking.table.own_rows import on_own_rows
+from coursework.grading.marking.table.points import explained_share, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
+from coursework.grading.marking.table.untold import FINEST, untold_cells
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -34,14 +35,14 @@ ALIKE = 0.98
 # How many of those that explain most have their whole table made.
 _CLOSER = 3
 _ROUND_OFF = 1e-9
-OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
+OTHER_STEP, ROWS_SHIFTED, ROUNDED_OMEGA = "other_step", "rows_shifted", "rounded_omega_"
 
 
 @frozen
 class Misconception:
     """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much.
 
-    `names` are the columns exchanged, the starts or the equations that it speaks of, () for most.
+    `names` are the columns exchanged, the starts or equations that it speaks of, a datum's value or a step's, () for most.
     """
 
     code: str
@@ -72,21 +73,23 @@ class Fit:
 class Found:
     """What is `named` with ground, and what explains anything at all, one `Fit` a code.
 
-    `from_own_start` is the table marked against Euler's from the student's own start, None where that explains nothing.
+    `from_own_start` is the table marked against Euler's from the student's own start, None where that explains nothing; `untold`
+    (n, m + r) the right cells that the digits cannot tell from what explains most, None where nothing does.
     """
 
     named: Misconception | None = None
     fits: tuple[Fit, ...] = ()
     from_own_start: OwnStart | None = None
+    untold: Flags | None = None
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
-    """Return whether a table of `count` cells is wrong in so many, or in its start, that a misconception is looked for.
+    """Return whether a table of `count` cells is wrong in so many, or in start or times, that a misconception is looked for.
 
     Under a steady drive the rows behind one that stands twice follow each other again, and few cells are wrong.
     """
     wrong = int(cells.wrong.sum())
-    if wrong > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells):
+    if wrong > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells) or cells.student.own is not None:
         return True
     return wrong > 0 and bool(displaced_rows(key, cells))
 
@@ -118,16 +121,18 @@ def explanations(
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
     read_off: set[str] = set()
-    part = 1.0
+    most_told: tuple[float, bool] = (explained | by_key).sum() + BETTER * spoken.sum(), False
+    teller: tuple[Claim, Flags] | None = None
     # A closer look is for what does not explain everything.
     most = int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
-        if claim.code in hidden:
+        if claim.code in hidden and not claim.code.startswith(ROUNDED_OMEGA):
             continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
         share, against = _share(holds, says), key_share if claim.is_whole else euler_share
         known = named.get(claim.code)
-        if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
+        is_told = claim.code != OWN and claim.code not in hidden
+        if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
         if claim.code == ROWS_SHIFTED:
@@ -135,8 +140,9 @@ def explanations(
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
-            part = claim.part if claim.code == OTHER_STEP else part
         count = int((holds | by_key).sum())
+        if (count, not claim.is_read_off) > most_told and claim.code not in hidden:
+            most_told, teller = (count, not claim.is_read_off), (claim, holds)
         if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
             held[claim.code] = count, claim, holds
     for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
@@ -144,33 +150,45 @@ def explanations(
         fit = explained_share(key, cells, holds, only_velocities=code == OTHER_STEP)
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
-            part = claim.part if code == OTHER_STEP else part
+    untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
     against_rows = explained_share(key, cells, by_key)  # rows that were shifted whole follow Euler's rules as well as before
     fits = {code: fit for code, fit in fits.items() if fit.share > (against_rows if code == ROWS_SHIFTED else euler_fit) + BETTER}
-    if own := _other_step(key, cells):
-        share, fit = own
-        if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
-            # Its own times say so; of rows that leave steps of the task out, other rules explain the velocities alone.
+    if (own := cells.student.own) and (fitting := _other_step(key, cells)):
+        share, fit = fitting
+        if share >= NAMED:
+            # Its own times say so, where its digits do not too; of rows that leave steps of the task out, other rules explain
+            # the velocities alone.
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
-            named.setdefault(OTHER_STEP, (share, euler_share, ()))
+            named.setdefault(OTHER_STEP, (share, euler_share, (in_seconds(own.step),)))
+            untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
-            part = cells.student.own.step / key.step if cells.student.own else 1.0
-    if OTHER_STEP in fits:
-        share = min(1.0, fits[OTHER_STEP].share * more_on_grid(key, cells.student, 1.0 / part))
-        fits[OTHER_STEP] = replace(fits[OTHER_STEP], share=share)
     if began:
         share = _share(*euler_cells(key, began.cells))
         if share >= NAMED and share > key_share + BETTER:
             named[f"start_{began.names[0]}"] = share, key_share, began.names
     found = tuple(fits.values())
     if not named:
-        return Found(None, found, began)
+        return Found(None, found, began, untold)
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     tied = [code for code in tied if code not in read_off] or tied
     share, against, names = named[tied[0]]
-    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began)
+    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, untold)
+
+
+def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
+    """Return the right cells (n, m + r) that too few digits do not tell from what a claim makes, where that `holds`."""
+    if claim.student is not None:
+        return np.zeros_like(holds)
+    found = untold_cells(key, cells, claim, holds)
+    if claim.table is None or not found.any():
+        return found
+    table = claim.table()
+    made = mark_cells(key, StudentTable(table, np.full(table.shape, FINEST)))
+    points = table_points(key, made)
+    nothing = made.wrong | (made.missing if points.uncounted is None else made.missing | points.uncounted)
+    return np.asarray(found | ((cells.marks == KEY) & nothing & cells.counted & alike(key, cells.student, table)))
 
 
 def _as_it_stood(key: Key, put_back: Cells) -> Flags:

@@ -47,7 +47,8 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     sets = printed.key.sets_at(printed.key.t, printed.q, [data for _, data in tried])
     for (code, data), found in zip(tried, sets, strict=True):
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
-    for datum, value in _values_read_off(printed):
+    read_off = [(datum, value) for datum, read in _values_read_off(printed) for value in {read: None, float(f"{read:.3g}"): None}]
+    for datum, value in read_off:  # as it is read off, and as it may have been typed
         shown = f"{value / (size_of(datum.unit) or 1.0):.4g} {datum.unit or datum.si}".rstrip()
         at = partial(printed.key.velocities_at, data={datum.name: value})
         for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=(shown,)):
@@ -88,12 +89,17 @@ def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterat
     exact = np.full_like(key.table, np.nan)
     exact[: len(key.exact)] = key.exact[: len(exact)]
     tolerance = as_printed(key, units)
-    yield Claim("exact", exact, tolerance, is_whole=True)
+    yield Claim("exact", exact, tolerance, is_whole=True, table=lambda: exact)
     for name, table in others.items():
         if table.shape == key.table.shape:
-            yield Claim(f"variant_{name}", table, HALF * units + SLACK * np.ptp(table, axis=0), is_whole=True)
+            yield _whole(f"variant_{name}", table, units)
     for table in key.branches:
-        yield Claim("branch", table, HALF * units + SLACK * np.ptp(table, axis=0), is_whole=True)
+        yield _whole("branch", table, units)
+
+
+def _whole(code: str, table: Array, units: Array) -> Claim:
+    """Return the claim that a table is another one, printed with these last places."""
+    return Claim(code, table, HALF * units + SLACK * np.ptp(table, axis=0), is_whole=True, table=lambda: table)
 
 
 def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:

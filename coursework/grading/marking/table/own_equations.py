@@ -27,6 +27,7 @@ from coursework.variant.formula.tree import Formula
 # A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
 _HOLDS, _BETTER = 0.9, 0.1
 _SINGULAR = 1e-9
+_FAR, _RARER = 3.0, 4.0  # limits, from which on a row is no farther off; how much nearer what is no sign must be
 OWN = "own_equations"
 
 
@@ -130,9 +131,11 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
             share = float(np.count_nonzero(off <= 1.0)) / int(there.sum())
             if share <= holds + _BETTER or share < best:
                 continue
-            middle = float(np.nanmedian(off))
-            if (share, -middle) > (best, -closest):
-                best, closest = share, middle
+            far = float(
+                np.nanmean(np.minimum(off, _FAR) ** 2)
+            )  # few digits leave several edits in every row: the nearest is meant
+            if (share, -far) > (best, -closest):
+                best, closest = share, far
                 used = Used(applied(line.tree, edit), share, line.name)
         found.append(used)
     return found

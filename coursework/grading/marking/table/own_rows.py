@@ -7,16 +7,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from coursework.grading.marking.key import Key, key_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
-from coursework.grading.marking.table.points import table_points
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.words.errors import CourseworkError
-
-# How near a number of rows is to a whole one.
-_WHOLE = 0.01
 
 
 @dataclass(frozen=True)
@@ -41,22 +35,3 @@ def on_own_rows(key: Key, student: StudentTable) -> OnOwnRows | None:
     rows = min(rows, len(made.table))
     cells = mark_cells(made, StudentTable(own.values[:rows], own.units[:rows]))
     return OnOwnRows(made, cells, min(1.0, rows / len(key.table)))
-
-
-def more_on_grid(key: Key, student: StudentTable, rows: float) -> float:
-    """Return how much more than its velocities a faultless table earns that was made in so many `rows` for each of the task's.
-
-    On the grid some of its steps are right at either length; which rows were handed in makes no difference to the fault.
-    """
-    count = round(rows)
-    if count < 2 or abs(rows - count) > _WHOLE * count:
-        return 1.0
-    try:
-        made = key_of(key.variant.timed(step=key.step / count, end=key.variant.time.end)).table[::count]
-    except CourseworkError:
-        return 1.0
-    if made.shape != key.table.shape:
-        return 1.0
-    cells = mark_cells(key, StudentTable(made, np.broadcast_to(np.fmax.reduce(student.units), made.shape)))
-    velocities = cells.counted[:, len(key.coordinates) :].sum() / cells.counted.sum()
-    return max(1.0, table_points(key, cells).share / float(velocities))

@@ -5,7 +5,6 @@ Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `earning.py` and wha
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
@@ -13,8 +12,10 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import MISSING, WRONG, Cells
-from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places
+from coursework.grading.marking.table.cells import MISSING, Cells
+from coursework.grading.marking.table.claims import shifted
+from coursework.grading.marking.table.untold import but, ramp, untold_steps
+from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places, Way
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
@@ -25,11 +26,10 @@ _CONSTANT = 1e-9
 # Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow
 # for anything to count and for all of it.
 _SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
+# Part of the rows in which a coordinate must move, to stand in others without a word.
+_MOVES = 0.33
 # Steps of one coordinate with a right velocity that may be others, before they are taken for no motion.
 _EXCUSED = 0.25
-# Half steps leave Euler's by half as much as Heun's, and round-off hides them: so many tolerances tell a step.  Up to which part
-# of what is told being Euler's nothing else counts, and from which part on all of it.
-_TOLD, _FEW_TOLD, _MOST_TOLD = 3.0, 0.25, 0.75
 
 
 Rule = Literal["cells", "start", "misconception", "own_equations"]
@@ -69,12 +69,16 @@ class Earned:
     shut: Mapping[str, int]
 
 
-def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
-    """Return the points of a table; `carried` is the worth of a cell that is right from the student's own cells only."""
+def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | None = None) -> TablePoints:
+    """Return the points of a table; `carried` is the worth of a cell that is right from the student's own cells only.
+
+    `untold` (n, m + r) are cells that are right only because their digits do not tell them from what was done instead.
+    """
     m = len(key.coordinates)
     marks, counted = cells.marks, cells.counted
+    untold = np.zeros_like(counted) if untold is None else untold
     right = ~cells.wrong & ~cells.missing & counted
-    sound, rows = right | cells.fitted, handed_in(cells)  # as they were before others were put right
+    sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # as they were before others were put right
     rows_enough = bool(len(rows)) and (
         np.mean(np.all(sound[rows, m:], axis=1)) >= ENOUGH_ROWS
         or np.mean(np.mean(marks[rows, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
@@ -91,9 +95,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
         "used_velocity": steps & ~used,
         "rows": steps & (not rows_enough),
-        "untold": _untold(key, cells, steps, rows),
-        "motion": _but((velocities | still) & follows[:, None], motion) | ((velocities | still) & ~follows[:, None]),
-        "chance": _but(right & ~_in_a_run(marks == KEY, rows), works),
+        "untold": untold | untold_steps(key, cells, steps, rows),
+        "motion": but((velocities | still) & follows[:, None], motion) | ((velocities | still) & ~follows[:, None]),
+        "chance": but(right & ~_in_a_run(marks == KEY, rows), works),
     }
     credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
     counts: dict[str, int] = {}
@@ -114,39 +118,6 @@ def handed_in(cells: Cells) -> Places:
     found = np.asarray(~cells.missing.all(axis=1))
     found[:1] = True
     return np.flatnonzero(found)
-
-
-def _untold(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
-    """Return which of the right `steps` (n, m + r) the digits cannot tell from another rule's and do not count.
-
-    A step is told by how far those of other rules leave it.  Where most of them are Euler's, so are the others; where few, none.
-    """
-    m, gaps = len(key.coordinates), _gaps(key, rows)
-    marks = cells.marks[rows[1:], :m]
-    told = np.where(marks == MISSING, 0.0, gaps)
-    euler = float((told * (marks != WRONG)).sum()) / (float(told.sum()) or 1.0)
-    open_by = next(way.tolerance for way in cells.ways if way.name == STEP)[rows[1:], :m]
-    found = np.zeros_like(steps)
-    found[rows[1:], :m] = steps[rows[1:], :m] & (gaps <= _TOLD * open_by)
-    return _but(found, _ramp(euler, _FEW_TOLD, _MOST_TOLD))
-
-
-def _gaps(key: Key, rows: Places) -> Array:
-    """Return how near to Euler's steps from one of some rows to the next (n - 1, m) those of Heun or of another time come."""
-    off = np.pad(key.off_euler, ((0, 0), (1, 0), (0, 0)))
-    return np.asarray(np.min(np.abs(np.diff(np.cumsum(off, axis=1)[:, rows], axis=1)), axis=0))
-
-
-def _ramp(share: float, none: float, whole: float) -> float:
-    """Return which part (0 to 1) counts at a share: nothing up to `none`, all from `whole` on: no cell decides on many."""
-    return min(1.0, max(0.0, (share - none) / (whole - none)))
-
-
-def _but(found: Flags, part: float) -> Flags:
-    """Return the cells found without the first of them, which are this part."""
-    left, places = found.copy(), np.argwhere(found)
-    left[tuple(places[: math.ceil(part * len(places))].T)] = False
-    return left
 
 
 def _constant(key: Key) -> Flags:
@@ -179,7 +150,7 @@ def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bo
     follows, motion = _following(cells.student.values[rows, :m], steps, np.asarray(moves.any(axis=1)))
     found = np.zeros_like(holds)
     found[rows, m:] = holds[rows, m:] & follows[:, None]
-    counts |= found & ~_but(found, motion)
+    counts |= found & ~but(found, motion)
     counts |= by_key & cells.counted & _in_a_run(by_key, rows) & ~_constant(key)
     if only_velocities:
         counts[:, :m] = False
@@ -201,8 +172,9 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.usual_ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
-        for t in (key.t[rows[1:]], 2 * key.t[rows[:-1]] - key.t[rows[1:]]):  # with the velocity of a neighbour's time
+        for t in (key.t[rows[1:]], 2 * key.t[rows[:-1]] - key.t[rows[1:]]):  # with the velocity of a neighbour's time, or row
             near |= np.abs(np.diff(q, axis=0) - h * key.velocities_at(t, q[:-1])[:, :m]) <= spare
+        near |= np.abs(np.diff(q, axis=0) - h * shifted(w, 1)[:-1]) <= spare
     steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
     steps |= marks[1:, :m] == KEY
     excused = ~(near | steps) & (marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
@@ -225,7 +197,7 @@ def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
     follows[1:] |= joined
     follows[:-1] |= joined
     present = np.isfinite(q).any(axis=1)
-    motion = _ramp(float(follows[present].mean()), FEW_FOLLOWING, FOLLOWING) if present.any() else 0.0
+    motion = ramp(float(follows[present].mean()), FEW_FOLLOWING, FOLLOWING) if present.any() else 0.0
     follows[:1] = True
     return follows, motion
 
@@ -253,14 +225,20 @@ def _moves(angles: Array) -> Flags:
 
 
 def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
-    """Return where a coordinate moves from row to row handed in, now or before cells were put right, or the key's does not."""
-    places = handed_in(cells), slice(len(key.coordinates))
-    tables = [cells.student.values[*places], (cells.before or cells.student).values[*places], key.table[*places]]
-    return _moves(tables[0]) | _moves(tables[1]) | ~_moves(tables[2])
+    """Return where a coordinate moves from row to row handed in, now or before cells were put right, or need not.
+
+    It need not where the key's does not, nor in some rows if it does in many: a small step is lost in its digits.
+    """
+    rows, m = handed_in(cells), len(key.coordinates)
+    printed, before, right = cells.student.values, (cells.before or cells.student).values, key.table
+    moves = _moves(printed[rows, :m]) | _moves(before[rows, :m])
+    return np.asarray(moves | ~_moves(right[rows, :m]) | (moves.sum(axis=0) >= _MOVES * len(moves)))
+
+
+def _step(cells: Cells) -> Way:
+    return next(way for way in cells.ways if way.name == STEP)
 
 
 def true_steps(key: Key, cells: Cells) -> Flags:
     """Return which steps of angles (n - 1, m) follow from the printed row before, where both are there."""
-    step = next(way for way in cells.ways if way.name == STEP)
-    m = len(key.coordinates)
-    return np.asarray(step.holds(cells.student.values)[1:, :m])
+    return np.asarray(_step(cells).holds(cells.student.values)[1:, : len(key.coordinates)])

@@ -15,6 +15,9 @@ from coursework.grading.marking.table.ways import HALF, KEY
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
+# A start that is not printed must make so many more of the cells than the task's does.
+_MORE = 0.1
+
 
 @frozen
 class OwnStart:
@@ -35,7 +38,13 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
     The start is what row 1 prints, or what stood there before that was put right or misprinted, or the task's where a misprint
     of that is printed: that by which most cells are.
     """
-    found = [(start, made) for start in _starts(key, cells) if (made := _marked_from(key, cells, start))]
+    printed = cells.student.values[0, : len(key.coordinates)]
+    least = int((cells.marks == KEY).sum() + _MORE * cells.marks.size)
+    found = [
+        (start, made)
+        for start in _starts(key, cells)
+        if (made := _marked_from(key, cells, start)) and (np.isin(start, printed).all() or (made.marks == KEY).sum() >= least)
+    ]
     if not found:
         return None
     start, made = max(found, key=lambda one: int((one[1].marks == KEY).sum()))

@@ -51,7 +51,7 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
         unit = _time_unit(layout.heads[at].unit, cells, grid)
         times, recovered = _times(cells, PRINTED["s"][unit])
         own, step = _own_step(times, grid)
-        targets = _by_time(times, _coarse(cells) * PRINTED["s"][unit], grid)
+        targets = _by_time(times, _coarse(cells) * PRINTED["s"][unit], grid, step)
     elif INDEX in places.places and (numbers := _row_numbers(layout, places.places[INDEX].at)):
         targets = [number if 0 <= number < grid.rows else None for number in numbers]
     else:
@@ -102,17 +102,21 @@ def _times(cells: Sequence[PrintedNumber], factor: float) -> tuple[list[float], 
     return times, 0
 
 
-def _by_time(times: Sequence[float], unit: float, grid: Grid) -> list[int | None]:
-    """Return the row of the grid for each time.  Times printed coarser than half a step count in their order."""
+def _by_time(times: Sequence[float], unit: float, grid: Grid, own_step: float) -> list[int | None]:
+    """Return the row of the grid for each time.  Times printed coarser than half a step count in their order.
+
+    Of times with a shorter step of their own each row stands where it says, not where another row would be nearer.
+    """
     in_order = unit > 0.5 * grid.step and len(times) <= grid.rows
     if in_order and all(abs(time - place * grid.step) <= 0.51 * unit + _NEAR * grid.step for place, time in enumerate(times)):
         return list(range(len(times)))
     rows: list[int | None] = []
+    most = _NEAR * min(grid.step, own_step or grid.step)
     for time in times:
         # Compared before it is rounded: a time may be as large as a number can be.
         near = math.isfinite(time) and -0.5 < time / grid.step < grid.rows
         place = round(time / grid.step) if near else -1
-        rows.append(place if 0 <= place < grid.rows and abs(time - place * grid.step) < _NEAR * grid.step else None)
+        rows.append(place if 0 <= place < grid.rows and abs(time - place * grid.step) < most else None)
     return rows
 
 

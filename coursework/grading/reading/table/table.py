@@ -28,6 +28,7 @@ from coursework.grading.reading.table.units import factor_of, stands_beside, uni
 from coursework.words.sentences import ranges
 
 _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
+_MANY = 5  # numbers that do not end in the same zeros by chance
 
 
 def read_parts(parts: Sequence[Part], grid: Grid) -> list[tuple[Part, Table | Refused]]:
@@ -73,6 +74,7 @@ def _table(part: Part, grid: Grid) -> Table:
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)
     read = [_column(column, places.places[column.name], layout, rows) for column in grid.columns if column.name in places.places]
     read = sorted(map(partial(_like_others, read, layout), read), key=lambda column: column.at)
+    read, zeros = _without_zeros(read, layout)
     units: dict[str, dict[str, Any]] = {column.name: {"at": column.at, "by": column.by, "unit": column.unit} for column in read}
     if TIME in places.places:
         time = places.places[TIME]
@@ -84,6 +86,8 @@ def _table(part: Part, grid: Grid) -> Table:
     )  # fmt: skip
     present = tuple(row is not None for row in rows.of_grid)
     notes = origin.notes + tuple(_notes(layout, places, rows, read, grid))
+    if zeros:
+        notes += (note("coarse_work", decimals=max(column.decimals for column in read if not _is_steady(column))),)
     own = _own_times(grid, places, layout, rows, read) if rows.own else None
     return Table(
         reading,
@@ -156,8 +160,33 @@ def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn
     return replace(column, decimals=decimals, last_place=tuple(step * finer for step in column.last_place))
 
 
-def _numbers(layout: Layout, column: TableColumn) -> list[PrintedNumber]:
-    cells = [row[column.at - 1] for row in layout.body]
+def _without_zeros(columns: list[TableColumn], layout: Layout) -> tuple[list[TableColumn], int]:
+    """Return the columns without the zeros that end all numbers of all of them, and how many: they show nothing.
+
+    Whoever rounds at each step and prints more decimals has them below the start; a column in equal steps has some by itself.
+    """
+    uneven = [column for column in columns if not _is_steady(column)]
+    zeros = min((_zeros(_numbers(layout, column, first=1)) for column in uneven), default=0)
+    coarser = 10.0**zeros
+    return [
+        replace(column, decimals=column.decimals - zeros, last_place=tuple(step * coarser for step in column.last_place))
+        if zeros and column in uneven else column
+        for column in columns
+    ], zeros  # fmt: skip
+
+
+def _zeros(numbers: list[PrintedNumber]) -> int:
+    """Return how many zeros behind the decimal mark end each of some numbers, 0 of few."""
+    if len(numbers) < _MANY:
+        return 0
+    found = 0
+    while all(-cell.place > found and round(cell.value * 10.0**-cell.place) % 10 ** (found + 1) == 0 for cell in numbers):
+        found += 1
+    return found
+
+
+def _numbers(layout: Layout, column: TableColumn, first: int = 0) -> list[PrintedNumber]:
+    cells = [row[column.at - 1] for row in layout.body[first:]]
     return [cell for cell in cells if cell.is_number and cell.value]
 
 
