@@ -123,7 +123,9 @@ def test_right_angles_and_usual_parts_of_pi(own, judge):
             assert (str(symbolic(call(own, angle))) if value != sp.zoo else "zoo") == str(value), (own, angle)
 
 
-@pytest.mark.parametrize(("time", "value"), [(0.0, 0.0), (0.9, 0.9), (1.0, 2.0), (1.1, 2.2), (2.9, 5.8), (3.0, 9.0), (50.0, 150.0)])
+@pytest.mark.parametrize(
+    ("time", "value"), [(0.0, 0.0), (0.9, 0.9), (1.0, 2.0), (1.1, 2.2), (2.9, 5.8), (3.0, 9.0), (50.0, 150.0)]
+)
 def test_a_law_in_pieces_is_one_of_sympys_too(time, value):
     """t before 1, 2 t before 3, 3 t then: at a break the piece that begins there."""
     t = variable("t")

@@ -32,7 +32,9 @@ def test_newton_corrects_as_often_as_is_asked_from_where_the_drive_stands():
     assert moved.tolist() == [1.5, 9.0]
 
 
-@pytest.mark.parametrize(("gain", "is_refused"), [(0.0, True), (-1.0, True), (1e-9, False), (99.9, False), (100.0, True), (101.0, True)])
+@pytest.mark.parametrize(
+    ("gain", "is_refused"), [(0.0, True), (-1.0, True), (1e-9, False), (99.9, False), (100.0, True), (101.0, True)]
+)
 def test_a_gain_that_multiplies_errors_is_refused(gain, is_refused):
     """With 0.02 s: 1 - gain*step is beyond -1 from 100 1/s on."""
     if is_refused:

@@ -109,8 +109,8 @@ def test_a_change_point_is_where_two_curves_of_positions_cross(begin):
 
 
 @pytest.mark.parametrize(("errors", "tries"), [
-    ((0.0, 0.0, 0.0), 1), ((0.9e-9, 1.9e-9, 0.9e-9), 1), ((1.2e-9, 0.0, 0.0), 2), ((0.0, 2.2e-9, 0.0), 2), ((0.0, 0.0, 1.2e-9), 2),
-    ((-1.2e-9, 0.0, 0.0), 2), ((0.0, math.nan, 0.0), 2),
+    ((0.0, 0.0, 0.0), 1), ((0.9e-9, 1.9e-9, 0.9e-9), 1), ((1.2e-9, 0.0, 0.0), 2), ((0.0, 2.2e-9, 0.0), 2),
+    ((0.0, 0.0, 1.2e-9), 2), ((-1.2e-9, 0.0, 0.0), 2), ((0.0, math.nan, 0.0), 2),
 ])  # fmt: skip
 def test_a_step_of_the_walk_is_shortened_where_one_coordinate_or_the_time_is_off(errors, tries):
     """By more than the tolerance of 1 + |q|; the second step, a shorter one, has no error."""
@@ -121,7 +121,9 @@ def test_a_step_of_the_walk_is_shortened_where_one_coordinate_or_the_time_is_off
         return state + length * slope, [0.0] * 3 if len(lengths) > 1 else list(errors)
 
     clock = SimpleNamespace(slope=lambda state: np.ones(3), step=step)
-    stand = SimpleNamespace(state=np.array([0.0, 1.0, 0.0]), tolerance=1e-9, end=1.0, cells=[0.0, 1.0], length=0.1, peaks=Peaks.of(2))
+    stand = SimpleNamespace(
+        state=np.array([0.0, 1.0, 0.0]), tolerance=1e-9, end=1.0, cells=[0.0, 1.0], length=0.1, peaks=Peaks.of(2)
+    )
     reach = Walk._step(stand, clock)[1]
     assert len(lengths) == tries
     assert reach == lengths[-1] <= lengths[0] == 0.1

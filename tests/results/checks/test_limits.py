@@ -192,7 +192,9 @@ def test_a_drive_may_leave_the_line_between_two_rows_by_a_fifth_of_its_range(hei
         assert 0.49 < time < 0.51
 
 
-@pytest.mark.parametrize(("late", "is_at_a_row"), [(0.0, True), (0.9e-9, True), (-0.9e-9, True), (3.2e-9, False), (-3.2e-9, False)])
+@pytest.mark.parametrize(
+    ("late", "is_at_a_row"), [(0.0, True), (0.9e-9, True), (-0.9e-9, True), (3.2e-9, False), (-3.2e-9, False)]
+)
 def test_a_break_of_the_drive_is_at_a_row_to_a_billionth_of_its_time(late, is_at_a_row, monkeypatch):
     """Row 2 stands at 0.4 s: 1e-9 of 1 + 2 steps of 0.2 s."""
     monkeypatch.setattr(rows, "breaks", lambda variant: (0.2 * (2 + late),))
