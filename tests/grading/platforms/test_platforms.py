@@ -9,7 +9,7 @@ import zipfile
 import pytest
 
 from coursework.grading.collecting.file_lists import FileList
-from coursework.grading.collecting.matching import Matched, match
+from coursework.grading.collecting.matching import Matched, _run_together, match
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.cells_of_csv import read_cells
@@ -126,6 +126,28 @@ def test_one_column_of_a_canvas_export_is_filled() -> None:
     assert after[2] == '"Lee, Ann",101,S1,ann,A,87.5,9,'
     assert after[5] == '"Same, Name",104,S4,x,A,1234,,'
     assert [k for k in range(len(before)) if before[k] != after[k]] == [2, 5]
+
+
+@pytest.mark.parametrize(("name", "spellings"), [
+    ("Lee, Ann", {"leeann", "annlee"}), ("Ann Lee", {"annlee", "leeann"}), ("Ann", {"ann"}), ("", set()),
+    ("Ann Mary Lee", {"annmarylee", "leeannmary"}), ("Ó Briain-Lee, Éamon", {"óbriainleeéamon", "éamonóbriainlee"}),
+])  # fmt: skip
+def test_a_name_runs_together_as_canvas_writes_it(name: str, spellings: set[str]) -> None:
+    """Last name first, whichever end of the roster's spelling that is."""
+    assert _run_together(name) == spellings
+
+
+@pytest.mark.parametrize("lines", range(6))
+def test_the_points_of_an_assignment_stand_within_the_first_lines_of_a_canvas_export(lines):
+    """Canvas writes up to four lines of settings before them; with none found all assignments fit."""
+    head, possible, *rest = CANVAS.splitlines(keepends=True)
+    export = "".join([head, *["    Muted,,,,,,,\n"] * lines, possible, *rest]).encode()
+    if lines < 5:
+        book = read_gradebook(export, "export.csv", 100)
+        assert book.students == tuple(lines + record for record in (2, 3, 4, 5))
+    else:
+        with pytest.raises(InputError, match="several assignments"):
+            read_gradebook(export, "export.csv", 100)
 
 
 def test_a_column_that_would_become_a_new_assignment_is_refused() -> None:
