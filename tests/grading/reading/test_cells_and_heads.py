@@ -70,7 +70,7 @@ def test_pictures_are_known_by_their_first_bytes() -> None:
 
 @pytest.mark.parametrize(("rows", "lies"), [
     (["0 0.1 0.2", "1 5 7", "4 4 9"], True),  # three moments are enough
-    (["t 0 0.1 0.2", "w 1 5 7", "u 4 4 9"], True), (["1 0 0.1 0.2", "2 1 5 7", "3 4 4 9"], False),  # its first column goes on evenly
+    (["t 0 0.1 0.2", "w 1 5 7", "u 4 4 9"], True), (["1 0 0.1 0.2", "2 1 5 7", "3 4 4 9"], False),  # 1 2 3 goes down
     (["0 0.1", "1 5", "4 4"], False),  # two are none
     (["0 0.1 0.2", "1 5 7"], False), (["0 0.1 0.2", "1 5 7", "4 4 9", "1 1 2", "3 1 3"], True),
     (["0 0.1 0.2", "1 5 7", "4 4 9", "1 1 2", "3 1 3", "3 1 3"], False),  # two rows more than columns of the task, not three

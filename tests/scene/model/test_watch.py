@@ -38,7 +38,8 @@ def judged(error=0.0, moved=1.0, largest=1.0, **changes):
     ({"error": 0.97 / 120}, True), ({"error": 0.99 / 120}, False),
     ({"error": 0.97 / 240, "fastest": 1.0, "moved": 0.5}, True), ({"error": 0.99 / 240, "fastest": 1.0, "moved": 0.5}, False),
     ({"largest": 0.99e6}, True), ({"largest": 1.01e6}, False),
-    ({"changed": True}, False), ({"error": float("nan")}, False), ({"error": float("inf")}, False), ({"least": float("nan")}, False),
+    ({"changed": True}, False), ({"error": float("nan")}, False), ({"error": float("inf")}, False),
+    ({"least": float("nan")}, False),
 ])  # fmt: skip
 def test_which_set_is_sure(changes, is_sure):
     assert judged(**changes) is is_sure
