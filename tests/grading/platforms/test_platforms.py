@@ -151,10 +151,10 @@ def test_the_points_of_an_assignment_stand_within_the_first_lines_of_a_canvas_ex
 
 
 def test_a_column_that_would_become_a_new_assignment_is_refused() -> None:
-    with pytest.raises(InputError, match=r"no assignment has 60 points.*Coursework \(555\); Quiz \(556\)"):
+    with pytest.raises(InputError, match=r"export[.]csv:1 .*no assignment has 60 points.*Coursework \(555\); Quiz \(556\)"):
         read_gradebook(CANVAS.encode(), "export.csv", 60)
     twice = CANVAS.replace("Quiz (556)", "Again (556)").replace(",100,10,", ",100,100,")
-    with pytest.raises(InputError, match=r"several assignments have 100 points"):
+    with pytest.raises(InputError, match=r"export[.]csv:1 .*several assignments have 100 points"):
         read_gradebook(twice.encode(), "export.csv", 100)
 
 

@@ -9,7 +9,7 @@ import pytest
 from coursework.grading.reading.files.kinds import real_kind
 from coursework.grading.reading.files.separators import split
 from coursework.grading.reading.numbers import plain_text, printed
-from coursework.grading.reading.table.headers import _without_unit
+from coursework.grading.reading.table.headers import _without_unit, read_head
 from coursework.grading.reading.table.layout import _joined, _lies
 from coursework.grading.reading.table.units import unit_of_column
 
@@ -79,3 +79,11 @@ def test_pictures_are_known_by_their_first_bytes() -> None:
 def test_a_table_without_heads_lies_where_the_time_runs_along_one_of_its_first_rows(rows: list[str], lies: bool) -> None:
     cells = [[printed(cell, ".") for cell in row.split()] for row in rows]
     assert _lies(cells, [list(column) for column in zip(*cells, strict=True)], 3) is lies
+
+
+@pytest.mark.parametrize("head", [
+    "w2", "ω2", "omega_2", "w2z", "wz2", "ω_2z", "omega_z2", "dphi2/dt", "dφ2dt", "phi2dot", "φdot2", "dotphi2", "W2",
+])  # fmt: skip
+def test_an_angular_velocity_by_any_of_its_names(head: str) -> None:
+    found = read_head(head, (("phi2", "rad"), ("w2", "1/s"), ("w3", "1/s"), ("u2", "m/s")))
+    assert found.candidates == ("w2",)
