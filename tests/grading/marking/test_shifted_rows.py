@@ -45,5 +45,5 @@ def test_a_row_that_is_left_out_gets_an_empty_one(monkeypatch, is_right_until, i
 
 @pytest.mark.parametrize(("right", "is_put_back"), [(range(10), False), (range(10, 20), True), (range(11, 20), False)])
 def test_less_than_half_of_a_table_is_not_looked_at_closer(monkeypatch, right, is_put_back):
-    """Nothing is right as it stands; of rows that are one late the last half is, or a row less; before the slip they say nothing."""
+    """Of rows that are one late the last half is right, or a row less; before the slip they say nothing."""
     assert (made(monkeypatch, late=right) is not None) is is_put_back
