@@ -83,6 +83,7 @@ def test_worksheets_in_other_languages(text: str, encoding: str, grade: str) -> 
 
 def test_a_language_nobody_knows_is_told_by_the_greatest_grades() -> None:
     sheet = read_worksheet(JAPANESE.encode(), "g.csv")
+    assert [(row.number, row.name) for row in sheet.rows] == [("7000", "アン"), ("7001", "イワン")]
     assert (sheet.maximum, sheet.columns["email"], sheet.columns["comment"]) == (20, 2, 9)
     assert "参加者 7000,アン,ann@x.edu,s,19.25,20.00,y,-,-,ok" in sheet.filled({1: (19.25, "ok")}).decode()
 
