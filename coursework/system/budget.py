@@ -91,7 +91,7 @@ class _Watch(threading.Thread):
                     _thread.interrupt_main(signal.SIGTERM)
                     self._done.wait(PACE)
                 if not self._done.wait(max(0.0, last - time.monotonic())):
-                    self._end_process()
+                    self._end_process(spent)
                 return
 
     def stop(self) -> None:
@@ -119,10 +119,9 @@ class _Watch(threading.Thread):
             return Fault(say("fault.E002", limit=f"{self.budget.memory:g}", stage=_stage()), self.of)
         return None
 
-    def _end_process(self) -> None:
+    def _end_process(self, fault: Fault) -> None:
         discard_all()
-        if self.fault:
-            self.last_word(self.fault)
+        self.last_word(fault)
         os._exit(WRONG_INPUT)
 
 

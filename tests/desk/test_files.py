@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
-from coursework.desk.serving.folder import Folder, Stale, etag_of
+from coursework.desk.serving.folder import LEFT_OVER, Folder, Stale, etag_of
 from tests.desk.desks import TEXT, VARIANTS, desk
 
 NEW = {"If-None-Match": "*"}
@@ -142,3 +143,14 @@ def test_what_a_killed_process_left_is_removed(tmp_path):
     os.utime(left, (0, 0))
     Folder(tmp_path).clear()
     assert not any(tmp_path.iterdir())
+
+
+def test_a_desk_that_opens_removes_what_a_killed_one_had_begun_to_write(tmp_path):
+    """What is younger than a minute may be written at this very moment."""
+    old, young, own = (tmp_path / name for name in (".coursework-1.part", ".coursework-2.part", "mine.toml"))
+    for path, age in ((old, LEFT_OVER + 5), (young, LEFT_OVER - 5), (own, 1e6)):
+        path.write_text("x")
+        os.utime(path, (time.time() - age,) * 2)
+    with desk(tmp_path):
+        assert {path.name for path in tmp_path.iterdir()} >= {young.name, own.name}
+        assert not old.exists()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ import pytest
 from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start
 from coursework.drawing.lettering.dimensions import HEAD, TIGHT
+from coursework.drawing.lettering.naming import _unsaid
 from coursework.drawing.outline.ground import rail_side
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
@@ -18,6 +20,7 @@ from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.sheet import Sheet
 from coursework.report.text.symbols import symbol
 from coursework.variant.catalogue import names
+from coursework.variant.formula.reader import parse
 from coursework.words.data_folders import folder
 from tests.drawing import measured
 from tests.sample import sampled
@@ -175,3 +178,15 @@ def test_a_chain_draws_a_link_on_to_a_point_past_its_joint_and_dimensions_the_wh
     outline = read_outline(solve(chain, quantities=["table"]).scene.mechanism)
     assert outline is not None
     assert [bar.corners for bar in outline.bars if bar.link == "2"] == [("B", "C", "P")]
+
+
+def test_a_length_that_a_closure_a_point_or_a_law_uses_helps_to_place_and_one_of_velocities_alone_does_not() -> None:
+    given = [SimpleNamespace(name=name, si=si, value=1.0) for name, si in (*((name, "m") for name in "abcdehk"), ("p", "1/s"))]
+    variant = SimpleNamespace(given=given, holds=[parse("c*sin(phi)")], functions=[SimpleNamespace(formulas=[parse("d + p*t")])])
+    sides = (parse("a*cos(phi)"), parse("s"))
+    closure, rates = ([SimpleNamespace(is_closure=whole, left=left, right=sides[1])] for whole, left in (
+        (True, sides[0]), (False, parse("k*w")),
+    ))  # fmt: skip
+    points = {name: parse(text, vectors=True) for name, text in (("A", "b @ phi"), ("B", "(h, 0)"), ("C", "A + e @ psi"))}
+    mechanism = SimpleNamespace(points=tuple(points.items()), variant=variant, constraints=(*closure, *rates))
+    assert _unsaid(mechanism, {frozenset("AC"): parse("e")}) == dict.fromkeys("abcd", 1.0)  # h and e are said already

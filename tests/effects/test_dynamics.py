@@ -56,6 +56,9 @@ def test_the_arm_that_falls_keeps_its_energy():
     energy = run.scene.energy_of(run.motion)
     assert energy[0] == pytest.approx(17.93975828425486, rel=1e-14)
     assert np.ptp(energy) < 1e-9
+    low, high = run.scene.extremes["phi1"]
+    assert low < columns["phi1"][0] <= high  # it falls from where it was let go
+    assert (low, high) == pytest.approx((min(columns["phi1"]), max(columns["phi1"])), abs=1e-9)
 
 
 def test_the_rows_of_euler_are_those_of_the_reference():

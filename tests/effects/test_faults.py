@@ -13,6 +13,7 @@ CASES = [
     ("31-forces", '"B + 0.305 @ phi3 + 0.076 @ (phi3 + pi/2)"', '"B + 0.3 @ phi2"', "V731", "does not stand still"),
     ("31-forces", ', centre = "B + 0.305 @ phi3 + 0.076 @ (phi3 + pi/2)"', "", "V724", "more than two points (M, B, C)"),
     ("31-forces", 'inertia = "0.992 kg*m^2"', 'inertia = "rod"', "V726", "link 3 is no rod"),
+    ("31-forces", 'step      = "0.02 s"', 'step = "0.02 s"\nscheme = "semi-implicit"', "V065", "time.scheme"),
     ("31-forces", "4 = { mass", "7 = { mass", "V723", 'there is no link "7"'),
     ("31-forces", '"6 kg"', '"6 m"', "V105", "masses.1.mass: a mass was expected: kg, g, t"),
     ("31-forces", '"6 kg"', '"6 kgf"', "V701", "1 kgf = 9.80665 N"),
@@ -50,6 +51,11 @@ def test_fault(name, old, new, code, told):
     own = new.split("\n")[1 if "\n" in new else 0]
     line = next(place for place, each in enumerate(text.splitlines(), start=1) if own in each) if new else None
     assert line is None or f"bad.toml:{line}" in message, message
+
+
+def test_a_file_with_a_motor_may_name_the_scheme_of_motion_under_forces():
+    text = text_of("example-2-motor", ('step   = "0.01 s"', 'step = "0.01 s"\nscheme = "semi-implicit"'))
+    assert coursework.parse_variant(text).time.scheme == "semi-implicit"
 
 
 def test_forces_that_cannot_be_found_or_followed_are_refused():

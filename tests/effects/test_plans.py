@@ -8,6 +8,7 @@ import pytest
 
 import coursework
 from coursework.drawing.force_plans.force_plans import make_force_plans
+from coursework.drawing.force_plans.group_sheet import LINK
 from coursework.report.pages import build_model
 from coursework.report.sections.forces import _convention
 from coursework.report.text.page_context import PageContext
@@ -43,6 +44,13 @@ def test_the_order_of_a_dyad_is_that_of_the_textbook():
     on_2 = sum(v.force for v in first.vectors if v.body == "2")
     found = of("example-1-forces")
     assert np.abs(on_2 - (found.column("R23x") + 1j * found.column("R23y"))).max() < 1e-9
+
+
+@pytest.mark.parametrize(("name", "number", "bars"), [("example-1", 0, 2), ("example-1", 1, 1)])
+def test_the_links_of_a_group_are_drawn_with_the_forces_on_them(name, number, bars):
+    """A dyad of two bars, and a crank: each as a line from point to point, heavier than any force."""
+    svg = plans(name).group_drawing(number, str).svg
+    assert svg.count(f"{LINK}/>") == bars
 
 
 @pytest.mark.parametrize("name", NAMES)

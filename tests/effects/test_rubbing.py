@@ -49,6 +49,17 @@ def rubbing(name, entries, end="0.6 s"):
     return coursework.solve(coursework.parse_variant(text_of(name, *changed)))
 
 
+@pytest.mark.parametrize(("start", "speed"), [("0.5 m/s", 0.5), ("-20 cm/s", -0.2), ("0", 0.0)])
+def test_a_slide_that_is_free_begins_with_a_speed_in_metres_a_second(start, speed):
+    motor = coursework.parse_variant(BLOCK.replace('rates = ["u"]', f'rates = ["u"]\nstart = {{ u = "{start}" }}')).motor
+    assert dict(motor.start) == {"u": pytest.approx(speed)}
+
+
+def test_a_slide_that_is_free_does_not_begin_with_an_angular_velocity():
+    with pytest.raises(coursework.InputError, match=r"motor[.]start[.]u: a speed was expected"):
+        coursework.parse_variant(BLOCK.replace('rates = ["u"]', 'rates = ["u"]\nstart = { u = "0.5 rad/s" }'))
+
+
 def test_a_block_on_a_spring_loses_the_same_of_every_swing_and_stops():
     run = coursework.solve(coursework.parse_variant(BLOCK))
     exact, least = run.scene.exact, 0.1 * 2 * 9.81 / 50

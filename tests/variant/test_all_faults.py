@@ -1,10 +1,13 @@
 """All faults of a file at once, each in the words of the file, and none that only follows from another."""
 
 import re
+from types import SimpleNamespace
 
 import pytest
 
 import coursework
+from coursework.variant.formula.reader import parse
+from coursework.variant.judging import at_start
 from coursework.variant.reading.reader import parse_variant
 from tests.command import call
 
@@ -259,3 +262,21 @@ def test_of_columns_that_could_not_be_read_nothing_is_said(tmp_path):
     text = SHAPER.replace('s3   = { rate = "u3" }', 's3   = { rat = "u3" }').replace('["table"]', '["table", "u3"]')
     (tmp_path / "shaper.toml").write_text(text, encoding="utf-8")
     assert "C002" not in call("check", tmp_path / "shaper.toml").stderr
+
+
+@pytest.mark.parametrize(("laws", "told"), [
+    ({"a": "b", "b": "c", "c": "2"}, {}), ({"a": "a + 1"}, {"a": "a → a"}),
+    ({"a": "b", "b": "c", "c": "b"}, {"b": "b → c → b", "c": "c → b → c"}),  # a leads there and is none of them
+    ({"a": "b + c", "b": "2", "c": "b + d", "d": "a"}, {"a": "a → c → d → a", "c": "c → d → a → c", "d": "d → a → c → d"}),
+])  # fmt: skip
+def test_a_law_that_needs_itself_is_told_with_its_way_and_no_other_law(laws, told):
+    looks = []
+
+    class Formulas(dict):
+        def __getitem__(self, name):
+            looks.append(name)
+            assert len(looks) < 100, "each law is gone through once"
+            return super().__getitem__(name)
+
+    formulas = Formulas({name: SimpleNamespace(formulas=[parse(text)]) for name, text in laws.items()})
+    assert {name: " → ".join(way) for name in laws if (way := at_start._circle(name, formulas))} == told

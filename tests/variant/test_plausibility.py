@@ -166,3 +166,11 @@ def test_links_of_a_chain_that_the_file_leaves_out_are_told():
     assert "has w1, w3 as its rate" in str(told[0].sentence)
     assert not parse_variant(whole).plausibility
     assert not parse_variant("\n".join(line for line in lines if " = { points" not in line and line != "[links]")).plausibility
+
+
+def test_a_number_read_in_a_measure_that_has_no_unit_of_its_own_is_read_in_si():
+    """An area: of lengths, angles, times and speeds the unit is named."""
+    told = remarks(("[given]", "[given]\narea = 2"), ("r1*w1*cos(phi1)", "r1*w1*cos(phi1)*area/r1^2"))
+    assert [(code, sentence) for code, _, sentence in told if "area" in sentence] == [
+        ("NO-UNIT", "area = 2 has no unit, other data have one; it is read as 2 SI.")
+    ]

@@ -137,6 +137,15 @@ def test_units(text):
     assert read.value == pytest.approx(value, rel=4e-16, abs=0)
 
 
+@pytest.mark.parametrize(("text", "is_one"), [
+    ("10", True), ("10 rpm", True), ("10 об/мин", True), ("5°", True), ("-.5e-3 m", True),
+    ("10 rmp", True), ("3 metre", True), ("2 radd/s", True), ("4 1/sek", True),  # a unit that is none is advised on
+    ("2 pi", False), ("2π", False), ("2*pi/p", False), ("3 r1", False), ("r1", False), ("2 m*x", False),
+])  # fmt: skip
+def test_a_number_with_a_word_is_a_quantity_and_with_pi_a_formula(text, is_one):
+    assert units.is_quantity(text) is is_one
+
+
 def test_every_unit_the_tool_knows_is_one_of_these_or_made_of_two():
     for unit in set(units.UNITS) - {"1", "rpm"}:  # "1" names the unit of a number without one
         above, _, below = unit.partition("/")

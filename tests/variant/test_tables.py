@@ -44,11 +44,12 @@ def law(tmp_path):
     [
         "\n".join(["phi1,r", *ROWS]).encode(),
         "\n".join(ROWS).encode(),
+        "\n".join(["phi1,r", *ROWS[:6], " ", *ROWS[6:], ""]).encode(),
         b"\xef\xbb\xbf" + "\r\n".join(["angle,length", *ROWS, "", ",,", ""]).encode(),
         "\n".join(["phi1 (rad),r [m]", *(" , ".join(row.split(",")) for row in ROWS)]).encode(),
         "\n".join(["phi1,r", *(",".join(f'"{cell}"' for cell in row.split(",")) for row in ROWS)]).encode(),
     ],
-    ids=["header", "no header", "Excel", "spaces", "quotes"],
+    ids=["header", "no header", "blank lines", "Excel", "spaces", "quotes"],
 )
 def test_the_same_table_in_every_dialect(law, content):
     angles = 0.3 + np.arange(11) * 0.01

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from datetime import datetime
 from typing import Any
 
@@ -160,11 +160,8 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
                 Fault(say("fault.G041", number=variant.time.steps + 1, row=answer.row), name, place=f"answers.{answer.name}.row")
             )
     for entry in rubric.confusions:
-        names = [given.name for given in variant.given]
-        if entry.datum not in names:
-            continue
         try:
-            rubric.confused(variant)
+            replace(rubric, confusions=(entry,)).confused(variant)
         except UnitFault as error:
             faults.append(Fault(error.message, name, place=f"confusion.{entry.datum}"))
     if faults:

@@ -59,9 +59,9 @@ class Model:
     """
 
     variant: Variant
-    equations: VelocityEquations = field(repr=False)
-    reduction: Reduction = field(repr=False)
-    _compiled: dict[Any, Callable[..., Any]] = field(default_factory=dict, repr=False)
+    equations: VelocityEquations
+    reduction: Reduction
+    _compiled: dict[Any, Callable[..., Any]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         return (

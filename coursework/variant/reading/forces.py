@@ -14,6 +14,7 @@ from coursework.variant.reading.parts import ZERO, Parts
 from coursework.variant.reading.shape import of_motor
 from coursework.variant.record.forces import GRAVITY, MEASURED, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
 from coursework.variant.record.no_value import known_value
+from coursework.variant.record.variant import Coordinate
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say, say_count
@@ -22,7 +23,7 @@ _FRAME = "0"
 _OF_MOTOR = ("rates", "start", "flywheel")
 
 
-def read_forces(file: schema.VariantFile, parts: Parts) -> Forces:
+def read_forces(file: schema.VariantFile, coordinates: Sequence[Coordinate], parts: Parts) -> Forces:
     """Return what a file says of masses and forces."""
     gravity = file.forces.get(GRAVITY)
     loads = {key: entry for key, entry in file.forces.items() if key != GRAVITY}
@@ -35,7 +36,7 @@ def read_forces(file: schema.VariantFile, parts: Parts) -> Forces:
         tuple(_mass(key, entry, parts) for key, entry in file.masses.items()),
         _gravity(gravity, parts) if gravity is not None else None,
         tuple(one for one in read if isinstance(one, Load)), tuple(one for one in read if isinstance(one, Spring)),
-        tuple(_friction(key, entry, parts) for key, entry in file.friction.items()), _motor(file, parts),
+        tuple(_friction(key, entry, parts) for key, entry in file.friction.items()), _motor(file, coordinates, parts),
         _flywheel(flywheel, parts) if flywheel is not None else None,
         {path: line for path, line in parts.source.positions.lines.items() if path[0] in FORCE_SECTIONS},
     )  # fmt: skip
@@ -123,20 +124,19 @@ def _friction(key: str, entry: schema.FrictionEntry, parts: Parts) -> Friction:
     return Friction(point, **found)
 
 
-def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:
+def _motor(file: schema.VariantFile, coordinates: Sequence[Coordinate], parts: Parts) -> Motor | None:
     rates = file.motor.get("rates")
     if rates is None:
         for key in file.motor:
             if key != "flywheel":
                 parts.say(("motor", key), say("fault.V710"))
         return None
-    known = {parts.names.canonical(rate): parts.names.canonical(key) for key, (rate, _) in _rates(file).items()}
-    found = _free(rates, known, parts)
+    units = {coordinate.rate: coordinate.unit for coordinate in coordinates}
+    found = _free(rates, list(units), parts)
     if file.drive:
         parts.say(("motor",), say("fault.V711"))
     start: dict[str, float] = {}
     begins = file.motor.get("start", {})
-    units = {parts.names.canonical(rate): unit for rate, unit in _rates(file).values()}
     for name, value in begins.items() if isinstance(begins, dict) else ():
         rate = parts.names.canonical(name)
         if rate not in found:
@@ -158,11 +158,7 @@ def _motor(file: schema.VariantFile, parts: Parts) -> Motor | None:
     return Motor(found, tuple(start.items()), tuple(torques))
 
 
-def _rates(file: schema.VariantFile) -> dict[str, tuple[str, str]]:
-    return {key: (entry.rate, entry.unit or "rad") for key, entry in file.coordinates.items()}
-
-
-def _free(rates: object, known: dict[str, str], parts: Parts) -> tuple[str, ...]:
+def _free(rates: object, known: list[str], parts: Parts) -> tuple[str, ...]:
     listed: Sequence[object] = rates if isinstance(rates, list) else ()
     found = []
     for place, rate in enumerate(listed):
@@ -170,7 +166,7 @@ def _free(rates: object, known: dict[str, str], parts: Parts) -> tuple[str, ...]
         if name in known:
             found.append(name)
         else:
-            parts.say(("motor", "rates", place), say("fault.V714", name=str(rate), hint=closest(str(rate), list(known))))
+            parts.say(("motor", "rates", place), say("fault.V714", name=str(rate), hint=closest(str(rate), known)))
     if not 1 <= len(listed) <= 2:
         parts.say(("motor", "rates"), say("fault.V715", number=len(listed)))
     return tuple(found)

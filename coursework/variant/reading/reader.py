@@ -135,7 +135,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     bindings = tuple(b for key, entry in file.unknowns.items() if (b := read_binding(key, entry, dict(unknowns), file, parts)))
     time = read_time(file.time, parts)
     columns = [name for c in coordinates for name in (c.name, c.rate)] + [name for name, _ in unknowns]
-    forces = _forces(file, parts)
+    forces = _forces(file, coordinates, parts)
     if forces is not None and forces.motor is not None:
         laws += forces.free
     return Variant(
@@ -150,13 +150,13 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     )  # fmt: skip
 
 
-def _forces(file: schema.VariantFile, parts: Parts) -> Forces | None:
+def _forces(file: schema.VariantFile, coordinates: tuple[Coordinate, ...], parts: Parts) -> Forces | None:
     """Return what a file says of forces, None where it names none."""
     if FORCE_SECTIONS.isdisjoint(parts.source.data):
         return None
     from coursework.variant.reading.forces import read_forces
 
-    return read_forces(file, parts)
+    return read_forces(file, coordinates, parts)
 
 
 def _texts(said: schema.Texts, parts: Parts) -> Texts:

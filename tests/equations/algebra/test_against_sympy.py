@@ -13,7 +13,7 @@ import sympy as sp
 
 import coursework
 from coursework import InputError
-from coursework.equations.algebra.calculus import derivative, expand, replaced, together
+from coursework.equations.algebra.calculus import derivative, expand, piecewise, replaced, together
 from coursework.equations.algebra.expression import HALF, PI, ZERO, absolute, node, number, power, value, variable
 from coursework.equations.algebra.functions import call
 from coursework.equations.algebra.symbolic_objects import symbolic, sympy_version
@@ -121,6 +121,16 @@ def test_right_angles_and_usual_parts_of_pi(own, judge):
         for angle in (PI * twelfths / 12, x + PI * twelfths / 12 if twelfths % 6 == 0 else x - PI / 2):
             value = judge(symbolic(angle))
             assert (str(symbolic(call(own, angle))) if value != sp.zoo else "zoo") == str(value), (own, angle)
+
+
+@pytest.mark.parametrize(
+    ("time", "value"), [(0.0, 0.0), (0.9, 0.9), (1.0, 2.0), (1.1, 2.2), (2.9, 5.8), (3.0, 9.0), (50.0, 150.0)]
+)
+def test_a_law_in_pieces_is_one_of_sympys_too(time, value):
+    """t before 1, 2 t before 3, 3 t then: at a break the piece that begins there."""
+    t = variable("t")
+    law = symbolic(piecewise(t, t, number(1), 2 * t, number(3), 3 * t))
+    assert law.subs(sp.Symbol("t", real=True), time) == value
 
 
 @pytest.mark.parametrize("inverse", ["asin", "acos", "atan"])

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from coursework.equations.reduction.meaning import _vanishing
+from coursework.equations.reduction.meaning import _vanishing, meaning
 from coursework.variant.formula.reader import parse
 
 BOTH = [parse("sin(x)"), parse("cos(y)")]
@@ -26,3 +26,14 @@ def test_a_factor_vanishes_that_is_a_thousandth_of_the_largest(x, found):
 def test_a_factor_of_data_alone_vanishes_up_to_the_round_off_of_an_angle(beside, is_nothing):
     found = _vanishing(parse("sin(g)*cos(y)/r"), variant(g=math.pi + beside, r=0.3), None)
     assert found == ([parse("sin(g)")] if is_nothing else []) + [parse("cos(y)")]
+
+
+@pytest.mark.parametrize(("offset", "words"), [
+    ("0", "the slider stands on the pivot of its guide"), ("0.0", "the slider stands on the pivot of its guide"),
+    ("0.1", "the slider stands level with the pivot of its guide"), ("e", "the slider stands level with the pivot of its guide"),
+])  # fmt: skip
+def test_a_slide_of_no_length_stands_on_the_pivot_where_its_guide_goes_through_it(offset, words):
+    group = SimpleNamespace(kind="RPR", coordinates=("phi", "s"), offset=parse(offset))
+    made = variant(e=0.1)
+    made.coordinates, made.groups, made.points = [SimpleNamespace(name="s", unit="m", rate="u")], [group], ()
+    assert meaning(parse("s"), made, ()) == f"the distance s is zero ({words})"

@@ -1,5 +1,7 @@
 """The rubric: its defaults, what it refuses, and each bound from both sides."""
 
+from types import SimpleNamespace
+
 import pytest
 
 import coursework
@@ -56,3 +58,14 @@ def test_what_the_variant_does_not_have_is_refused():
     assert 'no quantity "w9"' in str(fault.value)
     assert "the table has 25 rows, found 26" in str(fault.value)
     assert "confusion.alpha" in str(fault.value)
+
+
+def test_each_confusion_is_told_of_for_itself_and_none_about_data_of_other_variants():
+    texts = [("of_another", "2 parsec"), ("r1", "2 parsec"), ("r2", "0.9 m"), ("alpha", "3 kg")]
+    rubric = read_rubric("".join(f'[[confusion]]\ndatum = "{datum}"\nvalue = "{value}"\n' for datum, value in texts))
+    with pytest.raises(InputError) as fault:
+        check_rubric(rubric, coursework.load("31"))
+    assert [(one.place, found) for one in fault.value.faults for found in ("parsec", "kg") if found in one.message] == [
+        ("confusion.r1", "parsec"), ("confusion.alpha", "kg"),
+    ]  # fmt: skip
+    assert rubric.confused(SimpleNamespace(given=[SimpleNamespace(name="r2", si="m")])) == {"r2": 0.9}

@@ -9,7 +9,7 @@ import zipfile
 import pytest
 
 from coursework.grading.collecting.file_lists import FileList
-from coursework.grading.collecting.matching import Matched, match
+from coursework.grading.collecting.matching import Matched, _run_together, match
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.cells_of_csv import read_cells
@@ -83,6 +83,7 @@ def test_worksheets_in_other_languages(text: str, encoding: str, grade: str) -> 
 
 def test_a_language_nobody_knows_is_told_by_the_greatest_grades() -> None:
     sheet = read_worksheet(JAPANESE.encode(), "g.csv")
+    assert [(row.number, row.name) for row in sheet.rows] == [("7000", "アン"), ("7001", "イワン")]
     assert (sheet.maximum, sheet.columns["email"], sheet.columns["comment"]) == (20, 2, 9)
     assert "参加者 7000,アン,ann@x.edu,s,19.25,20.00,y,-,-,ok" in sheet.filled({1: (19.25, "ok")}).decode()
 
@@ -128,11 +129,33 @@ def test_one_column_of_a_canvas_export_is_filled() -> None:
     assert [k for k in range(len(before)) if before[k] != after[k]] == [2, 5]
 
 
+@pytest.mark.parametrize(("name", "spellings"), [
+    ("Lee, Ann", {"leeann", "annlee"}), ("Ann Lee", {"annlee", "leeann"}), ("Ann", {"ann"}), ("", set()),
+    ("Ann Mary Lee", {"annmarylee", "leeannmary"}), ("Ó Briain-Lee, Éamon", {"óbriainleeéamon", "éamonóbriainlee"}),
+])  # fmt: skip
+def test_a_name_runs_together_as_canvas_writes_it(name: str, spellings: set[str]) -> None:
+    """Last name first, whichever end of the roster's spelling that is."""
+    assert _run_together(name) == spellings
+
+
+@pytest.mark.parametrize("lines", range(6))
+def test_the_points_of_an_assignment_stand_within_the_first_lines_of_a_canvas_export(lines):
+    """Canvas writes up to four lines of settings before them; with none found all assignments fit."""
+    head, possible, *rest = CANVAS.splitlines(keepends=True)
+    export = "".join([head, *["    Muted,,,,,,,\n"] * lines, possible, *rest]).encode()
+    if lines < 5:
+        book = read_gradebook(export, "export.csv", 100)
+        assert book.students == tuple(lines + record for record in (2, 3, 4, 5))
+    else:
+        with pytest.raises(InputError, match="several assignments"):
+            read_gradebook(export, "export.csv", 100)
+
+
 def test_a_column_that_would_become_a_new_assignment_is_refused() -> None:
-    with pytest.raises(InputError, match=r"no assignment has 60 points.*Coursework \(555\); Quiz \(556\)"):
+    with pytest.raises(InputError, match=r"export[.]csv:1 .*no assignment has 60 points.*Coursework \(555\); Quiz \(556\)"):
         read_gradebook(CANVAS.encode(), "export.csv", 60)
     twice = CANVAS.replace("Quiz (556)", "Again (556)").replace(",100,10,", ",100,100,")
-    with pytest.raises(InputError, match=r"several assignments have 100 points"):
+    with pytest.raises(InputError, match=r"export[.]csv:1 .*several assignments have 100 points"):
         read_gradebook(twice.encode(), "export.csv", 100)
 
 

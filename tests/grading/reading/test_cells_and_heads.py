@@ -8,9 +8,9 @@ import pytest
 
 from coursework.grading.reading.files.kinds import real_kind
 from coursework.grading.reading.files.separators import split
-from coursework.grading.reading.numbers import looks_numeric, plain_text
-from coursework.grading.reading.table.headers import _without_unit
-from coursework.grading.reading.table.layout import _joined
+from coursework.grading.reading.numbers import looks_numeric, plain_text, printed
+from coursework.grading.reading.table.headers import _without_unit, read_head
+from coursework.grading.reading.table.layout import _joined, _lies
 from coursework.grading.reading.table.units import unit_of_column
 
 
@@ -77,3 +77,24 @@ def test_the_unit_that_a_head_says_counts(unit: str, head: str, meant: str) -> N
 def test_pictures_are_known_by_their_first_bytes() -> None:
     assert real_kind(b"\0\0\0\x18ftypheic") == real_kind(b"\0\0\0\x18ftypmif1") == "HEIC"
     assert (real_kind(b"RIFF\0\0\0\0WEBP"), real_kind(b"RIFF\0\0\0\0WAVE")) == ("WebP", "")
+
+
+@pytest.mark.parametrize(("rows", "lies"), [
+    (["0 0.1 0.2", "1 5 7", "4 4 9"], True),  # three moments are enough
+    (["t 0 0.1 0.2", "w 1 5 7", "u 4 4 9"], True), (["1 0 0.1 0.2", "2 1 5 7", "3 4 4 9"], False),  # 1 2 3 goes down
+    (["0 0.1", "1 5", "4 4"], False),  # two are none
+    (["0 0.1 0.2", "1 5 7"], False), (["0 0.1 0.2", "1 5 7", "4 4 9", "1 1 2", "3 1 3"], True),
+    (["0 0.1 0.2", "1 5 7", "4 4 9", "1 1 2", "3 1 3", "3 1 3"], False),  # two rows more than columns of the task, not three
+    (["0 0.1 0.7", "1 5 7", "4 4 9"], False), (["20 3 1", "0 0.1 0.2", "4 4 9"], True), (["20 3 1", "4 4 9", "0 0.1 0.2"], False),
+])  # fmt: skip
+def test_a_table_without_heads_lies_where_the_time_runs_along_one_of_its_first_rows(rows: list[str], lies: bool) -> None:
+    cells = [[printed(cell, ".") for cell in row.split()] for row in rows]
+    assert _lies(cells, [list(column) for column in zip(*cells, strict=True)], 3) is lies
+
+
+@pytest.mark.parametrize("head", [
+    "w2", "ω2", "omega_2", "w2z", "wz2", "ω_2z", "omega_z2", "dphi2/dt", "dφ2dt", "phi2dot", "φdot2", "dotphi2", "W2",
+])  # fmt: skip
+def test_an_angular_velocity_by_any_of_its_names(head: str) -> None:
+    found = read_head(head, (("phi2", "rad"), ("w2", "1/s"), ("w3", "1/s"), ("u2", "m/s")))
+    assert found.candidates == ("w2",)

@@ -22,3 +22,15 @@ def test_points_go_in_the_file_where_the_groups_on_them_were_fitted(swinging):
     for end, (base, length, angle) in zip(ends, (("A", "r1", "phi1"), ("C", "r3", "phi3")), strict=True):
         found = places[base] + lengths[length] * np.exp(1j * motion.column(angle))
         assert np.abs(found[:-1] - end.path[::every]).max() < 1e-9, end.name
+
+
+@pytest.mark.parametrize(("taken", "new"), [((), ["A", "C"]), (("A", "B"), ["C", "D"]), (("A", "B", "C", "E"), ["D", "F"])])
+def test_a_group_drafted_on_a_point_takes_letters_and_numbers_that_are_free(taken, new):
+    """It hangs on B, the pin of a crank; a name of nothing else is left out."""
+    crank = chain._Drafting(set())
+    crank.add(group_kind("crank"))
+    (pin,) = crank.waiting
+    (group,) = chain.draft_on("RRR", [pin], {*taken, "B"}, 5).groups
+    assert [*group.points, group.meets] == ["B", *new]
+    assert [coordinate.name for coordinate in group.coordinates] == ["phi5", "phi6"]
+    assert group.lengths == ("r5", "r6")

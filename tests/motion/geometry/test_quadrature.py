@@ -125,3 +125,16 @@ def test_a_switch_in_a_tenth_of_a_millisecond_is_no_fault():
     run = coursework.solve(parse_variant(four_bar(law, scheme="euler")))
     assert run.table["w1"].iloc[0] == 0.0
     assert run.table["w1"].iloc[-1] == 3.0
+
+
+@pytest.mark.parametrize(("low", "high", "half"), [(1.0, 3.0, 0.5), (-2.0, 0.5, 0.25), (4.0, 4.0, 1.0)])
+@pytest.mark.parametrize("radius", [np.inf, 1e30])
+def test_a_law_of_which_its_values_alone_are_known_is_off_by_their_range_times_the_stretch(low, high, half, radius):
+    """Its integral and that of the rule lie both between low and high times the length."""
+    law = Enclosure(np.array([low]), np.array([high]), np.array([low]), np.array([radius]))
+    assert quadrature.left_open(law, np.array([half])) == pytest.approx([(high - low) * 2 * half])
+
+
+def test_a_law_without_any_bound_is_known_by_none():
+    law = Enclosure(np.array([-np.inf]), np.array([np.inf]), np.array([0.0]), np.array([np.inf]))
+    assert quadrature.left_open(law, np.array([0.5])).tolist() == [np.inf]

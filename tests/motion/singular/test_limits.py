@@ -87,10 +87,46 @@ class Single:
     ],
 )  # fmt: skip
 def test_how_many_motions_go_on_from_a_change_point(square, slope, constant, count):
-    """Along u the second derivative of the closure is square u^2 + slope u + constant."""
-    flow = Single(lambda t, q: square * q + slope * t, lambda t, q: -constant * t)
-    found = branches_at(flow, 0, 0.0, [0.0])
-    assert found is count if count is None else len(found) == count
+    """Along u the second derivative of the closure is square u^2 + slope u + constant; its sign says nothing."""
+    for sign in (1, -1):
+        flow = Single(lambda t, q, sign=sign: 0.0 + sign * (square * q + slope * t), lambda t, q, sign=sign: -sign * constant * t)
+        found = branches_at(flow, 0, 0.0, [0.0])
+        assert found is count if count is None else len(found) == count
+
+
+@pytest.mark.parametrize("begin", [0.7, 0.9, 0.99, 1.01, 1.3])
+def test_a_change_point_is_where_two_curves_of_positions_cross(begin):
+    """(q - 1)^2 = (t - 1)^2 crosses at 1, where p = q^2 is 1 too; the motion q = t goes through the point itself."""
+    flow = SimpleNamespace(
+        places=[SimpleNamespace(unknowns=(0, 1))], rates=[(False, 0), (False, 1)],
+        part=lambda t, q, block: (
+            np.array([[2 * (q[0] - 1), 0.0], [-2 * q[0], 1.0]]), np.array([2 * (t - 1), 0.0]), np.array([1.0, 2 * q[0]])
+        ),
+    )  # fmt: skip
+    rates = np.array([1.0, 2 * begin])
+    time, position, miss = nearest_change_point(flow, begin, np.array([begin, begin**2]), 0, rates, 1.0)
+    assert [time, *position, miss] == pytest.approx([1.0, 1.0, 1.0, 0.0], abs=1e-9)
+
+
+@pytest.mark.parametrize(("errors", "tries"), [
+    ((0.0, 0.0, 0.0), 1), ((0.9e-9, 1.9e-9, 0.9e-9), 1), ((1.2e-9, 0.0, 0.0), 2), ((0.0, 2.2e-9, 0.0), 2),
+    ((0.0, 0.0, 1.2e-9), 2), ((-1.2e-9, 0.0, 0.0), 2), ((0.0, math.nan, 0.0), 2),
+])  # fmt: skip
+def test_a_step_of_the_walk_is_shortened_where_one_coordinate_or_the_time_is_off(errors, tries):
+    """By more than the tolerance of 1 + |q|; the second step, a shorter one, has no error."""
+    lengths = []
+
+    def step(state, slope, length):
+        lengths.append(length)
+        return state + length * slope, [0.0] * 3 if len(lengths) > 1 else list(errors)
+
+    clock = SimpleNamespace(slope=lambda state: np.ones(3), step=step)
+    stand = SimpleNamespace(
+        state=np.array([0.0, 1.0, 0.0]), tolerance=1e-9, end=1.0, cells=[0.0, 1.0], length=0.1, peaks=Peaks.of(2)
+    )
+    reach = Walk._step(stand, clock)[1]
+    assert len(lengths) == tries
+    assert reach == lengths[-1] <= lengths[0] == 0.1
 
 
 @pytest.mark.parametrize(("within", "given_up"), [(0.12, False), (0.08, True)])

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -244,3 +245,15 @@ def test_a_block_without_a_column_of_its_own_keeps_no_check_from_being_written(n
 )  # fmt: skip
 def test_rows_are_told_from_the_first_to_the_last(spoilt, told):
     assert load_phrases().written(gate._rows(spoilt)) == told
+
+
+def test_every_quantity_of_a_block_is_told_once_and_a_point_with_both_its_components():
+    lines = {"B": 3, "C": 4, "phi1": 7}
+    variant = SimpleNamespace(points=(("B", None), ("C", None)), file="31.toml", line_of=lambda section, what: lines[what])
+    block = gate.Block(("B.x", "B.y", "phi1", "C.x", "C.y", "phi2"), np.zeros((2, 6)), "")
+    spoilt = np.array([[True, True, True, False, True, False]] * 2)
+    run = SimpleNamespace(variant=variant)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(gate, "_reason", lambda run, point: None)
+        told = [(one.place, one.line) for one in gate._faults(run, block, spoilt)]
+    assert told == [("points.B", 3), ("coordinates.phi1", 7), ("points.C", 4)]

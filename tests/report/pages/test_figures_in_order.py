@@ -9,7 +9,9 @@ import unicodedata
 import pymupdf
 import pytest
 
+from coursework.report.text.parts import Figure, Panels, Table
 from tests.command import call
+from tests.report.made import model_of, solved
 from tests.report.text.test_units_behind import OFFSET
 
 BEGINS = 24  # letters of a caption, its number among them
@@ -40,3 +42,13 @@ def test_numbers_of_figures_grow_on_paper(tmp_path, name, language):
         (told,) = re.findall(rf'<figure[^>]* id="{drawing}">.*?<figcaption[^>]*>(.*?)</figcaption>', screen, re.DOTALL)
         begin = plain(re.sub("<.*?>", "", told))[:BEGINS]
         assert begin in plain(paper), begin
+
+
+@pytest.mark.parametrize(("language", "words"), [("en", ("Table", "Figure")), ("ru", ("Таблица", "Рисунок"))])
+def test_tables_and_figures_are_counted_each_for_themselves(language, words):
+    """A formula has no number, nor has what has no caption."""
+    parts = [part for section in model_of(solved("31"), language).sections for part in section.parts]
+    for kinds, word in zip((Table, Figure | Panels), words, strict=True):
+        labels = [part.label for part in parts if isinstance(part, kinds) and part.caption]
+        assert len(labels) > 2
+        assert [re.findall(r"\w+", label) for label in labels] == [[word, str(number)] for number in range(1, len(labels) + 1)]

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -135,3 +136,13 @@ def test_few_decimals_of_a_tabulated_drive_are_too_coarse_for_accelerations(driv
     assert (judged.verdict, judged.column, judged.step) == ("COARSE", "dw3", None)
     assert "decimals of VMy allow d w3/d t" in judged.sentence
     assert found(driven(5), "TABLE-DIGITS").verdict == "PASS"
+
+
+@pytest.mark.parametrize(("exact", "restricted"), [
+    (None, False), (SimpleNamespace(t=[]), False), (SimpleNamespace(t=[0.0, 0.1]), True),
+])  # fmt: skip
+def test_what_digits_do_is_not_known_without_the_motion_or_without_all_its_columns(exact, restricted):
+    law = SimpleNamespace(name="r", table=((0.0, 1.0),))
+    variant = SimpleNamespace(drive=(), functions=(law,))
+    judged = digits.table_digits(SimpleNamespace(variant=variant, exact=exact, restricted=restricted))
+    assert judged.verdict == "SKIP"

@@ -41,6 +41,10 @@ def test_the_exact_motion_as_a_table_passes(run):
     found = {code: finding(code, table_of(run)) for code in ("ACCURACY", "CONTINUITY", "PERIOD-POSITION", "DRIFT", "SINUSOID")}
     assert {one.verdict for one in found.values()} == {"PASS"}
     assert found["ACCURACY"].value == found["CONTINUITY"].value == 0.0
+    assert "no entry is off" in found["ACCURACY"].sentence
+    near = finding("ACCURACY", table_of(run, phi1=(3, 0.01)))
+    assert near.verdict == "PASS"
+    assert near.sentence != found["ACCURACY"].sentence
 
 
 @pytest.mark.parametrize(("factor", "verdict"), [(0.999, "PASS"), (1.001, "COARSE")])
@@ -171,6 +175,32 @@ def test_rows_a_turn_of_a_crank_at_constant_speed(rows_a_turn, verdict):
     assert judged.column == variant.coordinates[0].name
 
 
+@pytest.mark.parametrize(("height", "is_seen"), [(0.19, False), (0.21, True), (-0.19, False), (-0.21, True)])
+def test_a_drive_may_leave_the_line_between_two_rows_by_a_fifth_of_its_range(height, is_seen, monkeypatch):
+    """It grows from 0 to 1 in the run of 1 s, with rows at 0.4 s and 0.6 s and a pulse of 0.02 s between them."""
+    begin, end = np.array([0.49]), np.array([0.51])
+    shorter = SimpleNamespace(shorter=lambda length: (begin, end) if length == 0.1 else pytest.fail("half a step is asked for"))
+    monkeypatch.setattr(rows, "resolution", lambda equations: shorter)
+    monkeypatch.setattr(rows, "breaks", lambda variant: ())
+    monkeypatch.setattr(rows, "drive_values", lambda equations, names, t: (t + height * ((begin < t) & (t < end)))[:, None])
+    variant = SimpleNamespace(drive=[SimpleNamespace(name="w")], time=SimpleNamespace(end=1.0))
+    told = rows.between_rows(SimpleNamespace(variant=variant), 0.2)
+    assert (told is not None) is is_seen
+    if is_seen:
+        name, time, share = told
+        assert (name, share) == ("w", pytest.approx(0.21))
+        assert 0.49 < time < 0.51
+
+
+@pytest.mark.parametrize(
+    ("late", "is_at_a_row"), [(0.0, True), (0.9e-9, True), (-0.9e-9, True), (3.2e-9, False), (-3.2e-9, False)]
+)
+def test_a_break_of_the_drive_is_at_a_row_to_a_billionth_of_its_time(late, is_at_a_row, monkeypatch):
+    """Row 2 stands at 0.4 s: 1e-9 of 1 + 2 steps of 0.2 s."""
+    monkeypatch.setattr(rows, "breaks", lambda variant: (0.2 * (2 + late),))
+    assert rows.off_row(None, 0.2) == ([] if is_at_a_row else [0.2 * (2 + late)])
+
+
 @pytest.mark.parametrize(("turned", "verdict"), [(0.999, "PASS"), (1.001, "COARSE")])
 def test_one_radian_a_step(turned, verdict):
     law = Law("steady", "n", {"n": f"{turned / 0.01!r} rad/s"}, lambda t: t)
@@ -190,8 +220,9 @@ def test_residuals_are_round_off(run, code, factor, verdict):
         system[size] = spoilt.residuals[1][row, names.index("12")] / size
     slope = system[1e-7]
     assert system[1e-6] == pytest.approx(slope, rel=1e-4)
-    judged = finding(code, evidence_of(run, motion=spoil(run.exact, w4=(row, factor * 1e-11 / slope))))
-    assert judged.verdict == verdict
+    for side in (1, -1):
+        judged = finding(code, evidence_of(run, motion=spoil(run.exact, w4=(row, side * factor * 1e-11 / slope))))
+        assert judged.verdict == verdict
 
 
 @pytest.mark.parametrize(("digits", "verdict"), [(6.01, "PASS"), (5.99, "FAIL")])

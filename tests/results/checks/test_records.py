@@ -179,3 +179,12 @@ def test_of_two_bars_that_stay_parallel_every_place_names_the_first():
     lesson = coursework.solve("peaucellier", quantities=("table", "checks")).distance_to_exact
     assert lesson is not None
     assert (lesson.column, lesson.row) == ("phi3", 34)
+
+
+@pytest.mark.parametrize(("name", "options"), [("31", {}), ("31", {"scheme": "rk4"}), ("31", {"step": 0.03}), ("example-6", {})])
+def test_a_check_passes_on_the_side_of_its_limit_that_it_names(name, options):
+    """Digits, rows and shares of a sine are to be at least so many; errors, gaps and remainders at most."""
+    judged = [one for one in solve(name, **options).checks if None not in (one.value, one.limit) and one.verdict in VERDICTS[:3]]
+    assert len(judged) > 8
+    for one in judged:
+        assert (one.verdict == "PASS") == (one.value >= one.limit if one.is_least else one.value <= one.limit), one.code

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.equations.algebra.functions import call
+from coursework.equations.reduction.symbolic import symbol
 from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant
 from tests.solved import solved
@@ -125,3 +127,14 @@ def test_a_singular_block_of_three_spoils_its_own_rows_only():
     assert np.array_equal(np.isnan(found[1]).all(), singular[1] == 0.0)
     flat = model.rates(0.0, q, {"a": [2.0, 0.0, 1.0]})
     assert np.isnan(flat[1]).all() and np.isfinite(flat[[0, 2]]).all()
+
+
+def test_over_columns_what_has_no_value_is_told_by_its_number_and_by_no_warning():
+    """The root of -1 and the reciprocal of 0, each beside a set that has one."""
+    model = coursework.compile_model("31")
+    numbers = [value * np.ones(2) for value in model.variant.values.values()]
+    found = model.compiled((call("sqrt", symbol("phi1")), 1 / symbol("phi2")))(
+        0.0, np.array([-1.0, 4.0]), np.array([0.0, 2.0]), np.zeros(2), *numbers
+    )
+    assert np.isnan(found[0][0]) and np.isinf(found[1][0])
+    assert [column[1] for column in found] == [2.0, 0.5]

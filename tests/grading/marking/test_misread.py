@@ -1,0 +1,41 @@
+"""A misconception written into a variant: which formulas are taken for degrees, and where the sign of the drive turns."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from coursework.grading.marking.misread import misread
+from coursework.motion.settings import Settings
+from coursework.scene.scene import Scene
+from coursework.variant.formula.tree import spelled
+from coursework.variant.reading.reader import parse_variant
+from coursework.words.data_folders import folder
+
+SPLIT = 'equation = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0"'
+TEXT = (folder("variants") / "31.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(("code", "in_drive", "in_equations"), [
+    ("degree_mode", True, True), ("degree_drive", True, False), ("degree_geometry", False, True), ("sign_drive", False, False),
+])  # fmt: skip
+def test_every_sine_of_its_kind_is_taken_for_degrees(code: str, in_drive: bool, in_equations: bool) -> None:
+    """On both sides of an equation, in every point."""
+    assert SPLIT in TEXT
+    variant = parse_variant(TEXT.replace(SPLIT, 'equation = "r3*w3*sin(phi3) - r2*w2*cos(phi2) = r1*w1*cos(phi1)"'))
+    changed = misread(variant, Scene(variant, Settings()).equations, code)
+    assert changed is not None
+
+    def turned(formulas) -> set[bool]:
+        """Return of formulas with sines and cosines whether the argument of each is turned."""
+        texts = [spelled(one) for one in formulas]
+        counts = [(len(re.findall(r"sin|cos", text)), text.count("pi/180")) for text in texts]
+        return {{0: False, sines: True}[parts] for sines, parts in counts if sines}
+
+    assert turned(formula for law in changed.drive for formula in law.formulas) == {in_drive}
+    assert turned(one.left for one in changed.constraints) == {in_equations}
+    assert turned(one.right for one in changed.constraints) == {in_equations}
+    assert {"pi/180" in spelled(point) for _, point in changed.points if "@" in spelled(point)} == {in_equations}
+    signs = [spelled(formula).startswith("-") for law in changed.drive for formula in law.formulas]
+    assert any(signs) is (code == "sign_drive")

@@ -1,0 +1,49 @@
+"""When rows are put back: the table must have half of its cells right then, and a tenth more than it has as it stands."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coursework.grading.marking.table import shifted
+
+ROWS = 20
+
+
+def made(monkeypatch: pytest.MonkeyPatch, **right: range) -> list[float] | None:
+    """Return the table of one column 0, 1, 2, … put back, where these rows are right as they stand, one late, one early."""
+    values = np.arange(float(ROWS))[:, None]
+    printed = SimpleNamespace(student=SimpleNamespace(values=values, units=np.full((ROWS, 1), 0.1)))
+    names = {0: "as_it_is", -1: "late", 1: "early"}
+    monkeypatch.setattr(
+        shifted, "_right", lambda printed, by: np.isin(np.arange(ROWS), list(right.get(names[by], ()))).astype(float)
+    )
+    found = shifted.put_back(printed)
+    return None if found is None else found.values[:, 0].tolist()
+
+
+@pytest.mark.parametrize(("is_right_until", "is_put_back"), [(8, True), (17, True), (18, False), (20, False)])
+def test_a_row_that_stands_twice_is_taken_away(monkeypatch, is_right_until, is_put_back):
+    """Right up to there, one row late from there on: put back all but the last is right, which must be more than two gained."""
+    found = made(monkeypatch, as_it_is=range(is_right_until), late=range(is_right_until, ROWS))
+    assert (found is not None) is is_put_back
+    if found is not None:
+        assert len(found) == ROWS and np.isnan(found[-1])
+        assert found[:-1] == [float(row) for row in range(ROWS) if row not in {is_right_until}]
+
+
+@pytest.mark.parametrize(("is_right_until", "is_put_back"), [(5, True), (17, True), (18, False)])
+def test_a_row_that_is_left_out_gets_an_empty_one(monkeypatch, is_right_until, is_put_back):
+    found = made(monkeypatch, as_it_is=range(is_right_until), early=range(is_right_until, ROWS))
+    assert (found is not None) is is_put_back
+    if found is not None:
+        assert np.isnan(found[is_right_until])
+        assert [value for value in found if not np.isnan(value)] == [float(row) for row in range(ROWS - 1)]
+
+
+@pytest.mark.parametrize(("right", "is_put_back"), [(range(10), False), (range(10, 20), True), (range(11, 20), False)])
+def test_less_than_half_of_a_table_is_not_looked_at_closer(monkeypatch, right, is_put_back):
+    """Of rows that are one late the last half is right, or a row less; before the slip they say nothing."""
+    assert (made(monkeypatch, late=right) is not None) is is_put_back

@@ -1,0 +1,37 @@
+"""Tables and named values of JSON as programs write it."""
+
+from __future__ import annotations
+
+import pytest
+
+from coursework.grading.reading.documents.json_data import document_of_json
+
+COLUMNS = [["t", "w"], ["0", "5"], ["0.1", "7"]]
+
+
+def tables(text: str, rows: int = 600, columns: int = 40) -> list[list[list[str]]]:
+    return [[[cell.text for cell in row] for row in table.rows] for table in document_of_json(text, "json", rows, columns).tables]
+
+
+@pytest.mark.parametrize(("text", "table"), [
+    ('{"t": [0, 0.1], "w": [5, 7]}', COLUMNS), ('[{"t": 0, "w": 5}, {"t": 0.1, "w": 7}]', COLUMNS),
+    ('[["t", "w"], [0, 5], [0.1, 7]]', COLUMNS), ('{"data": {"t": [0, 0.1], "w": [5, 7]}}', COLUMNS),
+    ('{"t": [0, 0.1, 0.2], "w": [5, 7]}', [["t", "w"], ["0", "5"], ["0.1", "7"], ["0.2", ""]]),  # a column that ends early
+    ('[{"t": 0}, {"t": 0.1, "w": 7}]', [["t", "w"], ["0"], ["0.1", "7"]]),
+])  # fmt: skip
+def test_columns_and_rows_and_records_are_one_table(text: str, table: list[list[str]]) -> None:
+    assert tables(text) == [table]
+
+
+def test_no_more_rows_and_columns_than_are_read() -> None:
+    assert tables('{"t": [0, 0.1, 0.2], "w": [5, 6, 7], "u": [1, 2, 3]}', 2, 2) == [[["t", "w"], ["0", "5"]]]
+
+
+def test_numbers_and_texts_beside_a_name_are_lines() -> None:
+    document = document_of_json('{"wAB": 0.35, "first": "w1 = V/r\\nw2 = 2*w1", "vC": "3/4"}', "json", 600, 40)
+    assert [line.text for line in document.lines] == ["wAB = 0.35", "w1 = V/r", "w2 = 2*w1", "vC = 3/4"]
+    assert not document.tables
+
+
+def test_numbers_in_a_list_have_no_name_and_are_no_lines() -> None:
+    assert [line.text for line in document_of_json('[0.35, "w1 = 2"]', "json", 600, 40).lines] == ["w1 = 2"]

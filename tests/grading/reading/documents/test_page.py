@@ -1,0 +1,46 @@
+"""Tables and lines of a page of HTML and of a LaTeX file, with the places where they stand."""
+
+from __future__ import annotations
+
+import pytest
+
+from coursework.grading.reading.documents.document import place_of
+from coursework.grading.reading.documents.page import document_of_latex, document_of_page
+
+ROWS = "w_1 & 5 \\\\\nw_2 & 7 \\\\\n"
+LATEX = f"w_1 = V/r\n\\begin{{tabular}}{{lr}}\n{ROWS}\\end{{tabular}}\nw_2 = 2 w_1\n"
+
+
+def cells(rows) -> list[list[str]]:
+    return [[cell.text for cell in row] for row in rows]
+
+
+@pytest.mark.parametrize(("before", "first"), [
+    ("", 1), ("\n\n", 3), ("\\documentclass{article}\n\\newcommand{\\x}{x = 1}\n\\begin{document}\n", 4),
+    ("\\documentclass{article}\\begin{document}", 1),
+])  # fmt: skip
+@pytest.mark.parametrize("end", ["", "\\end{document}\n"])
+def test_a_latex_file_is_read_from_its_body_on_whether_it_has_a_preamble_or_not(before: str, first: int, end: str) -> None:
+    document = document_of_latex(before + LATEX + end, "latex", 600, 40)
+    assert [line.text for line in document.lines] == ["w_1 = V/r", "w_2 = 2 w_1"]
+    assert [line.place for line in document.lines] == [place_of("line", line=first), place_of("line", line=first + 5)]
+    (table,) = document.tables
+    assert cells(table.rows) == [["w_1", "5"], ["w_2", "7"]]
+    assert table.place == place_of("line", line=first + 1)
+
+
+@pytest.mark.parametrize(("most_rows", "most_columns", "rows"), [
+    (600, 40, [["t", "w", "w"], ["t", "1", "2"], ["0", "5", "7"]]), (2, 40, [["t", "w", "w"], ["t", "1", "2"]]),
+    (600, 2, [["t", "w"], ["t", "1"], ["0", "5"]]),
+])  # fmt: skip
+def test_a_cell_of_a_page_stands_in_every_row_and_column_that_it_spans(
+    most_rows: int, most_columns: int, rows: list[list[str]]
+) -> None:
+    page = (
+        "<p>w1 = V/r</p><table><tr><td rowspan=2>t</td><td colspan=2>w</td></tr><tr><td>1</td><td>2</td></tr>"
+        "<tr><td>0</td><td>5</td><td>7</td></tr></table><p>w2 = 2&middot;w1</p>"
+    )
+    document = document_of_page(page, "html", most_rows, most_columns)
+    (table,) = document.tables
+    assert cells(table.rows) == rows
+    assert [line.text.replace("·", "*") for line in document.lines] == ["w1 = V/r", "w2 = 2*w1"]

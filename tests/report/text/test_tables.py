@@ -1,0 +1,38 @@
+"""Tables of a page: whose numbers are set alike, and what the table of a run is called."""
+
+from __future__ import annotations
+
+from types import ModuleType, SimpleNamespace
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.report.text.tables import largest_of
+from tests.report.made import solved
+
+GRID = SimpleNamespace(
+    names=("A.x", "A.y", "A.vx", "B.x", "w1"), units=("m", "m", "m/s", "m", "1/s"),
+    rows=np.array([[0.1, -0.5, 7.0, 3.0, 9.0], [0.2, np.nan, -8.0, 2.0, 1.0]]),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("index", "largest"), [(0, 0.5), (1, 0.5), (2, 8.0), (3, 3.0), (4, 0.0)])
+def test_numbers_of_one_point_and_one_unit_are_set_by_the_largest_of_them(index: int, largest: float) -> None:
+    """A column of no point is set by itself."""
+    assert largest_of(GRID, index) == largest
+
+
+@pytest.mark.parametrize(("scheme", "called"), [
+    ("euler", "Positions and velocities by explicit Euler, "), ("exact", "Positions and velocities of the exact motion, "),
+])  # fmt: skip
+def test_a_table_is_called_after_the_scheme_that_made_it(real: ModuleType, scheme: str, called: str) -> None:
+    run = solved("31", scheme=scheme) if scheme == "euler" else coursework.solve("31", scheme, quantities=["table", "checks"])
+    captions = [real.text_of(part["caption"]) for part in real.parts(run, "results") if part["kind"] == "table"]
+    assert any(caption.startswith(called) for caption in captions), captions
+
+
+def test_a_run_that_stops_says_how_many_rows_of_how_many_it_has(real: ModuleType) -> None:
+    """25 rows were asked for, 0.48 s by 0.02 s; the last before the stop at 0.1169 s is that of 0.10 s."""
+    (bar,) = (part for part in real.parts(real.stopped(), "statement") if part.get("style") == "bar")
+    assert "6 rows of 25." in real.text_of(bar["text"]).replace("\u00a0", " ")

@@ -1,0 +1,57 @@
+"""What makes a set sure to move: its determinants look by look, the distance they keep, and the error of the way followed."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coursework.scene.model import watch
+from coursework.scene.model.watch import Watch, sure_to_move
+
+
+def test_what_is_known_of_a_determinant_after_four_looks():
+    """Two sets: 4, 1, 2, 5 and -1, -2, 1, -4, which changes its sign."""
+    seen = Watch.at(np.array([[4.0, -1.0]]))
+    for looked in ([1.0, -2.0], [2.0, 1.0], [5.0, -4.0]):
+        seen.look(np.array([looked]))
+    assert seen.least.tolist() == [[1.0, 1.0]]
+    assert seen.most.tolist() == [[5.0, 4.0]]
+    assert seen.fastest.tolist() == [[3.0, 5.0]]
+    assert seen.dip.tolist() == [[4.0, 8.0]]  # second differences: 4, 2 and 4, -8
+    assert seen.changed.tolist() == [False, True]
+
+
+def judged(error=0.0, moved=1.0, largest=1.0, **changes):
+    """Return whether a set is sure whose determinant is 1 throughout, with some of what was seen changed."""
+    seen = Watch.at(np.array([[1.0]]))
+    for name, value in changes.items():
+        setattr(seen, name, np.array([[value]]) if name != "changed" else np.array([value]))
+    model = SimpleNamespace(blocks=[SimpleNamespace(largest=largest)])
+    return bool(watch._judged(model, seen, np.array([error]), np.array([moved]))[0])
+
+
+@pytest.mark.parametrize(("changes", "is_sure"), [
+    ({"least": 0.021}, True), ({"least": 0.019}, False),
+    ({"least": 0.042, "most": 2.0}, True), ({"least": 0.038, "most": 2.0}, False),
+    ({"dip": 0.979}, True), ({"dip": 0.981}, False), ({"least": 0.5, "dip": 0.479}, True), ({"least": 0.5, "dip": 0.481}, False),
+    # An error of the position counts thirty times, with the slope of the determinant, 4 of its size at least.
+    ({"error": 0.97 / 120}, True), ({"error": 0.99 / 120}, False),
+    ({"error": 0.97 / 240, "fastest": 1.0, "moved": 0.5}, True), ({"error": 0.99 / 240, "fastest": 1.0, "moved": 0.5}, False),
+    ({"largest": 0.99e6}, True), ({"largest": 1.01e6}, False),
+    ({"changed": True}, False), ({"error": float("nan")}, False), ({"error": float("inf")}, False),
+    ({"least": float("nan")}, False),
+])  # fmt: skip
+def test_which_set_is_sure(changes, is_sure):
+    assert judged(**changes) is is_sure
+
+
+def test_a_way_that_is_a_cubic_has_no_error(monkeypatch):
+    """q' = 3 t^2 + 5 (q - t^3) begins at 0 and stays t^3, which the cubic through both ends of a step is too."""
+    told = {}
+    monkeypatch.setattr(watch, "_judged", lambda model, seen, error, moved: told.update(error=error, moved=moved))
+    model = SimpleNamespace(
+        blocks=[None], breaks=(), coordinates=("q",), program=lambda t, q: [3 * t**2 + 5 * (q - t**3), 1.0 + 0 * q]
+    )
+    sure_to_move(model, (), np.zeros((1, 1)), 1.0, 100)
+    assert told["moved"] == pytest.approx([1 - 0.99**3], rel=1e-5)
+    assert told["error"] == pytest.approx([0.0], abs=1e-6)
