@@ -130,8 +130,6 @@ def explanations(
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
-        if claim.code == ROWS_SHIFTED:
-            put_right.marks[_as_it_stood(key, put_right)] = KEY
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
@@ -145,8 +143,7 @@ def explanations(
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
             part = claim.part if code == OTHER_STEP else part
-    against_rows = explained_share(key, cells, by_key)  # rows that were shifted whole follow Euler's rules as well as before
-    fits = {code: fit for code, fit in fits.items() if fit.share > (against_rows if code == ROWS_SHIFTED else euler_fit) + BETTER}
+    fits = {code: fit for code, fit in fits.items() if code == ROWS_SHIFTED or fit.share > euler_fit + BETTER}
     if own := _other_step(key, cells):
         share, fit = own
         if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
@@ -171,12 +168,6 @@ def explanations(
     tied = [code for code in tied if code not in read_off] or tied
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began)
-
-
-def _as_it_stood(key: Key, put_back: Cells) -> Flags:
-    """Return which cells of rows that were put back are the key's where they stood before."""
-    before, after = (alike(key, put_back.student, np.roll(key.table, by, axis=0)) for by in (1, -1))
-    return before | after
 
 
 def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:

@@ -5,15 +5,15 @@ Enters: a table, its ways, which cells are wrong.  Leaves: `StudentTable`s to be
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows
-from coursework.grading.marking.table.ways import HALF, OwnWays, Places, StudentTable
+from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
+from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
@@ -32,21 +32,17 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     if (guess := as_it_was(key, was, untold, own)) is not None:
         yield guess
     m = len(key.coordinates)
-    rows = np.flatnonzero(beside_makers(wrong, m).sum(axis=1) >= _AGREE)
-    if not len(rows) or len(rows) > _FEW * len(wrong):
+    rows = beside_makers(wrong, m).sum(axis=1) >= _AGREE
+    if not rows.any() or rows.mean() > _FEW:
         return
     yield _by_next_row(key, was, other)
-    later = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
-    places = np.array([*dict.fromkeys([*range(2 * m), *later])])
-    found, agree = _agreed(key, was, own, wrong, rows, places)
-    agree = np.where(other[np.ix_(rows, places)].T, agree, 0)
-    for place in np.argsort(-agree, axis=0, kind="stable"):  # in each row the cell first of which most speaks
-        told = agree[place, np.arange(len(rows))] >= _AGREE
-        if not told.any():
-            return
-        guess = replace(was, values=was.values.copy())
-        guess.values[rows[told], places[place[told]]] = found[place[told], np.flatnonzero(told)]
+    told = _agreed(key, was, own, wrong, other & rows[:, None])
+    for values in told:  # in each row the cell first of which most speaks
+        guess = replace(was, values=np.where(np.isfinite(values), values, was.values))
         yield guess
+        later = with_later(key, guess, other, np.isfinite(values))
+        if later is not None:
+            yield later
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
@@ -60,48 +56,68 @@ def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
     return guess
 
 
-def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Places, places: Places) -> tuple[Array, Counts]:
-    """Return what the cells at some places of some rows (places, rows) were by as many others as can be, and by how many.
+def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> list[Array]:
+    """Return tables (n, m + r) of what one cell a row was, NaN elsewhere; first the one on which most cells agree.
 
     Each `wrong` one made from it leaves it a span as wide as its own tolerance, and so does what it was made from: where most
     spans meet it may have been.
     """
-    m, r = len(key.coordinates), len(key.velocities)
-    after = np.minimum(rows + 1, len(was.values) - 1)
+    m, r, printed = len(key.coordinates), len(key.velocities), was.values
+    beside = beside_makers(printed, m)
+    beside[-1, r:] = np.nan
+    made = beside_makers(wrong & np.isfinite(printed), m)
+    angles, earlier, step, true = (np.where(made, beside_makers(way.tolerance, m), np.nan) for way in own.tried)
+    step = np.where(np.isnan(step), true, step)
+    tolerance = np.hstack([angles[:, :r], earlier[:, :r], step[:, r:], true[:, r:], true[:, r:]])
+    cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 3)])
+    row, place, by = np.argwhere(other[:, :, None] & np.isfinite(tolerance)[:, None]).T
+    if not len(row):
+        return []
+    after = np.minimum(row + 1, len(printed) - 1)
+    middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
+    here = printed[row, place]
+    starts = [np.where(np.isfinite(middle), middle, here), np.where(np.isfinite(printed[after, place]) & (place < m), printed[after, place], here)]
+    row, place, by = (np.tile(one, len(starts)) for one in (row, place, by))
+    at, all_made = np.arange(len(row)), tolerance[row]
+    x, target, t = np.concatenate(starts), beside[row][:, cells], key.t[row]
 
-    def of(tables: Sequence[Array]) -> Array:
-        """Return what is made from the rows, each cell in two ways, by the tables of the ways."""
-        return np.hstack([table[rows, m:] for table in tables[:2]] + [table[after, :m] for table in tables[2:]]).T
+    def makes(x):
+        moved = printed[row]
+        moved[at, place] = x
+        return made_from_rows(key, t, moved)
 
-    tolerance = of([np.where(wrong, way.tolerance, np.nan) for way in own.tried])
-    tolerance[2 * r :, after == rows] = np.nan
-    used = np.flatnonzero(np.isfinite(tolerance).any(axis=1))
-    shape = (len(places), len(used), len(rows))
-    printed, tolerance = of([was.values] * len(own.tried))[used], tolerance[used]
-    one, at = np.indices(shape)[1].ravel(), (np.arange(np.prod(shape)), np.repeat(places, shape[1] * shape[2]))
-    times, moved = np.tile(key.t[rows], shape[0] * shape[1]), np.tile(was.values[rows], (shape[0] * shape[1], 1))
-    beside = np.pad(was.values, ((1, 1), (0, 0)), mode="reflect")
-    middle = np.median([beside[rows], key.table[rows], beside[rows + 2]], axis=0)  # a misprint leads astray
-    middle = np.where(np.isfinite(middle), middle, was.values[rows])
-    moved[at] = np.repeat(middle.T[places], shape[1], axis=0).ravel()
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(all="ignore"):
         for last in range(_ROUNDS + 1):
-            nearer = moved.copy()
-            nearer[at] += _DIFFERENCE
-            found = made_from_rows(key, times, moved)[at[0], used[one]]
-            slopes = ((made_from_rows(key, times, nearer)[at[0], used[one]] - found) / _DIFFERENCE).reshape(shape)
-            off = printed - found.reshape(shape)
+            found = makes(x)
+            slopes = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE
+            off = target - found
             if last < _ROUNDS:
-                moved[at] += np.nan_to_num(off / slopes, posinf=0.0, neginf=0.0).ravel()
-        half = np.where((np.abs(off) <= tolerance) & (slopes != 0.0), tolerance / np.abs(slopes), np.nan)
-    low, high = (moved[at].reshape(shape) + side * half for side in (-1, 1))
-    for way in own.tried:
-        made, by = way.expected[rows].T[places, None], way.tolerance[rows].T[places, None]
-        low, high = np.hstack([low, made - by]), np.hstack([high, made + by])
-    cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 2)])[used]  # each is made in two ways
-    cells = np.concatenate([cells, np.full(len(own.tried), r + m)])
-    meet = (low[:, :, None] <= low[:, None]) & (low[:, None] <= high[:, :, None])  # (place, span, where one begins, row)
-    counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
-    best, (place, row) = counts.argmax(axis=1), np.ogrid[: shape[0], : shape[2]]
-    to = np.min(np.where(meet[place, :, best, row], high.transpose(0, 2, 1), np.inf), axis=-1)
-    return (low[place, best, row] + to) / 2, counts[place, best, row]
+                x = x + np.nan_to_num(off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)
+        half = np.where(slopes != 0.0, all_made / np.abs(slopes), np.nan)
+        root = x[:, None] + off / slopes
+        ways = [(way.expected[row, place], way.tolerance[row, place]) for way in own.tried]
+        root = np.column_stack([root, *(one for one, _ in ways)])
+        half = np.column_stack([half, *(one for _, one in ways)])
+        cells = np.concatenate([cells, np.full(len(ways), r + m)])
+        own_half = half[at, by]
+        right = np.abs(root[at, by] - x) <= own_half
+        meet = np.abs(root - x[:, None]) <= half + own_half[:, None]
+        low = np.max(np.where(meet, root - half, -np.inf), axis=1)
+        high = np.min(np.where(meet, root + half, np.inf), axis=1)
+        joint = low <= high
+        meet = np.where(joint[:, None], meet, np.abs(root - x[:, None]) <= half)
+        x = np.where(joint & right, (low + high) / 2, x)
+    counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0) * right
+    tables: list[Array] = []
+    best = np.argsort(-counts, kind="stable")
+    best = best[counts[best] >= _AGREE]
+    _, first = np.unique(row[best] * (m + r) + place[best], return_index=True)
+    best = best[np.sort(first)]
+    rank = np.zeros(len(printed), dtype=int)
+    for one in best.tolist():
+        k = rank[row[one]]
+        rank[row[one]] += 1
+        if k == len(tables):
+            tables.append(np.full(printed.shape, np.nan))
+        tables[k][row[one], place[one]] = x[one]
+    return tables
