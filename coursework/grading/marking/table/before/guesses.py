@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
-from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable
+from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, StudentTable, Way
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
@@ -21,28 +21,29 @@ Counts = NDArray[np.intp]
 _AGREE, _FEW = 2, 0.75
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
+# From so many places of a turn an angle is looked for: a misprint may lie anywhere.
+_AROUND = 8
 
 
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
     """Yield what rows may have been where `wrong` cells are made from them.
 
     What is `untold` may be as the rows above make it.  Where several wrong cells are made from a row, it is one of the cells that
-    were `other`, as most of them and the row above have it; or all its coordinates that were, as the next row has them.
+    were `other`, as most of them and the row above have it, with or without what follows from it; or all its coordinates that
+    were, as the next row has them.
     """
     if (guess := as_it_was(key, was, untold, own)) is not None:
         yield guess
-    m = len(key.coordinates)
-    rows = beside_makers(wrong, m).sum(axis=1) >= _AGREE
+    rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
     if not rows.any() or rows.mean() > _FEW:
         return
     yield _by_next_row(key, was, other)
-    told = _agreed(key, was, own, wrong, other & rows[:, None])
-    for values in told:  # in each row the cell first of which most speaks
-        guess = replace(was, values=np.where(np.isfinite(values), values, was.values))
+    for values in _agreed(key, was, own, wrong, other & rows[:, None]):
+        told = np.isfinite(values)
+        guess = replace(was, values=np.where(told, values, was.values))
         yield guess
-        later = with_later(key, guess, other, np.isfinite(values))
-        if later is not None:
-            yield later
+        if (guess := with_later(key, guess, other, told)) is not None:
+            yield guess
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
@@ -59,65 +60,79 @@ def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
 def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> list[Array]:
     """Return tables (n, m + r) of what one cell a row was, NaN elsewhere; first the one on which most cells agree.
 
-    Each `wrong` one made from it leaves it a span as wide as its own tolerance, and so does what it was made from: where most
-    spans meet it may have been.
+    Each `wrong` cell tells what one of those that may have been `other` was; it and all others made from that, and what that
+    was made from, leave it a span as wide as their tolerances, and where its own meets most of theirs it may have been.
     """
     m, r, printed = len(key.coordinates), len(key.velocities), was.values
-    beside = beside_makers(printed, m)
-    beside[-1, r:] = np.nan
     made = beside_makers(wrong & np.isfinite(printed), m)
-    angles, earlier, step, true = (np.where(made, beside_makers(way.tolerance, m), np.nan) for way in own.tried)
-    step = np.where(np.isnan(step), true, step)
+    angles, earlier, step, true = (np.where(made, beside_makers(_open_by(key, way, printed), m), np.nan) for way in own.tried)
     tolerance = np.hstack([angles[:, :r], earlier[:, :r], step[:, r:], true[:, r:], true[:, r:]])
-    cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 3)])
+    cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 3)])  # velocities two ways, steps three
     row, place, by = np.argwhere(other[:, :, None] & np.isfinite(tolerance)[:, None]).T
     if not len(row):
         return []
-    after = np.minimum(row + 1, len(printed) - 1)
-    middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
-    here = printed[row, place]
-    starts = [np.where(np.isfinite(middle), middle, here), np.where(np.isfinite(printed[after, place]) & (place < m), printed[after, place], here)]
-    row, place, by = (np.tile(one, len(starts)) for one in (row, place, by))
-    at, all_made = np.arange(len(row)), tolerance[row]
-    x, target, t = np.concatenate(starts), beside[row][:, cells], key.t[row]
+    x, again = _begun(key, printed, row, place, by)
+    row, place, by = row[again], place[again], by[again]
+    at, rows, beside = np.arange(len(row)), printed[row], beside_makers(printed, m)[row][:, cells]
 
-    def makes(x):
-        moved = printed[row]
-        moved[at, place] = x
-        return made_from_rows(key, t, moved)
+    def makes(x: Array) -> Array:
+        rows[at, place] = x
+        return made_from_rows(key, key.t[row], rows)
 
     with np.errstate(all="ignore"):
         for last in range(_ROUNDS + 1):
             found = makes(x)
-            slopes = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE
-            off = target - found
+            slopes, off = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE, beside - found
             if last < _ROUNDS:
                 x = x + np.nan_to_num(off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)
-        half = np.where(slopes != 0.0, all_made / np.abs(slopes), np.nan)
-        root = x[:, None] + off / slopes
-        ways = [(way.expected[row, place], way.tolerance[row, place]) for way in own.tried]
-        root = np.column_stack([root, *(one for one, _ in ways)])
-        half = np.column_stack([half, *(one for _, one in ways)])
-        cells = np.concatenate([cells, np.full(len(ways), r + m)])
-        own_half = half[at, by]
-        right = np.abs(root[at, by] - x) <= own_half
-        meet = np.abs(root - x[:, None]) <= half + own_half[:, None]
-        low = np.max(np.where(meet, root - half, -np.inf), axis=1)
-        high = np.min(np.where(meet, root + half, np.inf), axis=1)
-        joint = low <= high
-        meet = np.where(joint[:, None], meet, np.abs(root - x[:, None]) <= half)
-        x = np.where(joint & right, (low + high) / 2, x)
-    counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0) * right
-    tables: list[Array] = []
-    best = np.argsort(-counts, kind="stable")
+        own_ways = [(way.expected[row, place], way.tolerance[row, place]) for way in own.tried]
+        root = np.column_stack([x[:, None] + off / slopes, *(expected for expected, _ in own_ways)])
+        half = np.column_stack([tolerance[row] / np.abs(slopes), *(open_by for _, open_by in own_ways)])
+        cells = np.concatenate([cells, np.full(len(own_ways), r + m)])
+        off, own_half = np.abs(root - x[:, None]), half[at, by]
+        meet = off <= half + own_half[:, None]
+        low, high = (np.max(np.where(meet, side * root - half, -np.inf), axis=1) * side for side in (1, -1))
+        one = low <= high  # all of them meet in one place
+        meet = np.where(one[:, None], meet, off <= half)
+        x = np.where(one, np.clip(x, low, high), x)
+        counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0) * (off[at, by] <= own_half)
+    return _ranked(printed.shape, row, place, x, counts, own_half)
+
+
+def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> tuple[Array, Places]:
+    """Return where cells are begun to be looked for, and for which of the `row`, `place`, `by`: some more than once.
+
+    A cell may be near its neighbours, since a misprint leads astray, or as its next row has it, and an angle anywhere.
+    """
+    m, after = len(key.coordinates), np.minimum(row + 1, len(printed) - 1)
+    middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
+    middle = np.where(np.isfinite(middle), middle, printed[row, place])
+    below = np.where((place < m) & np.isfinite(printed[after, place]), printed[after, place], middle)
+    angles = [index for index, name in enumerate(key.coordinates) if key.variant.unit_of(name) == "rad"]
+    turned = np.flatnonzero(np.isin(place, angles) & (by < 2 * len(key.velocities)))  # steps tell it from anywhere
+    around = 2 * np.pi / _AROUND * np.arange(1, _AROUND)
+    begun = np.concatenate([middle, below, *(middle[turned] + part for part in around)])
+    return begun, np.concatenate([np.tile(np.arange(len(row)), 2), np.tile(turned, _AROUND - 1)])
+
+
+def _open_by(key: Key, way: Way, printed: Array) -> Array:
+    """Return the tolerances of a way for what is printed: digits of angles leave larger velocities the more open."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        larger = np.abs(printed) / np.maximum(np.abs(way.expected), LEAST * key.usual_ranges)
+    larger[:, : len(key.coordinates)] = 1.0
+    return np.asarray(way.tolerance * np.fmax(1.0, larger))
+
+
+def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, half: Array) -> list[Array]:
+    """Return tables of what is told: in each row first the cell of which most speaks, and of equal ones most exactly."""
+    best = np.lexsort((half, -counts))
     best = best[counts[best] >= _AGREE]
-    _, first = np.unique(row[best] * (m + r) + place[best], return_index=True)
-    best = best[np.sort(first)]
-    rank = np.zeros(len(printed), dtype=int)
-    for one in best.tolist():
-        k = rank[row[one]]
-        rank[row[one]] += 1
-        if k == len(tables):
-            tables.append(np.full(printed.shape, np.nan))
-        tables[k][row[one], place[one]] = x[one]
+    _, first = np.unique(row[best] * shape[1] + place[best], return_index=True)
+    tables: list[Array] = []
+    taken = np.zeros(shape[0], dtype=int)
+    for one in best[np.sort(first)].tolist():
+        if taken[row[one]] == len(tables):
+            tables.append(np.full(shape, np.nan))
+        tables[taken[row[one]]][row[one], place[one]] = x[one]
+        taken[row[one]] += 1
     return tables
