@@ -111,7 +111,8 @@ def test_a_start_is_another_by_more_than_its_rounding(
     key = SimpleNamespace(coordinates=("q",), table=np.array([[3.0]]), told_to=0.0)
     table = StudentTable(np.array([[3.0 + 0.1 * off]]), np.array([[0.1]]))
     student = table if before is None else StudentTable(np.array([[3.0]]), np.array([[0.1]]))
-    found = starts.own_start(key, SimpleNamespace(student=student, before=None if before is None else table))
+    cells = SimpleNamespace(student=student, before=None if before is None else table, marks=np.zeros((1, 1)))
+    found = starts.own_start(key, cells)
     assert (found is not None) == is_own
 
 

@@ -23,9 +23,9 @@ from coursework.grading.marking.table.ways import StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# Of a table the part that a cause must make, and how much more than the task does.  Far fewer than name it: a cell put right must
-# not decide on all others.
-_MOST, _MORE = 0.7, 0.05
+# Of a table the part that a cause must make, how much more than the task does, how much of what the task does not: a slip that
+# is carried on leaves the key too, and other causes come nearer by chance.  Fewer cells than name a cause: no single one decides.
+_MOST, _MORE, _OF_REST = 0.7, 0.05, 0.6
 
 
 @frozen
@@ -41,13 +41,14 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     spoken = cells.counted & ~cells.missing
     right = alike(key, cells.student, key.table)
     by_key = _share(right, spoken)
+    least = max(_MOST, by_key + max(_MORE, _OF_REST * (1.0 - by_key)))
     made: dict[str, tuple[float, Array, tuple[str, ...]]] = {}
     for claim in claims if by_key < 1.0 - _MORE else ():
         if claim.table is None or claim.code == OWN or not _may_be(cells, claim, spoken):
             continue
         table = claim.table()
         share = _share(alike(key, cells.student, table), spoken)
-        if share >= max(_MOST, by_key + _MORE) and (claim.code not in made or share > made[claim.code][0]):
+        if share >= least and (claim.code not in made or share > made[claim.code][0]):
             made[claim.code] = share, table, claim.names
     if not made:
         return None
