@@ -41,10 +41,11 @@ Rule = Literal["cells", "start", "misconception", "own_equations"]
 class TablePoints:
     """`share` of the table earned by its cells; how many cells count.
 
-    `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), the coordinate of
-    a step does not move ("still"), too few rows have all velocities right, and too few columns ("rows"), the digits do not tell
-    a step from those that are not Euler's ("untold"), the row belongs to no motion ("motion"), single right cells are chance
-    ("chance").  `uncounted` (n, m + r) is where they stand.
+    `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
+    with a velocity that is wrong, as many others of its column are, or of a coordinate that does not move ("used_velocity"), too
+    few rows have all velocities right, and too few columns ("rows"), the digits do not tell a step from those that are not
+    Euler's ("untold"), the row belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted`
+    (n, m + r) is where they stand.
     """
 
     share: float
@@ -89,13 +90,15 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     works = motion if rows_enough and follows[1:].any() else 0.0
     steps = np.zeros_like(right)
     steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
-    moved = np.zeros_like(right)
-    moved[rows[1:], :m] = _moves_as_it_may(key, cells)
+    used = np.zeros_like(right)
+    rates = sound[rows, m : 2 * m]
+    used[rows[1:], :m] = rates[:-1] | (marks[rows[1:], :m] == STEP_TRUE) | (np.mean(rates, axis=0) >= ENOUGH_ROWS)
+    used[rows[1:], :m] &= _moves_as_it_may(key, cells)
     velocities = cells.carried & ~steps
     still = right & _constant(key)
     shut = {
         "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
-        "still": steps & ~moved,
+        "used_velocity": steps & ~used,
         "rows": steps & (not rows_enough),
         "untold": untold | untold_steps(key, cells, steps, rows),
         "motion": but((velocities | still) & follows[:, None], motion) | ((velocities | still) & ~follows[:, None]),

@@ -21,8 +21,8 @@ Counts = NDArray[np.intp]
 _AGREE, _FEW = 2, 0.75
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
-# From so many places of a turn an angle is looked for: a misprint may lie anywhere.
-_AROUND = 8
+# From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
+_AROUND, _TRIED = 8, 3
 
 
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
@@ -95,7 +95,9 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         one = low <= high  # all of them meet in one place
         meet = np.where(one[:, None], meet, off <= half)
         x = np.where(one, np.clip(x, low, high), x)
-        counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0) * (off[at, by] <= own_half)
+        other_than = np.abs(x - printed[row, place]) > HALF * was.units[row, place]
+        counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
+        counts *= (off[at, by] <= own_half) & other_than
     return _ranked(printed.shape, row, place, x, counts, own_half)
 
 
@@ -128,11 +130,10 @@ def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts
     best = np.lexsort((half, -counts))
     best = best[counts[best] >= _AGREE]
     _, first = np.unique(row[best] * shape[1] + place[best], return_index=True)
-    tables: list[Array] = []
+    tables = [np.full(shape, np.nan) for _ in range(_TRIED)]
     taken = np.zeros(shape[0], dtype=int)
     for one in best[np.sort(first)].tolist():
-        if taken[row[one]] == len(tables):
-            tables.append(np.full(shape, np.nan))
-        tables[taken[row[one]]][row[one], place[one]] = x[one]
-        taken[row[one]] += 1
-    return tables
+        if taken[row[one]] < _TRIED:
+            tables[taken[row[one]]][row[one], place[one]] = x[one]
+            taken[row[one]] += 1
+    return tables[: max(taken, default=0)]

@@ -93,7 +93,7 @@ class _Looked:
 
     def made_by(self, table: StudentTable) -> OwnWays:
         """Return what a table makes."""
-        return own_ways(self.key, table, self.own.coarse)
+        return self.own if table is self.student else own_ways(self.key, table, self.own.coarse)
 
     def followed(self, table: StudentTable, free: Flags) -> tuple[StudentTable, OwnWays]:
         """Return a table with what its rows make of cells that are `free`, from the first row on of which anything tells."""
