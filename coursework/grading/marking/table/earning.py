@@ -19,7 +19,7 @@ from coursework.grading.marking.table.points import Earned, Rule, TablePoints, s
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
-_SLIPS = ("equation_", "sign_drive", "datum_", "swap_", "confusion_")
+_SLIPS = ("equation_", "sign_drive")
 # Of a table whose steps were made with rounded velocities.
 ROUNDED = 0.98
 
@@ -68,9 +68,8 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
 
 
 def _worth(rubric: Rubric, code: str) -> float:
-    """Return what a cell is worth that a misconception explains: one slip more than a wrong method, a right velocity all.
+    """Return what a cell is worth that a misconception explains: one sign more than a wrong method, a right velocity all.
 
-    A datum is a slip as a sign or a factor in an equation is: often nobody can tell which of them it was.
     Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
     """
     if code in {OTHER_STEP, ROWS_SHIFTED}:
