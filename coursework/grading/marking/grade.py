@@ -186,13 +186,17 @@ class Marker:
         found, hidden = Found(), None
         if not self.by_forces and looked_for(self.key, judged, points.cells):
             hidden = self._hidden(judged.student)
-            found = explanations(self.key, judged, self.confusions, self.others, hidden, equations)
+            found = self._explained(judged, equations)
             points = points_of(self.key, judged, self.rubric.carried, found.untold)
         points = untold_points(cells, points, judged) if made else points
         earned = best_rule(self.key, self.rubric, judged, points, found, self.others)
         first = first_wrong(self.key, cells, table)
-        named = made.named if made and made.named else found.named
+        named = (made.named or self._explained(cells, equations).named) if made else found.named
         return TableMarks(table, cells, points, first, named, earned, hidden, self._forces(table))
+
+    def _explained(self, cells: Cells, equations: EquationMarks | None) -> Found:
+        hidden = self._hidden(cells.student)
+        return explanations(self.key, cells, self.confusions, self.others, hidden, equations)
 
     def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:
         """Return the table that a cause makes, where too few digits were printed to see it in each cell."""
