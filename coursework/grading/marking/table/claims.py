@@ -14,9 +14,10 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
+from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.starts import march
 from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, velocity_tolerance
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
 
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
 _NEARLY, _NEAR = 0.4, 60.0
@@ -93,6 +94,11 @@ class TableUnderTest:
         """Return the digits of all velocities (n, r), 0 where missing."""
         return np.nan_to_num(self.student.units[:, self.m :])
 
+    @cached_property
+    def of_task(self) -> Flags:
+        """Return which cells (n, m + r) are the key's."""
+        return alike(self.key, self.student, self.key.table)
+
     def whole(self, q: Array | None = None, w: Array | None = None) -> Array:
         """Return a table (n, m + r) of some columns, NaN elsewhere."""
         blank = np.full(self.student.values.shape, np.nan)
@@ -135,11 +141,14 @@ class TableUnderTest:
         return self.velocities(at(self.q), self.spread(at))
 
     def nearly(self, found: Array) -> bool:
-        """Return whether velocities (n, r) come anywhere near those printed; what does not is not looked at closer."""
+        """Return whether velocities (n, r) come anywhere near those printed, the task's apart, which may have been put right.
+
+        What does not is not looked at closer.
+        """
         if not self.closely:
             return True
         tolerance = _NEAR * self.true_velocities[1]
-        there = np.isfinite(found) & np.isfinite(self.student.values[:, self.m :])
+        there = np.isfinite(found) & np.isfinite(self.student.values[:, self.m :]) & ~self.of_task[:, self.m :]
         with np.errstate(invalid="ignore"):
             close = np.abs(self.student.values[:, self.m :] - found) <= tolerance
         return bool(there.any()) and float(close[there].mean()) >= _NEARLY

@@ -135,8 +135,6 @@ def explanations(
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
-        if claim.code == ROWS_SHIFTED:
-            put_right.marks[_as_it_stood(key, put_right)] = KEY
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
@@ -151,8 +149,7 @@ def explanations(
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
-    against_rows = explained_share(key, cells, by_key)  # rows that were shifted whole follow Euler's rules as well as before
-    fits = {code: fit for code, fit in fits.items() if fit.share > (against_rows if code == ROWS_SHIFTED else euler_fit) + BETTER}
+    fits = {code: fit for code, fit in fits.items() if code == ROWS_SHIFTED or fit.share > euler_fit + BETTER}
     if (own := cells.student.own) and (fitting := _other_step(key, cells)):
         share, fit = fitting
         if share >= NAMED:
@@ -189,12 +186,6 @@ def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
     points = table_points(key, made)
     nothing = made.wrong | (made.missing if points.uncounted is None else made.missing | points.uncounted)
     return np.asarray(found | ((cells.marks == KEY) & nothing & cells.counted & alike(key, cells.student, table)))
-
-
-def _as_it_stood(key: Key, put_back: Cells) -> Flags:
-    """Return which cells of rows that were put back are the key's where they stood before."""
-    before, after = (alike(key, put_back.student, np.roll(key.table, by, axis=0)) for by in (1, -1))
-    return before | after
 
 
 def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:

@@ -23,6 +23,8 @@ from coursework.system.frozen import frozen
 # are the task's in as many rows: one wrong throughout is one fault.  Right cells below each other, fewer of which are chance.
 ENOUGH_ROWS, _COLUMNS, RUN = 0.6, 0.5, 5
 _CONSTANT = 1e-9
+# Of the velocities: the part that is to be explained before a row may be one of which a cell was put right.
+_MOSTLY = 0.5
 # Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow
 # for anything to count and for all of it.
 _SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
@@ -40,9 +42,10 @@ class TablePoints:
     """`share` of the table earned by its cells; how many cells count.
 
     `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
-    with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right, and too few columns
-    ("rows"), the digits do not tell a step from those that are not Euler's ("untold"), the row belongs to no motion ("motion"),
-    single right cells are chance ("chance").  `uncounted` (n, m + r) is where they stand.
+    with a velocity that is wrong, as many others of its column are, or of a coordinate that does not move ("used_velocity"), too
+    few rows have all velocities right, and too few columns ("rows"), the digits do not tell a step from those that are not
+    Euler's ("untold"), the row belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted`
+    (n, m + r) is where they stand.
     """
 
     share: float
@@ -88,7 +91,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     steps = np.zeros_like(right)
     steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
     used = np.zeros_like(right)
-    used[rows[1:], :m] = (sound[rows[:-1], m : 2 * m] | (marks[rows[1:], :m] == STEP_TRUE)) & _moves_as_it_may(key, cells)
+    rates = sound[rows, m : 2 * m]
+    used[rows[1:], :m] = rates[:-1] | (marks[rows[1:], :m] == STEP_TRUE) | (np.mean(rates, axis=0) >= ENOUGH_ROWS)
+    used[rows[1:], :m] &= _moves_as_it_may(key, cells)
     velocities = cells.carried & ~steps
     still = right & _constant(key)
     shut = {
@@ -137,14 +142,17 @@ def _begins_wrong(cells: Cells, m: int) -> bool:
 def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bool = False) -> float:
     """Return the share of the cells that count of which some explanation `holds` (n, m + r), or the key does.
 
-    The gates are those of the points: a step counts where its velocity is explained too, a velocity where its row belongs to
-    the motion that the explained steps make, a right cell without either where several stand below each other.
+    The gates are those of the points: a step counts where its velocity is explained too, or was before a cell of its row was
+    put right, a velocity where its row belongs to the motion that the explained steps make, a right cell without either where
+    several stand below each other.
     """
     m = len(key.coordinates)
     rows, by_key = handed_in(cells), cells.marks == KEY
+    after_put = (holds & ~by_key)[rows[1:], :m] & np.any(by_key, axis=1, keepdims=True)[rows[:-1]]
     holds = (holds | by_key) & ~cells.missing & cells.counted
+    after_put &= holds[rows, m:].mean() >= _MOSTLY
     moves = _moves_as_it_may(key, cells)
-    steps = holds[rows[1:], :m] & holds[rows[:-1], m : 2 * m] & moves
+    steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & moves
     counts = np.zeros_like(holds)
     counts[rows[1:], :m] = steps
     follows, motion = _following(cells.student.values[rows, :m], steps, np.asarray(moves.any(axis=1)))
@@ -227,12 +235,13 @@ def _moves(angles: Array) -> Flags:
 def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
     """Return where a coordinate moves from row to row handed in, now or before cells were put right, or need not.
 
-    It need not where the key's does not, nor in some rows if it does in many: a small step is lost in its digits.
+    It need not where the key's hardly does, nor in some rows if it does in many: a small step is lost in its digits.
     """
-    rows, m = handed_in(cells), len(key.coordinates)
-    printed, before, right = cells.student.values, (cells.before or cells.student).values, key.table
-    moves = _moves(printed[rows, :m]) | _moves(before[rows, :m])
-    return np.asarray(moves | ~_moves(right[rows, :m]) | (moves.sum(axis=0) >= _MOVES * len(moves)))
+    rows, m, student = handed_in(cells), len(key.coordinates), cells.student
+    moves = _moves(student.values[rows, :m]) | _moves((cells.before or student).values[rows, :m])
+    with np.errstate(invalid="ignore"):
+        hardly = np.abs(np.diff(key.table[rows, :m], axis=0)) <= np.fmax(_CONSTANT, student.units[rows, :m][1:])
+    return np.asarray(moves | hardly | (moves.sum(axis=0) >= _MOVES * len(moves)))
 
 
 def _step(cells: Cells) -> Way:

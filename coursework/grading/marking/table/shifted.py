@@ -11,17 +11,21 @@ import numpy as np
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.claims import TableUnderTest
 from coursework.grading.marking.table.ways import StudentTable
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
 
-# The rows are looked at closer where shifted ones have so large a part of their cells right, and this much more than before.
-_ENOUGH, _GAINED = 0.5, 0.1
+# The rows are looked at closer where shifted ones have so large a part of their cells right.
+_ENOUGH = 0.5
 
 
 def put_back(printed: TableUnderTest) -> StudentTable | None:
-    """Return the table without the row that is too many, or with an empty row where one is left out; None where neither is."""
+    """Return the table without the row that is too many, or with an empty row where one is left out; None where neither is.
+
+    What is right where it stands is right in the rows put back too: it was as the others before it was put right.
+    """
     student, count = printed.student, len(printed.student.values)
-    as_it_is, late, early = (_right(printed, by) for by in (0, -1, 1))
-    best, made = as_it_is.sum() + _GAINED * student.values.size, None
+    stands = alike(printed.key, student, printed.key.table)
+    as_it_is, late, early = (_right(printed, stands, by) for by in (0, -1, 1))
+    best, made = as_it_is.sum() + student.values.shape[1], None  # the row that is then missing
     for place in range(1, count):
         before = as_it_is[:place].sum()
         if before + late[place:].sum() > best:
@@ -37,21 +41,22 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
     values, units = np.full_like(student.values, np.nan), np.full_like(student.units, np.nan)
     for row, of in enumerate(made):
         if of is not None:
-            values[row], units[row] = student.values[of], student.units[of]
+            put = stands[of] & (row != of)
+            values[row], units[row] = np.where(put, printed.key.table[row], student.values[of]), student.units[of]
     return StudentTable(values, units)
 
 
-def _right(printed: TableUnderTest, by: int) -> Array:
+def _right(printed: TableUnderTest, stands: Flags, by: int) -> Array:
     """Return how far each row (n,) is the one `by` further on, in cells: coordinates the key's, velocities its or of own angles.
 
-    Both must be, or only the velocities are those of another time.
+    Both must be, or only the velocities are those of another time; what `stands` (n, m + r) right was as the others of its row.
     """
     key, m, values = printed.key, printed.m, printed.student.values
     last = key.table[-1:, :m] + key.step * key.table[-1:, m : 2 * m]
     t = np.asarray(key.t + by * key.step)
     after = np.hstack([last, key.velocities_at(t[-1:], last)])
     table = np.vstack([np.full_like(after, np.nan), key.table, after])[1 + by : 1 + by + len(values)]
-    right = alike(key, printed.student, table)
+    right = alike(key, printed.student, table) | stands
     with np.errstate(invalid="ignore"):
         own = np.abs(values[:, m:] - key.velocities_at(t, printed.q)) <= printed.true_velocities[1]
     right[:, m:] |= own & (t >= 0)[:, None]

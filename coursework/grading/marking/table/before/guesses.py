@@ -5,15 +5,15 @@ Enters: a table, its ways, which cells are wrong.  Leaves: `StudentTable`s to be
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows
-from coursework.grading.marking.table.ways import HALF, OwnWays, Places, StudentTable
+from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
+from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, StudentTable, Way
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
@@ -21,32 +21,29 @@ Counts = NDArray[np.intp]
 _AGREE, _FEW = 2, 0.75
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
+# From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
+_AROUND, _TRIED = 8, 3
 
 
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
     """Yield what rows may have been where `wrong` cells are made from them.
 
     What is `untold` may be as the rows above make it.  Where several wrong cells are made from a row, it is one of the cells that
-    were `other`, as most of them and the row above have it; or all its coordinates that were, as the next row has them.
+    were `other`, as most of them and the row above have it, with or without what follows from it; or all its coordinates that
+    were, as the next row has them.
     """
     if (guess := as_it_was(key, was, untold, own)) is not None:
         yield guess
-    m = len(key.coordinates)
-    rows = np.flatnonzero(beside_makers(wrong, m).sum(axis=1) >= _AGREE)
-    if not len(rows) or len(rows) > _FEW * len(wrong):
+    rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
+    if not rows.any() or rows.mean() > _FEW:
         return
     yield _by_next_row(key, was, other)
-    later = [m + key.velocities.index(name) for block in key.blocks[:-1] for name in block]
-    places = np.array([*dict.fromkeys([*range(2 * m), *later])])
-    found, agree = _agreed(key, was, own, wrong, rows, places)
-    agree = np.where(other[np.ix_(rows, places)].T, agree, 0)
-    for place in np.argsort(-agree, axis=0, kind="stable"):  # in each row the cell first of which most speaks
-        told = agree[place, np.arange(len(rows))] >= _AGREE
-        if not told.any():
-            return
-        guess = replace(was, values=was.values.copy())
-        guess.values[rows[told], places[place[told]]] = found[place[told], np.flatnonzero(told)]
+    for values in _agreed(key, was, own, wrong, other & rows[:, None]):
+        told = np.isfinite(values)
+        guess = replace(was, values=np.where(told, values, was.values))
         yield guess
+        if (guess := with_later(key, guess, other, told)) is not None:
+            yield guess
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
@@ -60,48 +57,83 @@ def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
     return guess
 
 
-def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, rows: Places, places: Places) -> tuple[Array, Counts]:
-    """Return what the cells at some places of some rows (places, rows) were by as many others as can be, and by how many.
+def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> list[Array]:
+    """Return tables (n, m + r) of what one cell a row was, NaN elsewhere; first the one on which most cells agree.
 
-    Each `wrong` one made from it leaves it a span as wide as its own tolerance, and so does what it was made from: where most
-    spans meet it may have been.
+    Each `wrong` cell tells what one of those that may have been `other` was; it and all others made from that, and what that
+    was made from, leave it a span as wide as their tolerances, and where its own meets most of theirs it may have been.
     """
-    m, r = len(key.coordinates), len(key.velocities)
-    after = np.minimum(rows + 1, len(was.values) - 1)
+    m, r, printed = len(key.coordinates), len(key.velocities), was.values
+    made = beside_makers(wrong & np.isfinite(printed), m)
+    angles, earlier, step, true = (np.where(made, beside_makers(_open_by(key, way, printed), m), np.nan) for way in own.tried)
+    tolerance = np.hstack([angles[:, :r], earlier[:, :r], step[:, r:], true[:, r:], true[:, r:]])
+    cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 3)])  # velocities two ways, steps three
+    row, place, by = np.argwhere(other[:, :, None] & np.isfinite(tolerance)[:, None]).T
+    if not len(row):
+        return []
+    x, again = _begun(key, printed, row, place, by)
+    row, place, by = row[again], place[again], by[again]
+    at, rows, beside = np.arange(len(row)), printed[row], beside_makers(printed, m)[row][:, cells]
 
-    def of(tables: Sequence[Array]) -> Array:
-        """Return what is made from the rows, each cell in two ways, by the tables of the ways."""
-        return np.hstack([table[rows, m:] for table in tables[:2]] + [table[after, :m] for table in tables[2:]]).T
+    def makes(x: Array) -> Array:
+        rows[at, place] = x
+        return made_from_rows(key, key.t[row], rows)
 
-    tolerance = of([np.where(wrong, way.tolerance, np.nan) for way in own.tried])
-    tolerance[2 * r :, after == rows] = np.nan
-    used = np.flatnonzero(np.isfinite(tolerance).any(axis=1))
-    shape = (len(places), len(used), len(rows))
-    printed, tolerance = of([was.values] * len(own.tried))[used], tolerance[used]
-    one, at = np.indices(shape)[1].ravel(), (np.arange(np.prod(shape)), np.repeat(places, shape[1] * shape[2]))
-    times, moved = np.tile(key.t[rows], shape[0] * shape[1]), np.tile(was.values[rows], (shape[0] * shape[1], 1))
-    beside = np.pad(was.values, ((1, 1), (0, 0)), mode="reflect")
-    middle = np.median([beside[rows], key.table[rows], beside[rows + 2]], axis=0)  # a misprint leads astray
-    middle = np.where(np.isfinite(middle), middle, was.values[rows])
-    moved[at] = np.repeat(middle.T[places], shape[1], axis=0).ravel()
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(all="ignore"):
         for last in range(_ROUNDS + 1):
-            nearer = moved.copy()
-            nearer[at] += _DIFFERENCE
-            found = made_from_rows(key, times, moved)[at[0], used[one]]
-            slopes = ((made_from_rows(key, times, nearer)[at[0], used[one]] - found) / _DIFFERENCE).reshape(shape)
-            off = printed - found.reshape(shape)
+            found = makes(x)
+            slopes, off = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE, beside - found
             if last < _ROUNDS:
-                moved[at] += np.nan_to_num(off / slopes, posinf=0.0, neginf=0.0).ravel()
-        half = np.where((np.abs(off) <= tolerance) & (slopes != 0.0), tolerance / np.abs(slopes), np.nan)
-    low, high = (moved[at].reshape(shape) + side * half for side in (-1, 1))
-    for way in own.tried:
-        made, by = way.expected[rows].T[places, None], way.tolerance[rows].T[places, None]
-        low, high = np.hstack([low, made - by]), np.hstack([high, made + by])
-    cells = np.concatenate([np.tile(np.arange(r), 2), np.tile(r + np.arange(m), 2)])[used]  # each is made in two ways
-    cells = np.concatenate([cells, np.full(len(own.tried), r + m)])
-    meet = (low[:, :, None] <= low[:, None]) & (low[:, None] <= high[:, :, None])  # (place, span, where one begins, row)
-    counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
-    best, (place, row) = counts.argmax(axis=1), np.ogrid[: shape[0], : shape[2]]
-    to = np.min(np.where(meet[place, :, best, row], high.transpose(0, 2, 1), np.inf), axis=-1)
-    return (low[place, best, row] + to) / 2, counts[place, best, row]
+                x = x + np.nan_to_num(off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)
+        own_ways = [(way.expected[row, place], way.tolerance[row, place]) for way in own.tried]
+        root = np.column_stack([x[:, None] + off / slopes, *(expected for expected, _ in own_ways)])
+        half = np.column_stack([tolerance[row] / np.abs(slopes), *(open_by for _, open_by in own_ways)])
+        cells = np.concatenate([cells, np.full(len(own_ways), r + m)])
+        off, own_half = np.abs(root - x[:, None]), half[at, by]
+        meet = off <= half + own_half[:, None]
+        low, high = (np.max(np.where(meet, side * root - half, -np.inf), axis=1) * side for side in (1, -1))
+        one = low <= high  # all of them meet in one place
+        meet = np.where(one[:, None], meet, off <= half)
+        x = np.where(one, np.clip(x, low, high), x)
+        other_than = np.abs(x - printed[row, place]) > HALF * was.units[row, place]
+        counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
+        counts *= (off[at, by] <= own_half) & other_than
+    return _ranked(printed.shape, row, place, x, counts, own_half)
+
+
+def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> tuple[Array, Places]:
+    """Return where cells are begun to be looked for, and for which of the `row`, `place`, `by`: some more than once.
+
+    A cell may be near its neighbours, since a misprint leads astray, or as its next row has it, and an angle anywhere.
+    """
+    m, after = len(key.coordinates), np.minimum(row + 1, len(printed) - 1)
+    middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
+    middle = np.where(np.isfinite(middle), middle, printed[row, place])
+    below = np.where((place < m) & np.isfinite(printed[after, place]), printed[after, place], middle)
+    angles = [index for index, name in enumerate(key.coordinates) if key.variant.unit_of(name) == "rad"]
+    turned = np.flatnonzero(np.isin(place, angles) & (by < 2 * len(key.velocities)))  # steps tell it from anywhere
+    around = 2 * np.pi / _AROUND * np.arange(1, _AROUND)
+    begun = np.concatenate([middle, below, *(middle[turned] + part for part in around)])
+    return begun, np.concatenate([np.tile(np.arange(len(row)), 2), np.tile(turned, _AROUND - 1)])
+
+
+def _open_by(key: Key, way: Way, printed: Array) -> Array:
+    """Return the tolerances of a way for what is printed: digits of angles leave larger velocities the more open."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        larger = np.abs(printed) / np.maximum(np.abs(way.expected), LEAST * key.usual_ranges)
+    larger[:, : len(key.coordinates)] = 1.0
+    return np.asarray(way.tolerance * np.fmax(1.0, larger))
+
+
+def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, half: Array) -> list[Array]:
+    """Return tables of what is told: in each row first the cell of which most speaks, and of equal ones most exactly."""
+    best = np.lexsort((half, -counts))
+    best = best[counts[best] >= _AGREE]
+    _, first = np.unique(row[best] * shape[1] + place[best], return_index=True)
+    tables = [np.full(shape, np.nan) for _ in range(_TRIED)]
+    taken = np.zeros(shape[0], dtype=int)
+    for one in best[np.sort(first)].tolist():
+        if taken[row[one]] < _TRIED:
+            tables[taken[row[one]]][row[one], place[one]] = x[one]
+            taken[row[one]] += 1
+    return tables[: max(taken, default=0)]

@@ -28,8 +28,26 @@ def made_from_rows(key: Key, t: Array, rows: Array) -> Array:
     """Return what rows (n, m + r) make: their velocities, later ones from earlier ones, the next coordinates in both ways."""
     m, h = len(key.coordinates), key.stride
     velocities = key.velocities_at(t, rows[:, :m])
-    steps = (rows[:, :m] + h * rates[:, :m] for rates in (rows[:, m:], velocities))
-    return np.hstack([velocities, _later(key, t, rows), *steps])
+    later = _later(key, t, rows)
+    steps = (rows[:, :m] + h * rates[:, :m] for rates in (rows[:, m:], velocities, np.where(np.isnan(later), rows[:, m:], later)))
+    return np.hstack([velocities, later, *steps])
+
+
+def with_later(key: Key, table: StudentTable, other: Flags, told: Flags) -> StudentTable | None:
+    """Return the table with the velocities that follow from those `told`, None where none does."""
+    m = len(key.coordinates)
+    w, at = table.values.copy(), told[:, m:].any(axis=1)
+    if not at.any():
+        return None
+    seen = told[:, m:].copy()
+    for index, block in enumerate(key.blocks):
+        places = [key.velocities.index(name) for name in block]
+        if index:
+            found = key.block_at(index, key.t[at], w[at, :m], w[at, m:])
+            for column, place in enumerate(places):
+                free = other[at, m + place] & ~told[at, m + place] & seen[at].any(axis=1)
+                w[np.flatnonzero(at)[free], m + place] = found[free, column]
+    return replace(table, values=w)
 
 
 def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> StudentTable | None:

@@ -92,13 +92,8 @@ class _Looked:
         return np.asarray(found - _slips(table, self.student, ways))
 
     def made_by(self, table: StudentTable) -> OwnWays:
-        """Return what a table makes; nothing is made with a velocity that is wrong, and was no other."""
-        made, m = own_ways(self.key, table, self.own.coarse), len(self.key.coordinates)
-        idle = np.zeros_like(self.wrong)
-        idle[1:, :m] = (self.wrong & ~_other(table, self.student))[:-1, m : 2 * m]
-        step = made.step
-        tolerance, expected = (np.where(idle, np.nan, values) for values in (step.tolerance, step.expected))
-        return replace(made, step=replace(step, tolerance=tolerance, expected=expected))
+        """Return what a table makes."""
+        return self.own if table is self.student else own_ways(self.key, table, self.own.coarse)
 
     def followed(self, table: StudentTable, free: Flags) -> tuple[StudentTable, OwnWays]:
         """Return a table with what its rows make of cells that are `free`, from the first row on of which anything tells."""
