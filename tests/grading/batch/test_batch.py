@@ -256,7 +256,7 @@ def test_one_submission_for_an_autograder(tmp_path):
         assert done.exit_code == 0, done.output
         assert [path.name for path in (tmp_path / platform).iterdir()] == ["results.json"]
         found = json.loads((tmp_path / platform / "results.json").read_text(encoding="utf-8"))
-        assert found[key] == pytest.approx(99.3 if platform == "gradescope" else 0.993, abs=0.05)
+        assert found[key] == pytest.approx(99.65 if platform == "gradescope" else 0.9965, abs=0.01)
     tests = json.loads((tmp_path / "gradescope" / "results.json").read_text(encoding="utf-8"))
     assert sum(part["score"] for part in tests["tests"]) == pytest.approx(tests["score"], abs=1e-9)
 

@@ -112,7 +112,7 @@ def explanations(
     printed = TableUnderTest(key, cells.student)
     explained, spoken = euler_cells(key, cells)
     euler_share = _share(explained, spoken)
-    euler_fit = explained_share(key, cells, explained)
+    euler_fit = explained_share(key, cells, explained, as_it_is=True)
     began = own_start(key, cells)
     elsewhere = began is not None or begins_elsewhere(key, cells)
     by_key = np.asarray(cells.marks == KEY)

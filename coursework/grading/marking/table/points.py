@@ -139,18 +139,18 @@ def _begins_wrong(cells: Cells, m: int) -> bool:
     return False
 
 
-def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bool = False) -> float:
+def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bool = False, as_it_is: bool = False) -> float:
     """Return the share of the cells that count of which some explanation `holds` (n, m + r), or the key does.
 
     The gates are those of the points: a step counts where its velocity is explained too, or was before a cell of its row was
     put right, a velocity where its row belongs to the motion that the explained steps make, a right cell without either where
-    several stand below each other.
+    several stand below each other.  The table `as_it_is` had no cell put right.
     """
     m = len(key.coordinates)
     rows, by_key = handed_in(cells), cells.marks == KEY
     after_put = (holds & ~by_key)[rows[1:], :m] & np.any(by_key, axis=1, keepdims=True)[rows[:-1]]
     holds = (holds | by_key) & ~cells.missing & cells.counted
-    after_put &= holds[rows, m:].mean() >= _MOSTLY
+    after_put &= not as_it_is and holds[rows, m:].mean() >= _MOSTLY
     moves = _moves_as_it_may(key, cells)
     steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & moves
     counts = np.zeros_like(holds)

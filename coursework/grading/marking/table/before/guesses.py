@@ -87,7 +87,8 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
                 x = x + np.nan_to_num(off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)
         own_ways = [(way.expected[row, place], way.tolerance[row, place]) for way in own.tried]
         root = np.column_stack([x[:, None] + off / slopes, *(expected for expected, _ in own_ways)])
-        half = np.column_stack([tolerance[row] / np.abs(slopes), *(open_by for _, open_by in own_ways)])
+        spans = np.where(slopes != 0.0, tolerance[row] / np.abs(slopes), np.nan)
+        half = np.column_stack([spans, *(open_by for _, open_by in own_ways)])
         cells = np.concatenate([cells, np.full(len(own_ways), r + m)])
         off, own_half = np.abs(root - x[:, None]), half[at, by]
         meet = off <= half + own_half[:, None]

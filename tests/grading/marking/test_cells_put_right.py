@@ -1,0 +1,118 @@
+"""Tables with a few slips, carried on or not, and the same with wrong cells put right: the points never fall."""
+
+import numpy as np
+import pytest
+
+from coursework.grading.marking.table.ways import KEY
+from tests.grading.marking.test_equal_faults import variants
+from tests.grading.marking.test_more_right_never_less import earned
+
+PAIRS = 60
+
+
+def mistyped(chance, value):
+    """A number with a digit changed, two digits exchanged or its sign lost."""
+    digits = list(f"{value:.4f}")
+    places = [place for place, one in enumerate(digits) if one.isdigit()]
+    kind = chance.integers(3)
+    if kind == 0:
+        place = chance.choice(places)
+        digits[place] = str((int(digits[place]) + chance.integers(1, 10)) % 10)
+    elif kind == 1:
+        first = chance.integers(len(places) - 1)
+        one, other = places[first], places[first + 1]
+        digits[one], digits[other] = digits[other], digits[one]
+    else:
+        return -value
+    return float("".join(digits))
+
+
+def slipped(chance, table):
+    """Up to five slips of the pen: cells mistyped or exchanged; now and then a row is left out or written twice."""
+    for _ in range(chance.integers(1, 6)):
+        row, column = chance.integers(len(table)), chance.integers(table.shape[1])
+        if chance.random() < 0.8:
+            table[row, column] = mistyped(chance, table[row, column])
+        else:
+            other = chance.integers(table.shape[1])
+            table[row, [column, other]] = table[row, [other, column]]
+    row = chance.integers(1, len(table))
+    if chance.random() < 0.15:
+        table[row:] = table[row - 1 : -1].copy()
+    elif chance.random() < 0.15:
+        table[row:-1] = table[row + 1 :].copy()
+    return table
+
+
+def put_right(desk, worse, places):
+    better = worse.copy()
+    for place in places:
+        better[place] = round(desk.key.table[place], 4)
+    return better
+
+
+@pytest.mark.parametrize("seed", [31, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(32, 42))])
+def test_cells_put_right_never_lower_the_points_of_a_table_with_slips(seed):
+    chance, given = np.random.default_rng(seed), 0
+    while given < PAIRS:
+        desk = variants()[chance.integers(len(variants()))]
+        machine = desk.machine
+        carried = (int(chance.integers(1, machine.rows)), int(chance.integers(2 * machine.m)), chance.choice([-1, 1]) * 0.1)
+        worse = slipped(chance, np.round(machine.table(slip=carried if chance.random() < 0.5 else None), 4))
+        before, cells = earned(desk, worse)
+        places = [*map(tuple, np.argwhere(cells.wrong & (np.abs(worse - desk.key.table) > 1e-4)).tolist())]
+        if not places:
+            continue
+        given += 1
+        count = min(len(places), int(chance.choice([1, 1, 1, 2, 4])))
+        chosen = [places[index] for index in chance.choice(len(places), size=count, replace=False)]
+        after, _ = earned(desk, put_right(desk, worse, chosen))
+        assert after.share >= before.share - 1e-9, (desk.variant.title, carried, chosen, before, after)
+
+
+@pytest.mark.parametrize("number", [0, 2, *(pytest.param(number, marks=pytest.mark.long) for number in (1, 3, 4, 5))])
+@pytest.mark.parametrize("twice", [True, False])
+def test_rows_that_belong_elsewhere_stay_explained_while_their_cells_are_put_right(number, twice):
+    """So many cells may stand right by then that hardly more are right with the rows put back; they were worth 7 points."""
+    desk = variants()[number]
+    table, row = np.round(desk.machine.table(), 4), desk.machine.rows - 6
+    table[row:] = table[row - 1 : -1].copy() if twice else np.vstack([table[row + 1 :], table[-1:]])
+    before = earned(desk, table)[0].share
+    chance = np.random.default_rng(number)
+    wrong = np.argwhere(np.abs(table - desk.key.table) > 1e-3)
+    for place in map(tuple, chance.permutation(wrong).tolist()[:8]):
+        table = put_right(desk, table, [place])
+        after = earned(desk, table)[0].share
+        assert after >= before - 1e-9, place
+        before = after
+
+
+@pytest.mark.parametrize("far", [0.3, 4.0, 13.9])
+def test_an_angle_put_right_is_told_by_its_row_however_far_off_it_was(far):
+    """In the last row nothing but velocities was made from it, which an angle a turn off makes as well."""
+    desk = variants()[0]
+    table = desk.machine.table(slip=(desk.machine.rows - 1, 0, far))
+    before, cells = earned(desk, table)
+    place = (desk.machine.rows - 1, 0)
+    assert cells.wrong[place]
+    assert earned(desk, put_right(desk, table, [place]))[0].share >= before.share - 1e-9
+
+
+def test_a_velocity_put_right_leaves_the_step_that_one_made_from_it_was_used_for():
+    """w4 is mistyped, w1 and w2 are solved with that and move the angles: once w4 is right they tell what it was."""
+    desk = variants()[0]
+    m, h, row = desk.machine.m, desk.machine.h, 9
+    table = desk.machine.table()
+    for off in (0.03, -0.4, 2.0):
+        worse = table.copy()
+        worse[row, m + 3] += off
+        made = desk.key.block_at(2, desk.key.t[row : row + 1], worse[row : row + 1, :m], worse[row : row + 1, m:])[0]
+        worse[row, m : m + 2] = made
+        for k in range(row + 1, len(worse)):
+            worse[k, :m] = worse[k - 1, :m] + h * worse[k - 1, m : 2 * m]
+            worse[k, m:] = desk.machine.velocities(k * h, worse[k, :m])
+        before, cells = earned(desk, worse)
+        assert int(cells.wrong.sum()) == 1
+        after, cells = earned(desk, put_right(desk, worse, [(row, m + 3)]))
+        assert cells.marks[row, m + 3] == KEY
+        assert after.share >= before.share - 1e-9, off
