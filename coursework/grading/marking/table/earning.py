@@ -13,7 +13,7 @@ import numpy as np
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.misconceptions import NAMED, OTHER_STEP, ROUNDED_OMEGA, ROWS_SHIFTED, Found
+from coursework.grading.marking.table.misconceptions import NAMED, OTHER_STEP, ROUNDED_OMEGA, ROWS_SHIFTED, TIE, Found
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart
@@ -58,12 +58,15 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
     """Give what each explanation earns; the table of another variant is no work of the student's.
 
-    Rounding explains a little of any steps; it is a cause where it explains nearly all.
+    Rounding explains a little of any steps; it is a cause where it explains nearly all, and nothing explains more.
     """
+    most = max((fit.share for fit in found.fits), default=0.0)
     for fit in found.fits:
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
-        elif not fit.code.startswith("variant_") and (fit.share >= NAMED or not fit.code.startswith(ROUNDED_OMEGA)):
+        elif not fit.code.startswith("variant_") and (
+            fit.share >= max(NAMED, most - TIE) or not fit.code.startswith(ROUNDED_OMEGA)
+        ):
             yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
 
 

@@ -17,8 +17,8 @@ from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, 
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
-# So many cells must agree on what another was when they were made; what is so in nearly all rows was never otherwise.
-_AGREE, _FEW = 2, 0.75
+# So many cells must agree on what another was when they were made; what is so in half of the rows was never otherwise.
+_AGREE, _FEW = 2, 0.5
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
 # From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
