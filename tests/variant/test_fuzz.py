@@ -8,7 +8,7 @@ import pytest
 from tests.variant.fuzz import TooLong, limited, most_held, spoilt, tried
 
 
-@pytest.mark.parametrize("first", [0, 10_000])
+@pytest.mark.parametrize("first", [0, pytest.param(10_000, marks=pytest.mark.long)])
 def test_a_spoilt_file_is_computed_or_told(tmp_path, first):
     before = most_held()  # other tests of this process may have held more than any file here
     *_, tally = tried(range(first, first + 150), 25, 1, tmp_path)

@@ -82,7 +82,9 @@ def is_expanded(own):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("seed", range(0, 600, 100))
+@pytest.mark.parametrize(
+    "seed", [*range(0, 300, 100), *(pytest.param(seed, marks=pytest.mark.long) for seed in range(300, 600, 100))]
+)
 def test_expressions_mean_what_those_of_sympy_do(seed):
     for place in range(seed, seed + 100):
         own, judge = pair(random.Random(place), 4)
