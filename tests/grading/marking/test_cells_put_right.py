@@ -47,7 +47,7 @@ def put_right(desk, worse, places):
 
 
 def losses(seed):
-    """Of pairs of a table and the same with some cells put right: the points lost, as parts of a cell's, of those that lose any."""
+    """What pairs of a table and the same with some cells put right lose, of those that lose any: in parts of a cell."""
     chance, given, lost = np.random.default_rng(seed), 0, []
     while given < PAIRS:
         desk = variants()[chance.integers(len(variants()))]
