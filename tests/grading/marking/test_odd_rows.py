@@ -78,9 +78,9 @@ def test_rows_are_put_back_where_half_of_all_and_a_row_more_than_before_is_then_
     """Three rows of ten are right where they stand."""
     right = {0: np.array([1.0] * 3 + [0.0] * 7), -1: np.array(late, dtype=float), 1: np.array(early, dtype=float)}
     monkeypatch.setattr(shifted, "_right", lambda printed, stands, by: right[by])
-    monkeypatch.setattr(shifted, "alike", lambda key, student, table: np.zeros((10, 1), dtype=bool))
     student = StudentTable(np.arange(10.0)[:, None], np.ones((10, 1)))
-    found = shifted.put_back(SimpleNamespace(key=SimpleNamespace(table=student.values), student=student))
+    key, of_task = SimpleNamespace(table=student.values), np.zeros((10, 1), dtype=bool)
+    found = shifted.put_back(SimpleNamespace(key=key, student=student, of_task=of_task))
     told = None if found is None else [None if np.isnan(one) else int(one) for one in found.values[:, 0]]
     assert told == made
 

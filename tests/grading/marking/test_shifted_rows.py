@@ -16,10 +16,11 @@ def made(monkeypatch: pytest.MonkeyPatch, **right: range) -> list[float] | None:
     """Return the table of one column 0, 1, 2, … put back, where these rows are right as they stand, one late, one early."""
     values = np.arange(float(ROWS))[:, None]
     printed = SimpleNamespace(
-        key=SimpleNamespace(table=values), student=SimpleNamespace(values=values, units=np.full((ROWS, 1), 0.1))
+        key=SimpleNamespace(table=values),
+        of_task=np.full(values.shape, fill_value=False),
+        student=SimpleNamespace(values=values, units=np.full((ROWS, 1), 0.1)),
     )
     names = {0: "as_it_is", -1: "late", 1: "early"}
-    monkeypatch.setattr(shifted, "alike", lambda key, student, table: np.full(values.shape, fill_value=False))
     monkeypatch.setattr(
         shifted, "_right", lambda printed, stands, by: np.isin(np.arange(ROWS), list(right.get(names[by], ()))).astype(float)
     )

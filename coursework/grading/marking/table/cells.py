@@ -57,6 +57,10 @@ class Cells:
     fitted: Flags
     before: StudentTable | None = None
 
+    def way(self, name: str) -> Way:
+        """Return the way of a name."""
+        return next(way for way in self.ways if way.name == name)
+
     @property
     def wrong(self) -> Flags:
         """Return where a shown cell is right in no way."""

@@ -111,12 +111,12 @@ def explanations(
         return Found()
     printed = TableUnderTest(key, cells.student)
     explained, spoken = euler_cells(key, cells)
-    euler_share = _share(explained, spoken)
+    euler_share = share_of(explained, spoken)
     euler_fit = explained_share(key, cells, explained, as_it_is=True)
     began = own_start(key, cells)
     elsewhere = began is not None or begins_elsewhere(key, cells)
     by_key = np.asarray(cells.marks == KEY)
-    key_share = _share(by_key & spoken, spoken) if elsewhere else euler_share
+    key_share = share_of(by_key & spoken, spoken) if elsewhere else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
@@ -129,7 +129,7 @@ def explanations(
         if claim.code in hidden and not claim.code.startswith(ROUNDED_OMEGA):
             continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
-        share, against = _share(holds, says), key_share if claim.is_whole else euler_share
+        share, against = share_of(holds, says), key_share if claim.is_whole else euler_share
         known = named.get(claim.code)
         is_told = claim.code != OWN and claim.code not in hidden
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
@@ -161,7 +161,7 @@ def explanations(
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
     if began:
-        share = _share(*euler_cells(key, began.cells))
+        share = share_of(*euler_cells(key, began.cells))
         if share >= NAMED and share > key_share + BETTER:
             named[f"start_{began.names[0]}"] = share, key_share, began.names
     found = tuple(fits.values())
@@ -231,7 +231,7 @@ def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
     if own is None:
         return None
     right, says = euler_cells(own.key, own.cells)
-    return _share(right, says), own.filled * explained_share(own.key, own.cells, right, only_velocities=True)
+    return share_of(right, says), own.filled * explained_share(own.key, own.cells, right, only_velocities=True)
 
 
 def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:
@@ -249,12 +249,12 @@ def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = 
     for claim in claims(TableUnderTest(key, right.student, closely=False), confusions or {}, {}):
         if claim.student is not None:
             differs.add(claim.code)
-            alike = _share(*euler_cells(key, mark_cells(key, claim.student)))
+            alike = share_of(*euler_cells(key, mark_cells(key, claim.student)))
         else:
             apart = np.abs(claim.expected - key.table)
             if np.any(apart > nothing):
                 differs.add(claim.code)
-            alike = 1.0 - _share((apart > allowed) & spoken, spoken)
+            alike = 1.0 - share_of((apart > allowed) & spoken, spoken)
         found[claim.code] = min(alike, found.get(claim.code, 1.0))
     return tuple(code for code, alike in found.items() if alike >= ALIKE and code in differs)
 
@@ -285,5 +285,6 @@ def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Fla
     return cells, holds, says
 
 
-def _share(explained: Flags, spoken: Flags) -> float:
+def share_of(explained: Flags, spoken: Flags) -> float:
+    """Return how many of the cells spoken about are explained; 0 where none are."""
     return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0

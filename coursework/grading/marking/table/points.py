@@ -15,7 +15,7 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import MISSING, Cells
 from coursework.grading.marking.table.claims import shifted
 from coursework.grading.marking.table.untold import but, ramp, untold_steps
-from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places, Way
+from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
@@ -244,10 +244,6 @@ def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
     return np.asarray(moves | hardly | (moves.sum(axis=0) >= _MOVES * len(moves)))
 
 
-def _step(cells: Cells) -> Way:
-    return next(way for way in cells.ways if way.name == STEP)
-
-
 def true_steps(key: Key, cells: Cells) -> Flags:
     """Return which steps of angles (n - 1, m) follow from the printed row before, where both are there."""
-    return np.asarray(_step(cells).holds(cells.student.values)[1:, : len(key.coordinates)])
+    return np.asarray(cells.way(STEP).holds(cells.student.values)[1:, : len(key.coordinates)])

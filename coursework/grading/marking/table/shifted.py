@@ -23,7 +23,7 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
     What is right where it stands is right in the rows put back too: it was as the others before it was put right.
     """
     student, count = printed.student, len(printed.student.values)
-    stands = alike(printed.key, student, printed.key.table)
+    stands = printed.of_task
     as_it_is, late, early = (_right(printed, stands, by) for by in (0, -1, 1))
     best, made = as_it_is.sum() + student.values.shape[1], None  # the row that is then missing
     for place in range(1, count):

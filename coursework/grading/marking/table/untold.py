@@ -34,7 +34,7 @@ def untold_steps(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
     marks = cells.marks[rows[1:], :m]
     told = np.where(marks == MISSING, 0.0, gaps)
     euler = float((told * (marks != WRONG)).sum()) / (float(told.sum()) or 1.0)
-    open_by = next(way.tolerance for way in cells.ways if way.name == STEP)[rows[1:], :m]
+    open_by = cells.way(STEP).tolerance[rows[1:], :m]
     found = np.zeros_like(steps)
     found[rows[1:], :m] = steps[rows[1:], :m] & (gaps <= _TOLD * open_by)
     return but(found, ramp(euler, _FEW_TOLD, _MOST_TOLD))
@@ -46,8 +46,7 @@ def untold_cells(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
     They count as those do which the digits tell: where most of these are right, so are the others; where few, none.
     """
     m = len(key.coordinates)
-    ways = {way.name: way for way in cells.ways}
-    expected = np.hstack([ways[STEP].expected[:, :m], ways[ANGLES].expected[:, m:]])
+    expected = np.hstack([cells.way(STEP).expected[:, :m], cells.way(ANGLES).expected[:, m:]])
     with np.errstate(invalid="ignore"):
         other = (np.abs(claim.expected - expected) > _SAME * key.ranges) & cells.counted & ~cells.missing
     other &= ~_right_with_all_digits(key, claim.table()) if claim.table is not None else cells.marks != KEY

@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.claims import Claim
-from coursework.grading.marking.table.misconceptions import NAMED, TIE, Misconception
+from coursework.grading.marking.table.misconceptions import NAMED, TIE, Misconception, share_of
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import TablePoints
 from coursework.grading.marking.table.untold import FINEST
@@ -40,14 +40,14 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     """Return the table that a cause makes, where that is most of the one printed and the key's is less; else None."""
     spoken = cells.counted & ~cells.missing
     right = alike(key, cells.student, key.table)
-    by_key = _share(right, spoken)
+    by_key = share_of(right & spoken, spoken)
     least = max(_MOST, by_key + max(_MORE, _OF_REST * (1.0 - by_key)))
     made: dict[str, tuple[float, Array, tuple[str, ...]]] = {}
     for claim in claims if by_key < 1.0 - _MORE else ():
         if claim.table is None or claim.code == OWN or not _may_be(cells, claim, spoken):
             continue
         table = claim.table()
-        share = _share(alike(key, cells.student, table), spoken)
+        share = share_of(alike(key, cells.student, table) & spoken, spoken)
         if share >= least and (claim.code not in made or share > made[claim.code][0]):
             made[claim.code] = share, table, claim.names
     if not made:
@@ -73,8 +73,4 @@ def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints
 def _may_be(cells: Cells, claim: Claim, spoken: Flags) -> bool:
     """Return whether a claim holds in most cells of which it says anything: only then its whole table is made."""
     says = spoken & np.isfinite(claim.expected)
-    return _share(near(cells.student.values, claim.expected, claim.tolerance), says) >= _MOST
-
-
-def _share(holds: Flags, of: Flags) -> float:
-    return float((holds & of).sum()) / float(of.sum()) if of.any() else 0.0
+    return share_of(near(cells.student.values, claim.expected, claim.tolerance) & says, says) >= _MOST
