@@ -83,6 +83,8 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
                 decimals=column.decimals,
             )
         )
+    if table.asked:
+        told(table.asked)
     missing = lacking(key, table)
     if missing:
         told(say("screen.missing_columns", missing=named(", ".join(missing))))
@@ -99,7 +101,7 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
     if here:
         told(say("screen.blank_cells", number=len(here), row=here[0][0], column=named(here[0][1])))
     _steps(key, cells, named, told)
-    return not missing and not coarse and all(table.rows_present) and not cells.missing.any()
+    return not missing and not table.asked and not coarse and all(table.rows_present) and not cells.missing.any()
 
 
 def _steps(key: Key, cells: Cells, named: Named, told: Told) -> None:

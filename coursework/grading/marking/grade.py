@@ -168,6 +168,8 @@ class Marker:
         }
         judged = verdicts(self.key, table, equations)
         status, reason, notes = self._status(work, shares)
+        if status == "graded" and table and self.rubric.weights["table"] and (asked := table.open_question(self.key.names)):
+            status, reason = "needs-review", asked
         if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
             line = unread.line
             key = "unread_place" if line.place else "unread_line"

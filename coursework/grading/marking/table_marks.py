@@ -6,17 +6,25 @@ Used by `grade.py`, `feedback.py` and the reasons.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.first_wrong import FirstWrong
 from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.points import Earned, TablePoints
 from coursework.grading.reading.student_work import Table
+from coursework.words.sentence import Sentence
 
 if TYPE_CHECKING:
     from coursework.grading.marking.force_columns import ForceColumns
+
+
+# The part of a column's numbers that must be right to show that it is the one it was taken for.
+_SHOWS = 0.9
 
 
 @dataclass(frozen=True)
@@ -42,3 +50,10 @@ class TableMarks:
         if self.forces is None:
             return own
         return (own * self.points.cells + self.forces.earned) / max(self.points.cells + self.forces.count, 1)
+
+    def open_question(self, names: Sequence[str]) -> Sentence | None:
+        """Return what a person is asked about heads that say none of the task's `names`, None where their numbers tell it."""
+        asked = [names.index(column.name) for column in self.table.columns if column.by == "position"]
+        shown = (self.cells.counted & ~self.cells.missing)[:, asked]
+        right = shown & ~self.cells.wrong[:, asked]
+        return None if np.all(right.sum(axis=0) >= _SHOWS * shown.sum(axis=0)) else self.table.asked

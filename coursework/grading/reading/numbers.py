@@ -28,6 +28,11 @@ _BEFORE, _BEHIND = "≈≃≅~$*_`|([{'\"\\ ", "*_`$|)]};:,.!?'\"†‡§✓✔�
 _BESIDE = re.compile(
     r"\s*(?:(?:±|\+/-|\+-)\s?[0-9.,]{1,9}|\([0-9]{1,2}\)|[(\[][^()\[\]]{1,40}[)\]]|(?:←|<-|<=|//|#)\D{1,60}|[⁰¹²³⁴-⁹]{1,2})"
 )
+# An angle in degrees, minutes and seconds, 93°23'31", and to which decimal of a degree its last part tells it.
+_SEXAGESIMAL = re.compile(
+    r"([-+]?)([0-9]{1,4})\s*°\s*([0-5]?[0-9])\s*['′](?:\s*([0-5]?[0-9])(?:[.,]([0-9]{1,6}))?\s*(?:\"|″|''))?"
+)
+_MINUTE, _SECOND = 1, 3
 _ERROR = re.compile(
     r"#.*|[-+]?nan(?:\(.*\))?|[-+]?inf(?:inity)?|[-+]?∞|n/?a|[-+]?1[.,]#.*|undefined|err:.*|ошибка.*|помилка.*|div/0!?",
     re.IGNORECASE,
@@ -118,8 +123,8 @@ def _matched(text: str) -> tuple[str, re.Match[str] | None, re.Match[str] | None
 
 def looks_numeric(text: str) -> bool:
     """Return whether a cell is a number with either decimal mark."""
-    _, by_comma, by_point = _matched(text)
-    return by_comma is not None or by_point is not None
+    plain, by_comma, by_point = _matched(text)
+    return by_comma is not None or by_point is not None or _SEXAGESIMAL.fullmatch(plain) is not None
 
 
 def marks(texts: list[str]) -> tuple[int, int, int, int]:
@@ -140,13 +145,15 @@ def marks(texts: list[str]) -> tuple[int, int, int, int]:
 
 
 def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
-    """Return what a cell says; `mark` is the file's decimal mark, `strict` where the file uses both.
+    r"""Return what a cell says; `mark` is the file's decimal mark, `strict` where the file uses both.
 
     A cell that can only be read with the other mark is read with it; one that could mean two numbers follows the file's mark,
     or counts as text where the file uses both marks.
 
     >>> printed("1 234,50", ",")
     PrintedNumber(text='1 234,50', value=1234.5, place=-2, digits=6, flag='')
+    >>> printed("-93°30'36\"", ",")
+    PrintedNumber(text='-93°30\'36"', value=-93.51, place=-3, digits=5, flag='')
     """
     plain, by_comma, by_point = _matched(text)
     if not plain or plain in {"-", "--", "---", "—", "…", ".", "*"}:
@@ -159,9 +166,17 @@ def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
         match = match or second
     if match:
         return _read(text, match)
+    if angle := _SEXAGESIMAL.fullmatch(plain):
+        return _in_degrees(text, *angle.groups())
     if _ERROR.fullmatch(plain):
         return PrintedNumber(text, math.nan, 0, 0, "error")
     return PrintedNumber(text, math.nan, 0, 0, "date" if _DATE.fullmatch(plain) else "text")
+
+
+def _in_degrees(text: str, sign: str, degrees: str, minutes: str, seconds: str | None, part: str | None) -> PrintedNumber:
+    place = -_MINUTE if seconds is None else -_SECOND - len(part or "")
+    value = int(degrees) + int(minutes) / 60 + float(f"{seconds or 0}.{part or 0}") / 3600
+    return PrintedNumber(text, -value if sign == "-" else value, place, len(str(int(value))) - place, "")
 
 
 def filled_in(text: str, mark: str) -> PrintedNumber:

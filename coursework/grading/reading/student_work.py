@@ -82,7 +82,8 @@ class Table:
     """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in.
 
     `own` has every row where the times are not the grid's, in the order of time; `place` is where it stands in a document, None
-    where the file is the table.  `strange` counts the cells that are read by position under heads that name something else.
+    where the file is the table.  `strange` counts the cells that are read by position under heads that name something else;
+    `asked` is why a person must look at those, unless what stands in them is right.
     """
 
     reading: Reading
@@ -92,6 +93,7 @@ class Table:
     own: OwnTimes | None = None
     place: Sentence | None = None
     strange: int = 0
+    asked: Sentence | None = None
 
     @property
     def cells(self) -> int:

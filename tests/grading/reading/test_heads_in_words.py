@@ -23,8 +23,12 @@ def test_heads_that_say_more_than_a_name_are_read_and_those_that_name_nothing_ar
         [*HEAD[1:-1], "rate of the wheel"],
         [*HEAD[1:-1], "w5"],
     ):
-        trouble = refused(";".join(["t", *own]).encode() + b"\n" + body)
-        assert (trouble.state, trouble.code) == ("needs-review", "unread_heads")
+        table = read(";".join(["t", *own]).encode() + b"\n" + body)
+        assert table.asked is not None and table.asked.key == "reading.trouble.unread_heads"
+        assert [column.name for column in table.columns] == HEAD[1:]
+    more = [["t", "crank", "rod", "other", *HEAD[3:]], *([*row[:3], "1.5", *row[3:]] for row in ROWS)]
+    trouble = refused("\n".join(";".join(row) for row in more).encode())
+    assert (trouble.state, trouble.code) == ("needs-review", "unread_heads")
 
 
 WORDS = {
@@ -80,9 +84,24 @@ def test_an_angle_in_two_units_is_one_column_and_another_number_is_none() -> Non
     assert refused("\n".join(";".join(row) for row in [heads, *turned]).encode()).code == "two_columns"
 
 
-def test_a_column_in_degrees_and_minutes_is_asked_about() -> None:
-    spoilt = [[row[0], f"{int(math.degrees(float(row[1])))}°30'", *row[2:]] for row in ROWS]
+def test_a_column_of_what_is_no_number_is_asked_about() -> None:
+    spoilt = [[row[0], f"{int(math.degrees(float(row[1])))}° and a half", *row[2:]] for row in ROWS]
     assert refused(csv(spoilt)).code == "unread_column"
+
+
+def test_degrees_minutes_and_seconds_are_an_angle() -> None:
+    """Angles of 40 to 140 degrees, taken apart with whole numbers here; minutes alone tell a tenth of a degree."""
+    for seconds in ('{:02d}"', "{:02d}″", ""):
+        turned = []
+        for row in ROWS:
+            whole = round(math.degrees(float(row[1])) * 3600)
+            parts = whole // 3600, whole // 60 % 60, whole % 60
+            turned.append([row[0], "{}°{:02d}'".format(*parts) + seconds.format(parts[2]), *row[2:]])
+        table = read(csv(turned))
+        found = table.column("phi1")
+        assert found is not None and found.unit == "deg"
+        off = max(abs(value - float(row[1])) for value, row in zip(found.values, ROWS, strict=True))
+        assert off <= math.radians((1 if seconds else 60) / 3600) < found.last_place[0]
 
 
 def test_a_cell_that_may_hold_a_number_and_could_not_be_read_asks_a_person() -> None:

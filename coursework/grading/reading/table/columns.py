@@ -13,6 +13,7 @@ from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import differ
+from coursework.grading.reading.student_work import Trouble
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME, Head, may_be
 from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
@@ -28,10 +29,15 @@ class Place:
 
 @frozen
 class Places:
-    """The columns found, by name; `repeated` are those that stood in the file twice and alike."""
+    """The columns found, by name; `repeated` are those that stood in the file twice and alike.
+
+    `asked` is what a person must be asked where heads do not say which column of the task they are: those were taken in order,
+    which only their numbers can confirm.
+    """
 
     places: dict[str, Place]
     repeated: tuple[str, ...]
+    asked: Trouble | None = None
 
 
 def find_columns(layout: Layout, grid: Grid) -> Places:
@@ -46,17 +52,18 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     _add_time(layout, places, free, len(names), grid.step)
     rest = [at for at in free if at not in {place.at for place in places.values()}]
     places |= _by_words(layout, rest, places)
-    known = [name for name in names if name in places]
+    known, asked = [name for name in names if name in places], None
     rest = [at for at in rest if at not in {place.at for place in places.values()}]
     if not known and rest:
         lacking = grid.given if len(rest) == len(names) - len(grid.given) else ()
         places |= _in_order(layout, rest, [name for name in names if name not in lacking])
     else:
         places |= _lost_letters(layout, rest, [name for name in names if name not in places])
-        _ask_for_unread(layout, grid, places, rest)
+        in_order, asked = _unread(layout, grid, places, rest)
+        places |= in_order
     if not any(name in places for name in names):
         raise unreadable("no_columns", columns=len(rest), names=tuple(names))
-    return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})))
+    return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})), asked)
 
 
 def _by_words(layout: Layout, rest: list[int], places: dict[str, Place]) -> dict[str, Place]:
@@ -66,8 +73,11 @@ def _by_words(layout: Layout, rest: list[int], places: dict[str, Place]) -> dict
     return {name: Place(at, "header") for name, at in told if names.count(name) == 1}
 
 
-def _ask_for_unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> None:
-    """Raise `Refused` where as many columns are unread as are missing, or what stands in a column of the task is no number."""
+def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> tuple[dict[str, Place], Trouble | None]:
+    """Return the missing columns in the order of as many unread ones, and what is to be asked about their heads.
+
+    Raises `Refused` where more are unread than are missing, or what stands in a column of the task is no number.
+    """
     unread = [at for at in rest if at not in {place.at for place in places.values()}]
     for at, head in enumerate(layout.heads):
         cells = [row[at].text for row in layout.body if row[at].flag == "text" and any(map(str.isdigit, row[at].text))]
@@ -75,9 +85,13 @@ def _ask_for_unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: 
             raise doubtful("unread_column", name=head.candidates[0], text=cells[0][:40])
     lacking = {name: unit for name, unit in grid.units if name not in places and name not in grid.given}
     heads = [layout.heads[at] for at in unread]
-    if len(heads) >= len(lacking) > 1 or (len(heads) == len(lacking) == 1 and may_be(heads[0], *lacking.values())):
-        texts = tuple(head.text or f"({at + 1})" for at, head in zip(unread, heads, strict=True))
-        raise doubtful("unread_heads", heads=texts, names=tuple(lacking))
+    if not (len(heads) >= len(lacking) > 1 or (len(heads) == len(lacking) == 1 and may_be(heads[0], *lacking.values()))):
+        return {}, None
+    texts = tuple(head.text or f"({at + 1})" for at, head in zip(unread, heads, strict=True))
+    question = doubtful("unread_heads", heads=texts, names=tuple(lacking))
+    if len(heads) > len(lacking):
+        raise question
+    return {name: Place(at, "position") for at, name in zip(unread, lacking, strict=True)}, question.trouble
 
 
 def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[dict[str, Place], set[int]]:

@@ -87,6 +87,30 @@ def test_a_report_beside_the_table_repeats_it() -> None:
     assert doubtful.status == "needs-review" and "table 1" in str(doubtful.reason)
 
 
+def test_numbers_tell_what_heads_do_not() -> None:
+    """Right numbers under heads of a student's own went to a person; wrong ones, or those of another column, still do."""
+    heads = {
+        "in order": ["crank", "rod", "bar", *PLAIN[4:]],
+        "of the other": ["rod", "crank", "bar", *PLAIN[4:]],
+        "w5": [*PLAIN[:7], "w5"],
+    }
+    for name, order, times, points in (
+        ("in order", [0, 1, 2], 1.0, 100.0),
+        ("of the other", [1, 0, 2], 1.0, None),
+        ("w5", [0, 1, 2], 1.0, 100.0),
+        ("w5", [0, 1, 2], 1.2, None),
+    ):
+        table = students.table()[:, [*order, 3, 4, 5, 6]] * [1, 1, 1, 1, 1, 1, times]
+        content = "\n".join(";".join(row) for row in [heads[name], *rows(table)]).encode()
+        grade = graded({"table.csv": content}, rubric="[parts]\ntable = 100\nequations = 0\n")
+        if points:
+            assert (grade.status, grade.total) == ("graded-with-notes", points), name
+        else:
+            assert grade.status == "needs-review" and grade.reason is not None, name
+            assert grade.reason.key == "reading.trouble.unread_heads"
+            assert grade.plain()["proposed"] < 100
+
+
 OWN = [
     *((name, kind) for name in ("31", "v102") for kind in ("docx", "odt", "tex", "html", "xlsx")),
     *((name, "xlsx") for name in ("example-1", "example-2", "jansen")),
