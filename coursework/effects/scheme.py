@@ -125,7 +125,7 @@ class _Reader:
         """Note what is said to rub and does not: at a point that is no joint, at a pin that has no radius."""
         if not self.forces.friction:
             return
-        from coursework.effects.friction import rubbing
+        from coursework.effects.friction.friction import rubbing
 
         known = ", ".join(dict.fromkeys(one.at.name for one in unknowns if one.at is not None and one.at.name))
         for rubs in self.forces.friction:

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import EFFECTS, FRICTION, MOTOR, Effect
-from coursework.effects.flywheel import find_flywheel
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.flywheel import find_flywheel
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -41,7 +41,7 @@ def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence
 def _cost(effect: Effect, variant: Variant, found: ForceAnalysis) -> Sentence:
     """Return what an effect adds to every row."""
     if effect is FRICTION:
-        from coursework.effects.friction import MOST_ROUNDS
+        from coursework.effects.friction.friction import MOST_ROUNDS
 
         return say("plan.effect_rounds", most=MOST_ROUNDS)
     if effect is MOTOR:

@@ -23,8 +23,8 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT, scheme_names
 
 if TYPE_CHECKING:
-    from coursework.effects.analysis import ForceAnalysis
-    from coursework.effects.energy import Energy
+    from coursework.effects.kinetostatics.analysis import ForceAnalysis
+    from coursework.effects.kinetostatics.energy import Energy
     from coursework.results.checks.evidence import Evidence
     from coursework.results.checks.result import Finding
     from coursework.results.kinematics.extra import ExtraTable
@@ -97,7 +97,7 @@ class MotionResults:
     @computed("motion", "mechanism", "equations", "accelerations")
     def forces(self) -> ForceAnalysis:
         """The reactions in every joint and what must drive the mechanism, of every row (N, N m)."""
-        from coursework.effects.analysis import analyse
+        from coursework.effects.kinetostatics.analysis import analyse
 
         return analyse(self.scene.mechanism, self.scene.equations, self.motion, self.accelerations)
 
@@ -124,7 +124,7 @@ class MotionResults:
     @computed("forces", "exact_forces")
     def force_checks(self) -> tuple[Finding, ...]:
         """The checks of forces: three ways that must agree, power, what the joints bear."""
-        from coursework.effects.checks import check_forces
+        from coursework.effects.kinetostatics.checks import check_forces
 
         return check_forces(self.forces, self.exact_forces)
 

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.dynamics import Dynamics, FreeMotion
-from coursework.effects.dynamics_checks import check_dynamics
-from coursework.effects.dynamics_lesson import energy_of_rows, rates_of
-from coursework.effects.equations_of_motion import EquationsOfMotion
-from coursework.effects.motion_writer import MotionWriter
-from coursework.effects.regime import Regime, find_regime
+from coursework.effects.dynamics.dynamics import Dynamics, FreeMotion
+from coursework.effects.dynamics.dynamics_checks import check_dynamics
+from coursework.effects.dynamics.dynamics_lesson import energy_of_rows, rates_of
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.motion_writer import MotionWriter
+from coursework.effects.dynamics.regime import Regime, find_regime
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.scheme import read_scheme
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.schemes import DEFAULT_SCHEME, Scheme, scheme_named
@@ -66,7 +66,7 @@ class MotorScene(Scene):
         """The equations of motion in the free coordinates."""
         writer = MotionWriter(self.equations, self.reduction, read_scheme(self.mechanism), tuple(self.start))
         if writer.scheme.forces.friction:
-            from coursework.effects.rubbed_motion import rubbed_motion
+            from coursework.effects.dynamics.rubbed_motion import rubbed_motion
 
             found = rubbed_motion(writer)
         else:
@@ -105,7 +105,7 @@ class MotorScene(Scene):
 
     def energy_study(self, progress: Callable[[str], None] | None = None) -> AccuracyStudy:
         """Return what accuracy costs here: the error of the energy against slopes."""
-        from coursework.effects.energy_study import energy_study
+        from coursework.effects.dynamics.energy_study import energy_study
 
         own = self.scheme or DEFAULT_SCHEME
         return energy_study(self.free_equations, self.begin_of_forces, self.variant.time, self.exact, own, progress=progress)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from coursework.drawing.check_sheet.graph_check import GraphCheck
     from coursework.drawing.paper.record import Drawing
     from coursework.drawing.plans.plans import Plans
-    from coursework.effects.analysis import ForceAnalysis
+    from coursework.effects.kinetostatics.analysis import ForceAnalysis
     from coursework.motion.geometry.closure import Closure
     from coursework.motion.integration.rates import Rates
     from coursework.results.accuracy.problem import Problem

@@ -3,8 +3,8 @@
 import numpy as np
 
 import coursework
-from coursework.effects.analysis import analyse
-from coursework.effects.dynamics import Dynamics
+from coursework.effects.dynamics.dynamics import Dynamics
+from coursework.effects.kinetostatics.analysis import analyse
 from coursework.motion.integration.integrate import March
 from coursework.motion.schemes import SCHEMES
 from tests.benchmarks.timer import ratio

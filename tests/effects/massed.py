@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import coursework
-from coursework.effects.analysis import ForceAnalysis, analyse
+from coursework.effects.kinetostatics.analysis import ForceAnalysis, analyse
 from coursework.mechanism.joints import with_sliders
 from coursework.mechanism.mechanism import build
 from coursework.mechanism.structure import Bodies, fitting_linkage

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.dynamics import Dynamics
-from coursework.effects.dynamics_checks import stiffness
-from coursework.effects.dynamics_lesson import lesson
+from coursework.effects.dynamics.dynamics import Dynamics
+from coursework.effects.dynamics.dynamics_checks import stiffness
+from coursework.effects.dynamics.dynamics_lesson import lesson
 from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
@@ -156,7 +156,7 @@ def test_a_steep_motor_is_told_and_its_explosion_shown():
 
 
 def stiffness_of(run):
-    from coursework.effects.dynamics_checks import Evidence
+    from coursework.effects.dynamics.dynamics_checks import Evidence
 
     scene = run.scene
     return stiffness(Evidence(run.results.forces, scene.exact_analysis, scene.free_equations, scene.scheme, run.step))

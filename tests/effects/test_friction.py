@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.checks import check_forces
+from coursework.effects.kinetostatics.checks import check_forces
 from coursework.effects.told import force_record
 from coursework.report.pages import build_model, render_html
 from tests.effects.massed import of, of_text, text_of

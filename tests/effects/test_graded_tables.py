@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.misread import SLIPS
+from coursework.effects.kinetostatics.misread import SLIPS
 from coursework.grading.marking.forces import with_forces as force_grid
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of

@@ -3,7 +3,7 @@
 import pytest
 
 import coursework
-from coursework.effects.misread import SLIPS, slipped
+from coursework.effects.kinetostatics.misread import SLIPS, slipped
 from coursework.grading.marking.answers import mark_answers
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.rubric import Answer, Rubric, check_rubric

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.flywheel import find_flywheel
+from coursework.effects.kinetostatics.flywheel import find_flywheel
 from tests.effects.massed import of, of_text, text_of
 from tests.report.real import parts
 from tests.report.real import text_of as shown

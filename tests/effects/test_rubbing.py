@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.dynamics_checks import remainder
+from coursework.effects.dynamics.dynamics_checks import remainder
 from coursework.report.pages import build_model, render_html
 from tests.effects.massed import text_of
 from tests.effects.test_ways import PARALLEL

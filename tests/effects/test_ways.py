@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects import dynamics_checks
-from coursework.effects.checks import check_forces
+from coursework.effects.dynamics import dynamics_checks
 from coursework.effects.effects import _springs
+from coursework.effects.kinetostatics.checks import check_forces
 from coursework.effects.rows import PLACE
 from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of

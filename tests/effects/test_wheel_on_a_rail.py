@@ -3,7 +3,7 @@
 import numpy as np
 
 import coursework
-from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 
 WHEEL = """
 format = 1

@@ -13,7 +13,7 @@ from coursework.drawing.force_plans.lever import Lever, draw_lever, levers_of
 from coursework.drawing.force_plans.vectors import KNOWN, GroupPlan, group_plans
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.plans.plan_scale import read_length
-from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import named
 

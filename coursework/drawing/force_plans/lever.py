@@ -21,9 +21,9 @@ from coursework.drawing.paper.sheet import AXIS, ITALIC, Sheet
 from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.foot import FOOT, draw_foot
 from coursework.drawing.plans.plan_scale import LONGEST, read_length
-from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.force_scheme import drives_of
-from coursework.effects.virtual_power import twists, unit_motions
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.virtual_power import twists, unit_motions
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 

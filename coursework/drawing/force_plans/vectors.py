@@ -14,9 +14,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from coursework.drawing.paper.symbols import name_word
-from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import Action
 from coursework.effects.force_scheme import ForceScheme, Unknown
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
 

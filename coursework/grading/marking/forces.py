@@ -13,9 +13,9 @@ from functools import cached_property
 import numpy as np
 
 from coursework.api import solve
-from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.force_scheme import names_of
-from coursework.effects.misread import slipped
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.misread import slipped
 from coursework.effects.scheme import read_scheme
 from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.mechanism.mechanism import build

@@ -1,7 +1,7 @@
 """Where a value of one number is zero: the straight line through both ends of a bracket, again and again.
 
 Enters: a function, a bracket with its values.  Leaves: the number.
-Used by `turning.py`, `motion/singular/walk.py` and `effects/rubbing.py`.
+Used by `turning.py`, `motion/singular/walk.py` and `effects/friction/rubbing.py`.
 """
 
 from __future__ import annotations

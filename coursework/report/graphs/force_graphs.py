@@ -10,7 +10,7 @@ from html import escape
 import numpy as np
 
 from coursework.drawing.paper.ways import way
-from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.report.graphs import graph_paper
 from coursework.report.graphs.graph_paper import BOTTOM, EXACT_PEN, FAINT, INK, LEFT, RIGHT, SCHEME_INK, TOP, Field
 from coursework.report.text.page_context import PageContext

@@ -12,8 +12,8 @@ from fractions import Fraction
 from typing import Any
 
 from coursework.effects.acting import COUPLE, Acting, ActingWriter, accelerated
-from coursework.effects.closed_positions import newton_statements
-from coursework.effects.motion_writer import MotionWriter
+from coursework.effects.dynamics.closed_positions import newton_statements
+from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.scheme import read_scheme
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import acceleration, private

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.effects.dynamics_lesson import Row, lesson
-from coursework.effects.regime import Regime
+from coursework.effects.dynamics.dynamics_lesson import Row, lesson
+from coursework.effects.dynamics.regime import Regime
 from coursework.report.graphs.graph_paper import EXACT_PEN, field_for, framed, line_of_rows, sheet
 from coursework.report.sections.graphs import SIZE, key
 from coursework.report.text.page_context import PageContext

@@ -13,8 +13,8 @@ import numpy as np
 from coursework.drawing.force_plans.force_plans import ForcePlans, make_force_plans
 from coursework.drawing.force_plans.vectors import DIRECTION, KNOWN, ForceVector, GroupPlan
 from coursework.drawing.paper.symbols import LOWERED
-from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.flywheel import find_flywheel
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.flywheel import find_flywheel
 from coursework.report.graphs.figures import drawn
 from coursework.report.graphs.force_graphs import force_graphs
 from coursework.report.sections.graphs import key

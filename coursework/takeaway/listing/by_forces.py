@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from coursework.effects.closed_positions import newton_statements
-from coursework.effects.motion_writer import MotionWriter
+from coursework.effects.dynamics.closed_positions import newton_statements
+from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.scheme import read_scheme
 from coursework.equations.algebra.calculus import replaced
 from coursework.equations.algebra.expression import ZERO, Expression

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.report.live.by_forces import moved_by
 from coursework.report.live.page import MOST_BYTES, live_numbers, live_part
 from coursework.report.live.script import script_of, shortened

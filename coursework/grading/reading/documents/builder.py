@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, field
 
 from coursework.grading.reading.documents.document import MOST_LINES, Document, place_of
-from coursework.grading.reading.documents.formula_text import equations_in, on_one_line
+from coursework.grading.reading.documents.formulas.formula_text import equations_in, on_one_line
 from coursework.grading.reading.documents.signs import plain_signs
 from coursework.grading.reading.files.cells import BlankRows, Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from coursework.system.frozen import frozen
 
 if TYPE_CHECKING:
-    from coursework.effects.rubbing import Rubbing
+    from coursework.effects.friction.rubbing import Rubbing
 
 
 @frozen

@@ -13,8 +13,8 @@ import math
 
 import numpy as np
 
-from coursework.effects.dynamics import Dynamics, Open
-from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.dynamics import Dynamics, Open
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen

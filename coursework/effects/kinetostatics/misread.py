@@ -11,9 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import Action
-from coursework.effects.kinetostatics import react_to
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.kinetostatics import react_to
 from coursework.effects.rows import PLACE, SECOND, Rows
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.effects.held import STILL, Held
+from coursework.effects.friction.held import STILL, Held
 from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.system.arrays import Array

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.effects.dynamics import Dynamics
-from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.dynamics import Dynamics
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import COMPARED, Scheme, title_of
 from coursework.system.arrays import Array

@@ -12,13 +12,13 @@ from functools import cached_property
 import numpy as np
 
 from coursework.effects.effects import Action, actions_of
-from coursework.effects.energy import Energy, energy_of, reduced_inertia
 from coursework.effects.force_scheme import drives_of
-from coursework.effects.groups import by_groups
-from coursework.effects.kinetostatics import Reactions, react
+from coursework.effects.kinetostatics.energy import Energy, energy_of, reduced_inertia
+from coursework.effects.kinetostatics.groups import by_groups
+from coursework.effects.kinetostatics.kinetostatics import Reactions, react
+from coursework.effects.kinetostatics.virtual_power import drive_by_power
 from coursework.effects.rows import RATE, SECOND, Program, Rows, compile_program
 from coursework.effects.scheme import read_scheme
-from coursework.effects.virtual_power import drive_by_power
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 
 from coursework.effects.acting import ActingWriter, cross
-from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.force_scheme import Unknown
-from coursework.effects.friction import partner, rubbing
-from coursework.effects.kinetostatics import places_of
-from coursework.effects.motion_writer import MotionWriter
-from coursework.effects.rubbing import Pair, Rubbing, State
+from coursework.effects.friction.friction import partner, rubbing
+from coursework.effects.friction.rubbing import Pair, Rubbing, State
+from coursework.effects.kinetostatics.kinetostatics import places_of
 from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.expression import ONE, ZERO, Expression, add
 from coursework.equations.codegen.programs import Assign

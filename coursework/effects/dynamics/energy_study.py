@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from coursework.effects.dynamics import Dynamics
-from coursework.effects.dynamics_lesson import Begin, Trial, attempt, energy_of_rows, rates_of
-from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.dynamics import Dynamics
+from coursework.effects.dynamics.dynamics_lesson import Begin, Trial, attempt, energy_of_rows, rates_of
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import PRECISE, SCHEMES, SEMI_IMPLICIT, Scheme, title_of
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from coursework.effects.force_scheme import ForceScheme
-from coursework.effects.kinetostatics import Reactions, places_of
+from coursework.effects.kinetostatics.kinetostatics import Reactions, places_of
 from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array
 

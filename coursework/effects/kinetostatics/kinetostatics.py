@@ -84,7 +84,7 @@ def react(rows: Rows) -> Reactions:
     found, friction = _ideal(rows, ()), rows.scheme.forces.friction
     if not friction:
         return found
-    from coursework.effects.friction import LEFT, MOST_ROUNDS, ROUNDS, SETTLED, friction_of
+    from coursework.effects.friction.friction import LEFT, MOST_ROUNDS, ROUNDS, SETTLED, friction_of
 
     ideal, before = found.largest, np.full(rows.count, np.inf)
     with np.errstate(over="ignore", invalid="ignore"):  # what never settles grows without bound

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.effects.effects import Action
 from coursework.effects.force_scheme import ForceScheme, Unknown
-from coursework.effects.held import STILL
+from coursework.effects.friction.held import STILL
 from coursework.effects.rows import Rows
 from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array, Flags

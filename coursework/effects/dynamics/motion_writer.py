@@ -15,8 +15,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from coursework.effects.acting import ActingWriter, accelerated
-from coursework.effects.closed_positions import newton_statements
-from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.closed_positions import newton_statements
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.force_scheme import Body, ForceScheme, inertia_of
 from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, add

@@ -11,8 +11,8 @@ from contextlib import nullcontext
 
 import numpy as np
 
-from coursework.effects.analysis import ForceAnalysis
-from coursework.effects.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.motion.schemes import Scheme
 from coursework.results.checks.result import Check, Finding, percent, skipped
 from coursework.system.arrays import Array

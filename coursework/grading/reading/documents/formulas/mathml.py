@@ -6,7 +6,7 @@ Used by `odt.py`.
 
 from __future__ import annotations
 
-from coursework.grading.reading.documents.formula_text import (
+from coursework.grading.reading.documents.formulas.formula_text import (
     accented,
     enclosed,
     fraction,
@@ -15,8 +15,8 @@ from coursework.grading.reading.documents.formula_text import (
     root,
     rows_of,
 )
-from coursework.grading.reading.documents.formula_tree import FormulaNode
-from coursework.grading.reading.documents.starmath import text_of_starmath
+from coursework.grading.reading.documents.formulas.formula_tree import FormulaNode
+from coursework.grading.reading.documents.formulas.starmath import text_of_starmath
 
 ELEMENTS = frozenset({
     "math", "semantics", "annotation", "mrow", "mi", "mn", "mo", "mtext", "mfrac", "msub", "msup", "msubsup", "msqrt", "mroot",

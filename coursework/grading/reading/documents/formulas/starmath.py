@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from coursework.grading.reading.documents.formula_text import dotted, fraction, index, on_one_line, power, root
+from coursework.grading.reading.documents.formulas.formula_text import dotted, fraction, index, on_one_line, power, root
 from coursework.variant.formula.alphabet import greek
 
 _MOST_CHARACTERS, _DEEPEST = 8000, 60

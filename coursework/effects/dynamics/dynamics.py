@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coursework.effects.equations_of_motion import EquationsOfMotion
-from coursework.effects.held import Held
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.friction.held import Held
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, Sum

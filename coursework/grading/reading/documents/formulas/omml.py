@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from coursework.grading.reading.documents.formula_text import (
+from coursework.grading.reading.documents.formulas.formula_text import (
     FUNCTIONS,
     accented,
     applied,
@@ -19,7 +19,7 @@ from coursework.grading.reading.documents.formula_text import (
     root,
     rows_of,
 )
-from coursework.grading.reading.documents.formula_tree import FormulaNode
+from coursework.grading.reading.documents.formulas.formula_tree import FormulaNode
 
 # The elements that mean something; all others are looked through.
 ELEMENTS = frozenset({

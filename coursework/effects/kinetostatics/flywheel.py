@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.force_scheme import drives_of
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 

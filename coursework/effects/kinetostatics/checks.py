@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.effects.analysis import ForceAnalysis
 from coursework.effects.effects import Action, add_wrench
+from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
 from coursework.results.checks.result import Check, Finding, Verdict, floored, skipped
@@ -173,7 +173,7 @@ def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     if len(locked):
         told = {"count": len(locked), "number": own.rows.count, "row": int(locked[0]) + 1}
         return Finding("FAIL", say("check.FRICTION.locked", **told), row=int(locked[0]) + 1)
-    from coursework.effects.friction import standing
+    from coursework.effects.friction.friction import standing
 
     power = own.energy.friction
     row = int(np.argmin(power))

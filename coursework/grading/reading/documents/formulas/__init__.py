@@ -1,0 +1,1 @@
+"""Native equations of Word, OpenDocument and HTML as lines of text."""
