@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from coursework.commands.options import (
+from coursework.commands.line.options import (
     RUBRIC_KEYS,
     SET,
     VARIANT,

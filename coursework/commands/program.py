@@ -59,7 +59,7 @@ class Program(click.Group):
             tell_faults(error)
             return WRONG_INPUT
         except click.ClickException as error:
-            from coursework.commands.misuse import tell_misuse
+            from coursework.commands.line.misuse import tell_misuse
 
             tell_misuse(error, list(args[0] if args and args[0] else options.get("args") or sys.argv[1:]))
             return WRONG_INPUT

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.commands import versions
 from coursework.commands.cli import main
+from coursework.commands.line import versions
 from coursework.results.checks.check import CHECKS
 from coursework.system.extras import installed_from
 from coursework.variant.catalogue import entries

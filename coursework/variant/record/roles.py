@@ -1,7 +1,7 @@
 """What each key of a group means: the one table of kinds, comments of a file made from it, and what is said of a missing entry.
 
 Enters: the shape of a kind, and the letters or names of its points.  Leaves: sentences, in the order of the keys in a file.
-Used by `groups.py` of `judging/`, `mechanism/drafts/text.py`, `motion/geometry/chain.py` and `commands/kinds.py`.
+Used by `groups.py` of `judging/`, `mechanism/drafts/text.py`, `motion/geometry/chain.py` and `commands/line/kinds.py`.
 
 A kind needs no line here: its keys follow from its shape, and their meaning stands in the words files.
 """

@@ -7,7 +7,7 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.commands.cli import main
-from coursework.commands.options import RUBRIC_KEYS
+from coursework.commands.line.options import RUBRIC_KEYS
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.rubric import KEYS, Rubric, read_rubric

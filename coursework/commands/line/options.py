@@ -47,7 +47,7 @@ def offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[A
     """Return what completes a word in the shell; nothing is imported before the tab key is pressed."""
 
     def complete(context: click.Context, parameter: click.Parameter, typed: str) -> list[Any]:
-        from coursework.commands import completion
+        from coursework.commands.line import completion
 
         found: list[Any] = getattr(completion, name)(context, parameter, typed)
         return found
@@ -96,7 +96,7 @@ def rubric_shown(context: click.Context, _option: click.Parameter, asked: bool) 
 def versions_shown(context: click.Context, _option: click.Parameter, asked: bool) -> None:
     """Print what is installed of each extra and end, where that is asked for."""
     if asked and not context.resilient_parsing:
-        from coursework.commands.versions import tell_versions
+        from coursework.commands.line.versions import tell_versions
 
         tell_versions()
         context.exit()
@@ -109,7 +109,7 @@ class CommandWithTemplates(click.Command):
         given = [after for word, after in pairwise(args) if word == "--templates"]
         given += [word.partition("=")[2] for word in args if word.startswith("--templates=")]
         if given:
-            from coursework.commands.templates import with_templates
+            from coursework.commands.line.templates import with_templates
 
             ctx.with_resource(with_templates(Path(given[-1])))
         try:
@@ -129,7 +129,7 @@ class CommandWithKinds(click.Command):
         return super().parse_args(ctx, [args[k] for k in spoken] + [arg for k, arg in enumerate(args) if k not in spoken])
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from coursework.commands.kinds import kinds_table
+        from coursework.commands.line.kinds import kinds_table
 
         language = str(ctx.params.get("language") or os.environ.get("COURSEWORK_LANGUAGE") or "en")
         formatter.write(f"\n{kinds_table(language)}\n")
