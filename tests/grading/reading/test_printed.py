@@ -49,6 +49,7 @@ TEXTS: dict[str, str] = {
     "a factor, whole": "ans =\n\n   1.0e+03 *\n\n"
     + "\n".join("".join(f"{value / 1000:13.7f}" for value in row) for row in VALUES),
     "numpy": printed(200), "numpy, wrapped": printed(50),
+    "rows over lines": "\n".join("  ".join(row[k : k + 3]) for row in [HEAD, *ROWS] for k in range(0, COUNT, 3)),
     "matlab source": "T = [" + "; ...\n".join(map(" ".join, ROWS)) + "];",
     "python source": f"import math\nheads = {HEAD}\ntable = [\n    [" + "],\n    [".join(LISTS) + "],\n]\n",
     "maple": f"T := Matrix({len(ROWS)}, {COUNT}, [[{'], ['.join(LISTS)}]]);", "mathematica": f"{{{{{'}, {'.join(LISTS)}}}}}",

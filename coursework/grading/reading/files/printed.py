@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from itertools import chain, groupby, islice
+from itertools import chain, groupby, islice, takewhile
 
 from coursework.grading.reading.numbers import looks_numeric
 
@@ -26,14 +26,18 @@ _FEWEST, _MOST_LISTS, _BEFORE = 3, 5000, 40
 def in_whole_lines(given: list[str]) -> list[str]:
     r"""Return lines in which no table is printed in pieces, as pandas, MATLAB and Octave do, or with a factor before it.
 
+    A row that goes on in the next lines, as Fortran writes it, is one line.
+
     >>> in_whole_lines(["  Columns 1 through 2", "", " 0 1.5", " 1 1.6", "", "  Column 3", "", " 2.5", " 2.6"])
     ['', ' 0 1.5 2.5', ' 1 1.6 2.6']
     >>> in_whole_lines(["   t  phi1  \\", "0  0  1.63   ", "1  1  1.65   ", "", "    w1  ", "0  2.0  ", "1  2.1  "])
     ['', '   t  phi1    w1', '0  0  1.63   2.0', '1  1  1.65   2.1']
     >>> in_whole_lines(["T =", "   1.0e+03 *", "   0   1.5"])
     ['T =', '', '   0   1.5e+03']
+    >>> in_whole_lines(["t phi1 phi2", "w1", "0 1 2", "3", "1 2 3", "4", "2 3 4", "5"])
+    ['t phi1 phi2 w1', '0 1 2 3', '1 2 3 4', '2 3 4 5']
     """
-    lines = _without_factors(given)
+    lines = _unwrapped(_without_factors(given))
     is_piece = [bool("olumn" in line and _PIECE.match(line)) for line in lines]
     if not any(is_piece) and not any(line.rstrip().endswith("  \\") for line in lines):
         return lines
@@ -52,6 +56,23 @@ def in_whole_lines(given: list[str]) -> list[str]:
                 out.append(rows)
             goes_on = is_numbered = ends
     return [line for rows in out for line in ("", *rows)]
+
+
+def _unwrapped(lines: list[str]) -> list[str]:
+    """Return lines with the rows put together that go on in the next ones: the last line of each is shorter."""
+    widths = [len(cells) if all(map(looks_numeric, cells)) else 0 for cells in (line.split() for line in lines)]
+    first = next((at for at, width in enumerate(widths) if width), 0)
+    end = next((at for at in range(first, len(widths)) if not widths[at]), len(widths))
+    most = widths[first] if widths else 0
+    shape = [*takewhile(most.__eq__, widths[first:end])]
+    shape = widths[first : first + len(shape) + 1]
+    many = (end - first) // len(shape) if shape else 0
+    if many < _FEWEST or shape[-1] >= most or widths[first:end] != many * shape:
+        return lines
+    above = first - len(shape)
+    begin = above if above >= 0 and [len(line.split()) for line in lines[above:first]] == shape else first
+    rows = [" ".join(map(str.strip, lines[at : at + len(shape)])) for at in range(begin, end, len(shape))]
+    return [*lines[:begin], *rows, *lines[end:]]
 
 
 def _beside(before: list[str], rows: list[str], is_numbered: bool) -> list[str]:
