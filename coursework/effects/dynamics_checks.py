@@ -87,7 +87,7 @@ def _graded(e: Evidence, code: str, share: float, row: int, column: str | None =
 
 def _accuracy(e: Evidence) -> Finding:
     if e.scheme is None:
-        return skipped(say("check.FORCE-ACCURACY.skip"))
+        return skipped(say("check.STABLE.skip"))
     count = min(e.own.rows.count, e.exact.rows.count)
     if count < 2:
         return skipped(say("check.no_row"))

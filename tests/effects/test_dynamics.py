@@ -280,3 +280,15 @@ def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_o
     assert "·" in told and "−" in told and "*" not in told
     (panels,) = (part for part in sections["dynamics"] if part.kind == "panels")
     assert len(panels.legend) == 2 and panels.width == 82
+
+
+def test_what_falls_freely_is_driven_by_nothing_on_its_page_and_has_no_power_of_a_drive():
+    run = solved("falling-arm")
+    sections = {section.name: str(section.parts) for section in model_of(run).sections}
+    assert run.summary == "The rows are the motion itself; no step decides about them."
+    assert "as many freedoms as rates that forces or laws move" in sections["structure"]
+    assert "driven" not in sections["structure"]
+    assert "0 in every row: drive, loads, friction and dampers." in sections["energy"]
+    assert 0 < np.abs(run.results.energy.drive).max() < 1e-12  # W: what round-off leaves of it
+    checked = call("check", "falling-arm").stdout
+    assert "unknown velocit" not in checked and "driven" not in checked
