@@ -73,7 +73,7 @@ def energy(context: PageContext) -> list[Part]:
 def _sizes(rows: Array) -> Array:
     """Return the largest size of each column behind the time, 0 of a power that is the round-off of those that work."""
     t, kinetic, *_ = (rows := np.nan_to_num(rows)).T
-    largest = np.abs(rows[:, 1:]).max(axis=0)
+    largest: Array = np.abs(rows[:, 1:]).max(axis=0)
     powers = largest[2:]  # behind both energies
     working = max(float(powers.max()), float(np.abs(np.diff(kinetic) / np.diff(t)).max(initial=0.0)))
     powers[powers <= _ROUND_OFF * working] = 0.0
