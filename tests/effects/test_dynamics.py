@@ -337,7 +337,7 @@ rates = ["w"]
 
 @pytest.mark.parametrize(("old", "new"), [
     ('"4 kg"', '"0.001 g"'),  # stiff: dies out in 6e-8 s, of which nobody makes 3000 steps to reach 20 ms
-    ('K = "(0.5, -0.7)"', 'K = "B0"\nB0 = "(0.5638155724715451, -0.20521208599540124)"'),  # the ends meet, so a spring has no direction
+    ('"(0.5, -0.7)"', '"(0.5638155724715451, -0.20521208599540124)"'),  # the ends meet, so a spring has no direction
 ])  # fmt: skip
 def test_forces_that_nobody_can_follow_are_no_dead_point_of_links_that_are_not_there(old, new):
     run = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="exact")
@@ -345,3 +345,11 @@ def test_forces_that_nobody_can_follow_are_no_dead_point_of_links_that_are_not_t
     euler = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="euler")
     told = {one.code: str(one.sentence) for one in euler.results.checks}
     assert len(euler.motion.t) > 1 and told["MOTION"].startswith("The exact motion is not known on these rows")
+
+
+def test_what_hangs_at_rest_is_told_so_and_no_energy_of_round_off():
+    hanging = PENDULUM.replace('"200 N/m"', '"0 N/m"').replace("-20 deg", "-90 deg")
+    hanging = hanging.replace("[forces]", '[forces]\ngravity = "9.81 m/s^2"')
+    assert coursework.solve(coursework.parse_variant(hanging), scheme="euler").summary.startswith(
+        "Nothing moves: the forces hold"
+    )
