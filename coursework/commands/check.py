@@ -26,15 +26,9 @@ def check_variant(variant: str) -> int:
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
-    tell(
-        say(
-            "screen.counts",
-            number=len(chosen.sought),
-            unknowns=", ".join(chosen.sought),
-            equations=len(equations.equations),
-            drives=len(chosen.drive),
-        )
-    )
+    if chosen.sought:  # of links that forces move each alone nothing is left to be solved
+        size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": len(chosen.drive)}
+        tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
     _tell_mobility(run)
     closure = scene.closure
     for note in reduction.notes:
@@ -82,7 +76,7 @@ def _tell_mobility(run: Run) -> None:
     if drives and mobility.degrees != drives:
         way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
         verdict = way or say("screen.driven_otherwise", drives=drives)
-    if not drives:
+    if not drives or run.variant.motor is not None:
         verdict = say("screen.as_listed")
     tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))
 

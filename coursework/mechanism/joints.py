@@ -106,17 +106,24 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
             yield Joint(REVOLUTE, pair, named(name))
     contacts = {link.contact for link in variant.links}
     racks = {link.points[0]: link.name for link in variant.links if _is_block(link)}
-    for through, angle in variant.frame.rails:
-        if through.op == "name" and through.name in holds and through.name not in contacts:
-            if through.name in racks:
-                yield Joint(PRISMATIC, (racks[through.name], FRAME), through, angle)
+    for rider, (_, angle) in zip(riders(variant), variant.frame.rails, strict=True):
+        if rider in holds and rider not in contacts:
+            if rider in racks:
+                yield Joint(PRISMATIC, (racks[rider], FRAME), named(rider), angle)
             else:
-                yield Joint(PIN_IN_GUIDE, (holds[through.name][0], FRAME), through, angle)
+                yield Joint(PIN_IN_GUIDE, (holds[rider][0], FRAME), named(rider), angle)
     yield from _contacts(variant, holds, [*racks.values()])
     sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
     for sleeve, bar in sleeves.values():
         own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
         yield Joint(PRISMATIC, (sleeve, bar), named(own) if own else None)
+
+
+def riders(variant: Variant) -> tuple[str, ...]:
+    """Return of each rail the point that slides on it, "" for none: a guide may be drawn through a pivot that it begins at."""
+    pins = {guide.through: group.meets for group in variant.groups for guide in group.guides if group.meets}
+    named_in = [(through, through.name if through.op == "name" else "") for through, _ in variant.frame.rails]
+    return tuple(pins.get(through) or ("" if name in variant.frame.hinges else name) for through, name in named_in)
 
 
 def _is_block(link: Link) -> bool:

@@ -130,7 +130,7 @@ class MotorScene(Scene):
             return None
         step, names = self.variant.time.step, [c.name for c in self.variant.coordinates]
         last = dict(zip(names, found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
-        key = {"dead point": "dead", "not finite": "far"}.get(found.ended, found.ended)
+        key = {"dead point": "dead", "not finite": "far", "too steep": "steep"}.get(found.ended, found.ended)
         key = "still" if key == "held" and not found.at else key
         cause, meaning = say(f"dynamics.{key}", time=found.at, at=found.by), say(f"dynamics.{key}_means", row=len(found.t))
         return Stop(found.ended, found.at, found.at / step, (), last, cause, meaning)

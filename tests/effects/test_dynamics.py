@@ -14,9 +14,10 @@ import pytest
 
 import coursework
 from coursework.effects.dynamics.dynamics import Dynamics
-from coursework.effects.dynamics.dynamics_checks import stiffness
+from coursework.effects.dynamics.dynamics_checks import Evidence, _advised, stiffness
 from coursework.effects.dynamics.dynamics_lesson import lesson
 from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT
+from coursework.results.checks.result import Finding
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
 from tests.effects.moved import free_31
@@ -135,11 +136,24 @@ def test_energy_and_error_are_told_with_the_step_that_would_do():
     told = {one.code: one for one in solved("falling-arm", "euler").results.checks}
     assert (told["ENERGY"].verdict, told["MOTION"].verdict, told["STABLE"].verdict) == ("COARSE", "COARSE", "PASS")
     assert "J that nothing gave it" in str(told["ENERGY"].sentence)
+    assert "order of the scheme" not in str(told["ENERGY"].sentence)  # one step is advised, where the error is larger
+    assert "From an error as large as this the order of the scheme tells no step" in str(told["MOTION"].sentence)
     assert told["MOTION"].value == pytest.approx(13.03 / np.abs(solved("falling-arm").motion.column("w1")).max(), rel=1e-2)
     exact = {one.code: one for one in solved("falling-arm").results.checks}
     assert exact["ENERGY"].verdict == "PASS" and exact["ENERGY"].value < 1e-9
     driven = {one.code: one for one in solved("example-2-motor").results.checks}
     assert driven["ENERGY"].verdict == "PASS" and driven["ENERGY"].value < 1e-5
+
+
+@pytest.mark.parametrize(("share", "stable", "told"), [
+    (0.5, "PASS", "a step of about 0.0005 s would do"), (0.51, "PASS", "tells no step"), (0.4, "COARSE", ""),
+])  # fmt: skip
+def test_a_step_is_advised_from_errors_that_still_tell_one(share, stable, told):
+    run = solved("falling-arm", "euler")
+    evidence = Evidence(run.results.forces, run.scene.exact_analysis, run.scene.free_equations, SCHEMES["euler"], 0.01)
+    found = [Finding("COARSE", "Energy.", 0.06), Finding("COARSE", "Motion.", share), Finding(stable, "Step.")]
+    energy, motion, _ = (str(one.sentence) for one in _advised(evidence, found))
+    assert energy == "Energy." and told in motion and (told != "" or motion == "Motion.")
 
 
 def test_a_steep_motor_is_told_and_its_explosion_shown():
@@ -280,3 +294,62 @@ def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_o
     assert "·" in told and "−" in told and "*" not in told
     (panels,) = (part for part in sections["dynamics"] if part.kind == "panels")
     assert len(panels.legend) == 2 and panels.width == 82
+
+
+def test_what_falls_freely_is_driven_by_nothing_on_its_page_and_has_no_power_of_a_drive():
+    run = solved("falling-arm")
+    sections = {section.name: str(section.parts) for section in model_of(run).sections}
+    assert run.summary == "The rows are the motion itself; no step decides about them."
+    assert "as many freedoms as rates that forces or laws move" in sections["structure"]
+    assert "driven" not in sections["structure"]
+    assert "0 in every row: drive, loads, friction and dampers." in sections["energy"]
+    assert 0 < np.abs(run.results.energy.drive).max() < 1e-12  # W: what round-off leaves of it
+    checked = call("check", "falling-arm").stdout
+    assert "unknown velocit" not in checked and "driven" not in checked
+
+
+PENDULUM = """
+[given]
+k = "200 N/m"
+c = "6 N*s/m"
+[coordinates]
+phi = { start = "-20 deg", rate = "w" }
+[time]
+step = "20 ms"
+end = "0.2 s"
+[points]
+O = "(0, 0)"
+B = "O + 0.6 @ phi"
+K = "(0.5, -0.7)"
+[links]
+1 = { points = ["O", "B"], rate = "w" }
+[frame]
+hinges = ["O"]
+[masses]
+1 = { mass = "4 kg", inertia = "rod" }
+[forces]
+s = { spring = ["B", "K"], stiffness = "k", free = "0.4 m" }
+d = { damper = ["B", "K"], damping = "c" }
+[motor]
+rates = ["w"]
+"""
+
+
+@pytest.mark.parametrize(("old", "new"), [
+    ('"4 kg"', '"0.001 g"'),  # stiff: dies out in 6e-8 s, of which nobody makes 3000 steps to reach 20 ms
+    ('"(0.5, -0.7)"', '"(0.5638155724715451, -0.20521208599540124)"'),  # the ends meet, so a spring has no direction
+])  # fmt: skip
+def test_forces_that_nobody_can_follow_are_no_dead_point_of_links_that_are_not_there(old, new):
+    run = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="exact")
+    assert run.stop.kind == "too steep" and "too stiff for what it moves, or its two ends meet" in run.stop.sentence
+    euler = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="euler")
+    told = {one.code: str(one.sentence) for one in euler.results.checks}
+    assert len(euler.motion.t) > 1 and told["MOTION"].startswith("The exact motion is not known on these rows")
+
+
+def test_what_hangs_at_rest_is_told_so_and_no_energy_of_round_off():
+    hanging = PENDULUM.replace('"200 N/m"', '"0 N/m"').replace("-20 deg", "-90 deg")
+    hanging = hanging.replace("[forces]", '[forces]\ngravity = "9.81 m/s^2"')
+    assert coursework.solve(coursework.parse_variant(hanging), scheme="euler").summary.startswith(
+        "Nothing moves: the forces hold"
+    )

@@ -14,6 +14,7 @@ from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint, JointK
 from coursework.mechanism.joints import FRAME, linkage
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
+from coursework.variant.formula.tree import named
 from tests import sources
 from tests.sources import PACKAGE
 
@@ -119,3 +120,13 @@ def test_no_kind_is_named_where_it_is_not_made():
             assert not re.search(rf"\b({'|'.join(KINDS)})\b", sources.text(path)), place
         compared = [side for node in nodes if isinstance(node, ast.Compare) for side in (node.left, *node.comparators)]
         assert not [side for side in compared if isinstance(side, ast.Name) and side.id in KINDS], place
+
+
+def test_a_guide_drawn_through_the_pivot_it_begins_at_has_the_pin_of_its_group_on_it():
+    """`new --groups` writes rails through the first point of a guide; with [links] the crank's pivot would be what slides."""
+    variant = coursework.load("example-2")
+    begun = replace(variant, frame=replace(variant.frame, rails=((named("A"), variant.frame.rails[0][1]),)))
+    assert joints(begun) == joints(variant)
+    assert read_outline(build(begun)).blocks == read_outline(build(variant)).blocks
+    bare = replace(begun, groups=())  # equations do not tell what slides: the pivot does not
+    assert not any(joint.kind.slides for joint in linkage(bare, {}).joints)

@@ -24,6 +24,10 @@ SLIPS = [
     ('end       = "1 s"\n', "", {"V013": 'the key "end" is missing'}),
     ("[drive]", '[drive]\nphi1 = "p*t"', {"V161": "Write the derivative of the law there, w1 = …"}),
     ("\n", "\r", {"V009": "line ends of Windows or Unix"}),
+    ("[given] ", "[gіven] ", {"V009": "letter 2 of the key is the Cyrillic small letter byelorussian-ukrainian i"}),
+    ("rate =", "rаte =", {"V009": 'which looks like the Latin "a"'}),
+    ("[[constraint]]", "[[constraint]", {"V009": "a bracket ] is missing"}),
+    ("cos(phi1) = 0", "math.cos(phi1) = 0", {"V122": "a function stands alone: cos(phi)"}),
 ]
 
 

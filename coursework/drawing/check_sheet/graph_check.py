@@ -35,6 +35,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 GraphRow = tuple[str, float, float, float, str]
@@ -122,7 +123,7 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     assert outline is not None
     rigid = [set(bar.corners) for bar in outline.bars]
     if sides := tuple("".join(sorted(pair)) for pair in stretching(mechanism) if any(pair <= corners for corners in rigid)):
-        raise InputError(say("fault.V525", sides=sides))
+        raise _refused(variant, say("fault.V525", sides=sides))
     read = read_sketch(outline, equations, driven_lengths(outline, equations, exact))
     sketch = read(motion, row - 1)
     findings = construct(sketch.pose)
@@ -173,12 +174,16 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     )
     missing = [name for name, there in wanted if not there]
     if missing:
-        asked = "graph_check" in variant.ask
-        line = variant.nearest_line("ask", "quantities") if asked else 0  # asked for by the command line it stands in no file
-        raise InputError([Fault(say("fault.V516", missing=tuple(missing)), variant.file, line)])
+        raise _refused(variant, say("fault.V516", missing=tuple(missing)))
     if len(motion.coordinate_names) < len(variant.coordinates):
-        raise InputError(say("fault.V517"))
+        raise _refused(variant, say("fault.V517"))
     return variant.time.row_of_check
+
+
+def _refused(variant: Variant, message: Sentence) -> InputError:
+    """Return the fault at the line that asks for the check; asked for by the command line it stands in no line."""
+    line = variant.nearest_line("ask", "quantities") if "graph_check" in variant.ask else 0
+    return InputError([Fault(message, variant.file, line)])
 
 
 def _sought(sketch: Sketch, findings: Findings) -> list[Body]:

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 from coursework.drawing.outline.lengths import arm_base, unnamed_joints
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
-from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names
+from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names, riders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, number, terms
 from coursework.variant.record.entries import reached
@@ -75,11 +75,11 @@ class _Pencil:
                 base, toward = (bar[0], bar[1]) if len(bar) > 1 else (bar[0], self.direction(bar[0], turned))
                 self.blocks.append(Block(link.name, link.points[0], base, toward, open=True))
                 self.slots.append(Slot(link.slides, bar[0], base, toward, (link.points[0],)))
-        for through, angle in variant.frame.rails:
-            at = self.name_of(through)
+        for rider, (through, angle) in zip(riders(variant), variant.frame.rails, strict=True):
+            at = rider or self.name_of(through)
             held = next((bar.link for bar in self.bars if bar.corners == (at,)), "")
             on_link = any(at in bar.corners for bar in self.bars)
-            rider = at if through.op == "name" and (on_link or at in contacts) else ""
+            rider = rider if on_link or at in contacts else ""
             toward = self.direction(at, angle)
             self.rails.append(Rail(at, at, toward, rider, at in contacts))
             if rider and at not in contacts:

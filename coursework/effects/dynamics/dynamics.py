@@ -27,27 +27,31 @@ MOST_NEWTON, CLOSED = 12, 1e-8
 FARTHEST = 1.0  # rad or m: a correction beyond it leads to another assembly
 TOLERANCE = 1e-13
 Take = Callable[[float, list[float]], list[float]]  # time and state of a row -> the state of the next one
-MOST_STEPS = 3000  # from a row to the next one: more are taken where a dead point is near alone
+MOST_STEPS = 3000  # from a row to the next one: more are taken where forces are too steep alone
 _SLOWER = 0.9  # of the last rate: so much slower was the one beside which a dead point is looked for
 _LEAST = 1e-11  # of the whole time: a shorter step is none
 _ALONE = ((0, 1),)  # the first slope, nothing beside it
+_SHORTER = 0.1  # of the mean step since the last row: into a dead point steps get shorter and shorter, steep forces hold them
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
 
 
 class Open(ArithmeticError):
-    """No closed position lies near: the mechanism is at a dead point, or a step was too wide; `at` (s), where that is known."""
+    """No closed position lies near: the mechanism is at a dead point, or a step was too wide; `at` (s), where that is known.
 
-    def __init__(self, at: float = math.nan) -> None:
+    `too_steep`: not the links, but the forces let nobody follow the motion.
+    """
+
+    def __init__(self, at: float = math.nan, *, too_steep: bool = False) -> None:
         super().__init__("no closed position")
-        self.at = at
+        self.at, self.too_steep = at, too_steep
 
 
 @frozen
 class FreeMotion:
     """Rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f); `slopes` evaluated.
 
-    `ended`: "" where it reached its end, "dead point", "not finite", "held" or "locked" (by friction at the point `by`), at the
-    time `at` (s).
+    `ended`: "" where it reached its end, "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by friction
+    at the point `by`), at the time `at` (s).
     """
 
     t: Array
@@ -144,7 +148,8 @@ class Dynamics:
             taken, tries = min(length[0], goal - at), tries + 1
             if tries > MOST_STEPS:
                 self.q, self._rates = begin
-                raise Open(_dead_point(at, passed))
+                is_near = self.motion.others and length[0] < _SHORTER * (at - t) / tries
+                raise Open(_dead_point(at, passed)) if is_near else Open(at, too_steep=True)
             kept, why = (list(self.q), list(self._rates)), None
             try:
                 slope = np.array(moving(*state.tolist()))
@@ -167,7 +172,7 @@ class Dynamics:
                 self.q, self._rates = begin
                 if isinstance(why, Held):
                     raise why.seen(at)
-                raise Open(_dead_point(at, passed))
+                raise Open(_dead_point(at, passed)) if self.motion.others else Open(at, too_steep=True)
         return [float(value) for value in state[:-1]]
 
     def _where(self, *state: float) -> tuple[float, ...]:
@@ -192,7 +197,8 @@ class Dynamics:
                     ended, at = "not finite", t + step
                     break
             except (Open, ZeroDivisionError) as error:
-                ended, at = "dead point", t if math.isnan(found := getattr(error, "at", math.nan)) else found
+                ended = "too steep" if getattr(error, "too_steep", not self.motion.others) else "dead point"
+                at = t if math.isnan(found := getattr(error, "at", math.nan)) else found
                 break
             except Held as error:
                 ended, at, by = "locked" if error.locked else "held", t if math.isnan(error.time) else error.time, error.at

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from contextlib import nullcontext
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,10 +18,13 @@ from coursework.motion.schemes import Scheme
 from coursework.results.checks.result import Check, Finding, percent, skipped
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-from coursework.words.sentences import say
+from coursework.variant.record.variant import MAX_ROWS
+from coursework.words.sentences import joined, say
 
 LIMIT = 0.05
+_TELLING = 0.5  # with a larger share the error has long left the straight line of its order
 _TINY = 1e-6  # of a rate or coordinate: by so much it is moved to see what that does
+_ROUND_OFF = 1e-12  # of the energy there is: less of it moves nothing
 _LOOKED_AT = 40  # rows
 _RK4_SWINGS = 2.8  # h w up to which Runge-Kutta 4 keeps a swing; the schemes of order one and two let every swing grow
 
@@ -41,7 +45,20 @@ def check_dynamics(
 ) -> tuple[Finding, ...]:
     """Return what every check finds."""
     evidence = Evidence(own, exact, dynamics, scheme, step)
-    return tuple(check.finding(evidence) for check in CHECKS)
+    return _advised(evidence, [check.finding(evidence) for check in CHECKS])
+
+
+def _advised(e: Evidence, findings: list[Finding]) -> tuple[Finding, ...]:
+    """Return the findings, the worst of them with a step that would do; STABLE tells its own where each deviation grows."""
+    coarse = {one.value or 0.0: place for place, one in enumerate(findings) if one.verdict == "COARSE"}
+    if coarse and e.scheme is not None and findings[-1].verdict == "PASS":
+        share = max(coarse)
+        parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
+        is_told = share <= _TELLING and parts * (e.exact.rows.count - 1) <= MAX_ROWS
+        advice = say("check.dynamics.step", step=e.step / parts) if is_told else say("check.dynamics.no_step")
+        found = findings[coarse[share]]
+        findings[coarse[share]] = replace(found, sentence=joined([found.sentence, advice]))
+    return tuple(findings)
 
 
 def remainder(found: ForceAnalysis) -> tuple[Array, float]:
@@ -69,28 +86,27 @@ def _energy(e: Evidence) -> Finding:
     if e.own.rows.count < 2:
         return skipped(say("check.no_row"))
     left, exchanged = remainder(e.own)
-    if not exchanged:
-        return skipped(say("check.ENERGY.rest" if not np.any(e.exact.rows.motion.velocities) else "check.forces.none"))
+    moving, stored = (float(np.abs(energy).max()) for energy in (e.exact.energy.kinetic, e.exact.energy.potential))
+    if exchanged <= _ROUND_OFF * (moving + stored):
+        return skipped(say("check.ENERGY.rest" if moving <= _ROUND_OFF * stored else "check.forces.none"))
     row = int(np.argmax(np.abs(left)))
     share = float(abs(left[row]) / exchanged)
     return _graded(e, "ENERGY", share, row, energy=float(left[row]), share=percent(share), row=row + 1, exchanged=exchanged)
 
 
 def _graded(e: Evidence, code: str, share: float, row: int, column: str | None = None, /, **told: object) -> Finding:
-    """Return the finding of a share, with a step that would do where it is too large."""
+    """Return the finding of a share."""
     if share <= LIMIT or e.scheme is None:
         return Finding("PASS", say(f"check.{code}.pass", **told), share, LIMIT, say("unit.relative"), column, row + 1)
-    parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
-    sentence = say(f"check.{code}.coarse", **told, step=e.step / parts)
-    return Finding("COARSE", sentence, share, LIMIT, say("unit.relative"), column, row + 1)
+    return Finding("COARSE", say(f"check.{code}.coarse", **told), share, LIMIT, say("unit.relative"), column, row + 1)
 
 
 def _accuracy(e: Evidence) -> Finding:
     if e.scheme is None:
-        return skipped(say("check.FORCE-ACCURACY.skip"))
+        return skipped(say("check.STABLE.skip"))
     count = min(e.own.rows.count, e.exact.rows.count)
     if count < 2:
-        return skipped(say("check.no_row"))
+        return skipped(say("check.unknown" if e.own.rows.count > count else "check.no_row"))
     own, true = e.own.rows.motion, e.exact.rows.motion
     worst = ("", 0, 0.0, 0.0)
     for name in own.velocity_names:
@@ -100,6 +116,8 @@ def _accuracy(e: Evidence) -> Finding:
         if off[row] / scale >= worst[2]:
             worst = (name, row, float(off[row] / scale), float(off[row]))
     name, row, share, off_by = worst
+    if share <= LIMIT and count < e.own.rows.count:
+        return skipped(say("check.unknown"))
     unit = e.own.equations.variant.unit_of(name)
     return _graded(e, "MOTION", share, row, name, name=name, row=row + 1, off=off_by, unit=unit, share=percent(share))
 

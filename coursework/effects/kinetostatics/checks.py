@@ -150,8 +150,12 @@ def _condition(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 
 def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     """What the scheme's rows make of the drive: where it is furthest from what the mechanism needs."""
-    if exact is None or exact is own or not own.drive_names or not exact.reactions.largest:
-        return skipped(say("check.FORCE-ACCURACY.skip"))
+    if exact is own:
+        return skipped(say("check.STABLE.skip"))
+    if exact is None:
+        return skipped(say("check.unknown"))
+    if not own.drive_names or not exact.reactions.largest:
+        return skipped(say("check.forces.none"))
     count = min(own.rows.count, exact.rows.count)
     pairs = [(name, own.column(name)[:count], exact.column(name)[:count]) for name in own.drive_names]
     name, found, true = max(pairs, key=lambda one: float(np.nan_to_num(np.abs(one[1] - one[2])).max()))

@@ -14,11 +14,13 @@ from coursework.variant.record.variant import Constraint, Law, Variant
 
 _TURNING = ("sin", "cos", "tan")
 _DEGREE = Formula("/", (named("pi"), number(180)))
+_PER_RADIAN = Formula("/", (number(180), named("pi")))
 
 
 def misread(variant: Variant, equations: VelocityEquations, code: str) -> Variant | None:
     """Return the variant with the signs of its drive turned ("sign_drive") or degrees taken for radians: in all ("degree_mode"),
-    in what is a function of time ("degree_drive"), in what is one of the position ("degree_geometry").
+    in what is a function of time ("degree_drive"), in what is one of the position ("degree_geometry"); or positions in degrees
+    put where radians are expected, as in a spreadsheet ("radian_mode").
 
     `equations` are those of the variant: whoever has them from its geometry puts positions into these, not into the geometry.
     """
@@ -28,8 +30,8 @@ def misread(variant: Variant, equations: VelocityEquations, code: str) -> Varian
         return None  # without a sine in the drive it is the same as all of them
     if code != "degree_drive" and (variant.groups or any(one.is_closure for one in variant.constraints)):
         written = _written_out(variant, equations)
-        return written and _in_degrees(written, drive=code == "degree_mode", geometry=True)
-    changed = _in_degrees(variant, drive=code != "degree_geometry", geometry=code != "degree_drive")
+        return written and _misread(written, code)
+    changed = _misread(variant, code)
     return None if changed == variant else changed
 
 
@@ -48,11 +50,24 @@ def _with_drive_turned(variant: Variant) -> Variant:
     return replace(variant, drive=tuple(replace(law, table=tuple((at, -value) for at, value in law.table)) for law in laws))
 
 
-def _in_degrees(variant: Variant, *, drive: bool, geometry: bool) -> Variant:
+def _misread(variant: Variant, code: str) -> Variant:
+    if code == "radian_mode":
+        return _in_degrees(variant, drive=False, geometry=True, factor=_PER_RADIAN)
+    return _in_degrees(variant, drive=code in {"degree_mode", "degree_drive"}, geometry=code != "degree_drive")
+
+
+def _in_degrees(variant: Variant, *, drive: bool, geometry: bool, factor: Formula = _DEGREE) -> Variant:
     """Return the variant as a calculator set to degrees sees it: every argument of a sine is taken for degrees."""
 
+    def degrees(tree: Formula) -> Formula:
+        turned = mapped(tree, degrees)
+        if tree.op == "@" or (tree.op == "call" and tree.name in _TURNING):
+            *length, angle = turned.args
+            return replace(turned, args=(*length, Formula("*", (angle, factor))))
+        return turned
+
     def laws(found: Sequence[Law]) -> tuple[Law, ...]:
-        return tuple(law.rewritten(_degrees) if (geometry if law.of in positions else drive) else law for law in found)
+        return tuple(law.rewritten(degrees) if (geometry if law.of in positions else drive) else law for law in found)
 
     positions = {coordinate.name for coordinate in variant.coordinates}
     changed = replace(variant, drive=laws(variant.drive), functions=laws(variant.functions))
@@ -60,15 +75,7 @@ def _in_degrees(variant: Variant, *, drive: bool, geometry: bool) -> Variant:
         return changed
     return replace(
         changed,
-        constraints=tuple(replace(c, left=_degrees(c.left), right=_degrees(c.right)) for c in variant.constraints),
-        points=tuple((name, _degrees(point)) for name, point in variant.points),
-        holds=tuple(_degrees(hold) for hold in variant.holds),
+        constraints=tuple(replace(c, left=degrees(c.left), right=degrees(c.right)) for c in variant.constraints),
+        points=tuple((name, degrees(point)) for name, point in variant.points),
+        holds=tuple(degrees(hold) for hold in variant.holds),
     )
-
-
-def _degrees(tree: Formula) -> Formula:
-    turned = mapped(tree, _degrees)
-    if tree.op == "@" or (tree.op == "call" and tree.name in _TURNING):
-        *length, angle = turned.args
-        return replace(turned, args=(*length, Formula("*", (angle, _DEGREE))))
-    return turned

@@ -6,6 +6,7 @@ Used by `commands/animate.py`.
 
 from __future__ import annotations
 
+import logging
 import tempfile
 import threading
 from collections.abc import Iterator
@@ -68,6 +69,7 @@ def label_text(symbol: Symbol) -> str:
 def _know_own_faces() -> None:
     from matplotlib.font_manager import fontManager
 
+    logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # our Chinese face has one weight, and it would say so
     for face in sorted((folder("reports") / "fonts").glob("*.otf")):
         fontManager.addfont(face)
 

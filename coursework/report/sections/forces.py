@@ -55,7 +55,7 @@ def energy(context: PageContext) -> list[Part]:
     if not len(table.rows):
         return []
     heads = [context.words(f"forces.energy_{name}") for name in table.names[1:]]
-    is_shown = [name == "T" or bool(column.any()) for name, column in zip(table.names[1:], table.rows.T[1:], strict=True)]
+    is_shown = [name == "T" or size > 0 for name, size in zip(table.names[1:], _sizes(table.rows), strict=True)]
     kept = [0, *(1 + int(k) for k in np.flatnonzero(is_shown))]
     names, units = (tuple(whole[k] for k in kept) for whole in (table.names, table.units))
     parts = extra_parts(context, replace(table, names=names, units=units, rows=table.rows[:, kept]), "energy.csv")
@@ -68,6 +68,16 @@ def energy(context: PageContext) -> list[Part]:
         none = context.words.listing([head for head, shown in zip(heads, is_shown, strict=True) if not shown])
         parts.append(Paragraph(context.say("forces.energy_none", parts=none), "note"))
     return parts
+
+
+def _sizes(rows: Array) -> Array:
+    """Return the largest size of each column behind the time, 0 of a power that is the round-off of those that work."""
+    t, kinetic, *_ = (rows := np.nan_to_num(rows)).T
+    largest: Array = np.abs(rows[:, 1:]).max(axis=0)
+    powers = largest[2:]  # behind both energies
+    working = max(float(powers.max()), float(np.abs(np.diff(kinetic) / np.diff(t)).max(initial=0.0)))
+    powers[powers <= _ROUND_OFF * working] = 0.0
+    return largest
 
 
 def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:

@@ -140,7 +140,8 @@ def _freedoms(context: PageContext, found: Structure) -> str:
     values = {"drives": context.symbol_list(drives), **_letters(context)}
     if found.drives > found.mobility.degrees:
         return context.words("structure.passive", degrees=found.mobility.degrees, **values)
-    return context.words.count("structure.driven", found.drives, **values)
+    key = "structure.driven" if variant.motor is None else "structure.moved"
+    return context.words.count(key, found.drives, **values)
 
 
 def _group(context: PageContext, group: AssurGroup) -> str:

@@ -26,9 +26,12 @@ _HUNDRED = math.radians(99.5)
 
 
 def sentences_of(
-    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow
+    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow, floor: float
 ) -> tuple[str, ...]:
-    """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap."""
+    """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap.
+
+    Of errors below the round-off `floor` the last row tells nothing.
+    """
     best = _first(rows, title_of(PRECISE))
     usual = _first(rows, title_of(DEFAULT_SCHEME))
     reached = {"steps": best.steps_or_tolerance, "method": best.method}
@@ -62,7 +65,7 @@ def sentences_of(
         size = _size(closed[0].max_error, closed[0].unit)
         told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
     understated = usual.max_error / max(usual.end_error, 1e-300)
-    if understated >= 1.1 and usual.end_unit == usual.unit:  # an angle is no number of times a length
+    if understated >= 1.1 and usual.max_error > floor and usual.end_unit == usual.unit:  # an angle is no number of times a length
         told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=_round(understated)))
     titles = [title_of(scheme) for scheme in SCHEMES.values()]
     seeming = {name: end_orders[name] for name, order in orders.items() if end_orders.get(name, order) - order > 0.5}

@@ -50,7 +50,8 @@ def make_study(
     is_same = agreement < SAME
     if not is_same:
         reference = other
-    floor = 64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference))))
+    # No error can be measured that is smaller than what two references differ by.
+    floor = max(64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference)))), agreement if is_same else 0.0)
     fine = {0: reference} | ({1: reference} if problem.pace == 1 else {})
     rows: list[StudyRow] = []
     for trial in trials(problem, bounds):
@@ -83,7 +84,7 @@ def make_study(
     if agreement:  # where there is no closure, the reference is such a run itself
         key = "study.reference" if is_same else "study.own_reference"
         label = say(key, label=label, gap=gap, agreement=agreement)
-    told = (*sentences_of(rows, orders, end_orders, own_row), *unsettled(rows, floor))
+    told = (*sentences_of(rows, orders, end_orders, own_row, floor), *unsettled(rows, floor))
     where = machine() if timed else {}
     rest = left_out(problem, bounds)
     return AccuracyStudy(tuple(rows), orders, own, floor, label, told, tuple(overhead), timed, where, rest)

@@ -26,7 +26,8 @@ def summary(
     computation = [finding for finding in findings if finding.group == "computation"]
     motion = [finding for finding in findings if finding.group == "motion"]
     if not computation:  # what forces move is judged by its energy and by the motion alone
-        return joined([*told, *(one.sentence for one in [one for one in motion if one.verdict != "PASS"] or motion[:1])])
+        shown = [one for one in motion if one.verdict != "PASS"] or motion[:1]
+        return joined([*told, *dict.fromkeys(one.sentence for one in shown)])
     computed = _computed(computation, named)
     told.append(computed)
     if computed != say("summary.no_rows"):

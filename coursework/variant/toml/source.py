@@ -34,20 +34,21 @@ _NOT_STRUCTURE = re.compile(
 _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
 QUOTES = re.compile("[“”„«»‘’]")
+_KEY_EXPECTED = re.compile(r"Invalid statement|Invalid initial character|Expected '=' after|Expected '\]'")
 # What the reader's message begins with -> the last part of the key of the advice.
 _ADVICE = (
     ("Cannot overwrite", "key_twice"),
     ("Cannot mutate", "key_or_section_twice"),
     ("Illegal character '\\n'", "quote"),
-    ("Found invalid character '\\r'", "line_ends"),
     ("Unterminated string", "quote"),
     ('Expected "\'"', "single_quote"),
     ("Illegal character", "unprintable"),
     ("Unescaped", "backslash"),
     ("Expected '=' after a key", "equals"),
-    ("Expected ']'", "bracket"),
+    ("Expected ']", "bracket"),
     ("Unclosed array", "open_list"),
     ("Unclosed inline table", "open_table"),
+    ("Invalid statement", "line"),
     ("Invalid initial character for a key part", "key"),
     ("Invalid value", "value"),
     ("Exceeds the limit", "digits"),
@@ -199,20 +200,29 @@ def explained(message: str, text: str, file: str) -> Fault:
     if not match:
         line = 0
     found = lines[line - 1].strip() if 0 < line <= len(lines) else ""
-    advice = _advice(reason, found)
+    advice = _strange(lines[line - 1], column - 1) if found and column and _KEY_EXPECTED.match(reason) else None
+    advice = advice or _advice(reason, found)
     told = say("fault.V009", advice=advice, found=found[:60]) if found else say("fault.V010", advice=advice)
     return Fault(told, file, line, column)
+
+
+def _strange(line: str, at: int) -> str | None:
+    """Return what is told of a key with a letter of another alphabet at a place (from 0) of a line, None for another fault."""
+    key = next((word[0] for word in re.finditer(r"[\w-]+", line) if word.start() <= at < word.end()), "")
+    if strange := foreign_letter(key):
+        return say("fault.toml.letter", number=strange[0] + 1, strange=strange[1])
+    return None if key.isascii() else say("fault.toml.greek", key=key)
 
 
 def _advice(reason: str, found: str) -> str:
     if twice := re.match(r"Cannot declare \((.*?),?\) twice", reason):
         return say("fault.toml.section_twice", name=twice[1].replace("'", "").replace(", ", "."))
+    if "\r" in found:
+        return say("fault.toml.line_ends")
     if QUOTES.search(found) and not reason.startswith("Cannot"):
         return say("fault.toml.straight")
     if reason.startswith("Expected newline"):
         return _after_a_value(found)
-    if reason.startswith("Invalid statement"):
-        return _no_key(found)
     for begin, key in _ADVICE:
         if reason.startswith(begin):
             return say(f"fault.toml.{key}")
@@ -226,12 +236,3 @@ def _after_a_value(found: str) -> str:
     if unit := re.match(r"([-+]?[\d.]+\s*[A-Za-z°/][\w/^]*)", value):
         return say("fault.toml.unit", value=unit[1])
     return say("fault.toml.after")
-
-
-def _no_key(found: str) -> str:
-    key = found.partition("=")[0].strip()
-    if strange := foreign_letter(key):
-        return say("fault.toml.letter", number=strange[0] + 1, strange=strange[1])
-    if key and not key.isascii() and "=" in found:
-        return say("fault.toml.greek", key=key)
-    return say("fault.toml.line")

@@ -278,6 +278,8 @@ def test_what_is_missing_is_said() -> None:
         _ = solve(bare, quantities=["graph_check"]).graph_check
     with pytest.raises(InputError, match="links of constant length; AO changes"):
         _ = solve("variable-crank", quantities=["graph_check"]).graph_check
+    with pytest.raises(InputError, match=r"variable-crank.toml:57  .*links of constant length"):  # the line that asks for it
+        _ = solve(replace(load("variable-crank"), ask=("graph_check",))).graph_check
     assert solve(variant, end=0.04, quantities=["graph_check"]).graph_check is None  # the table ends before row 4
     with pytest.raises(InputError, match="ask for the whole table"):
         _ = solve(variant, quantities=["w3", "graph_check"]).graph_check

@@ -29,7 +29,7 @@ class Machine:
     lines: dict[str, str] = field(default_factory=dict)
     data: dict[str, float] = field(default_factory=dict)
     drive_sign: float = 1.0
-    degrees: tuple[str, ...] = ()  # "drive", "geometry"
+    degrees: tuple[str, ...] = ()  # "drive", "geometry": a calculator set to degrees; "radians": degrees put into radians
 
     @property
     def h(self):
@@ -61,7 +61,7 @@ class Machine:
         names |= dict(zip((c.name for c in self.variant.coordinates), q, strict=True))
         for name, law in drive.items():
             names[name] = self.drive_sign * eval(law, {}, names | _turning("drive" in self.degrees))
-        names |= _turning("geometry" in self.degrees)
+        names |= _turning("geometry" in self.degrees, "radians" in self.degrees)
         sought = self.variant.sought
         zero = dict.fromkeys(sought, 0.0)
         rest = np.array([eval(line, {}, names | zero) for line in lines.values()])
@@ -101,8 +101,8 @@ class Machine:
         return np.array(made)
 
 
-def _turning(in_degrees):
-    unit = DEGREE if in_degrees else 1.0
+def _turning(in_degrees, of_degrees=False):
+    unit = DEGREE if in_degrees else 1 / DEGREE if of_degrees else 1.0
     return {"sin": lambda x: math.sin(unit * x), "cos": lambda x: math.cos(unit * x), "tan": lambda x: math.tan(unit * x)}
 
 

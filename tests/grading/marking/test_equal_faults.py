@@ -108,12 +108,14 @@ def test_one_slip_costs_the_same_in_every_row():
     assert min(points) > 58
 
 
-@pytest.mark.parametrize("where", [("drive",), ("geometry",), ("drive", "geometry")], ids=str)
+@pytest.mark.parametrize("where", [("drive",), ("geometry",), ("drive", "geometry"), ("radians",)], ids=str)
 def test_degrees_for_radians_cost_the_same_wherever_they_are(where):
-    code = {("drive",): "degree_drive", ("geometry",): "degree_geometry"}.get(where, "degree_mode")
+    codes_of = {("drive",): "degree_drive", ("geometry",): "degree_geometry", ("radians",): "radian_mode"}
+    code = codes_of.get(where, "degree_mode")
     for desk in variants():
         found, table = desk.marked(Machine(desk.variant, degrees=where).table())
-        assert found == pytest.approx(24, abs=0.3)
+        # Degrees in place of radians make so wild a motion that not every cell can show what it came from.
+        assert found == pytest.approx(24, abs=1.2 if where == ("radians",) else 0.3)
         assert code in codes(table)
 
 

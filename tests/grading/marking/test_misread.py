@@ -18,7 +18,8 @@ TEXT = (folder("variants") / "31.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(("code", "in_drive", "in_equations"), [
-    ("degree_mode", True, True), ("degree_drive", True, False), ("degree_geometry", False, True), ("sign_drive", False, False),
+    ("degree_mode", True, True), ("degree_drive", True, False), ("degree_geometry", False, True),
+    ("radian_mode", False, True), ("sign_drive", False, False),
 ])  # fmt: skip
 def test_every_sine_of_its_kind_is_taken_for_degrees(code: str, in_drive: bool, in_equations: bool) -> None:
     """On both sides of an equation, in every point."""
@@ -26,16 +27,17 @@ def test_every_sine_of_its_kind_is_taken_for_degrees(code: str, in_drive: bool, 
     variant = parse_variant(TEXT.replace(SPLIT, 'equation = "r3*w3*sin(phi3) - r2*w2*cos(phi2) = r1*w1*cos(phi1)"'))
     changed = misread(variant, Scene(variant, Settings()).equations, code)
     assert changed is not None
+    factor = "180/pi" if code == "radian_mode" else "pi/180"
 
     def turned(formulas) -> set[bool]:
         """Return of formulas with sines and cosines whether the argument of each is turned."""
         texts = [spelled(one) for one in formulas]
-        counts = [(len(re.findall(r"sin|cos", text)), text.count("pi/180")) for text in texts]
+        counts = [(len(re.findall(r"sin|cos", text)), text.count(factor)) for text in texts]
         return {{0: False, sines: True}[parts] for sines, parts in counts if sines}
 
     assert turned(formula for law in changed.drive for formula in law.formulas) == {in_drive}
     assert turned(one.left for one in changed.constraints) == {in_equations}
     assert turned(one.right for one in changed.constraints) == {in_equations}
-    assert {"pi/180" in spelled(point) for _, point in changed.points if "@" in spelled(point)} == {in_equations}
+    assert {factor in spelled(point) for _, point in changed.points if "@" in spelled(point)} == {in_equations}
     signs = [spelled(formula).startswith("-") for law in changed.drive for formula in law.formulas]
     assert any(signs) is (code == "sign_drive")

@@ -47,6 +47,22 @@ def test_a_steady_column_is_as_fine_as_those_beside_it(rate, style):
             assert grade.part("table")[0] == 60, (digits, mark)
 
 
+@pytest.mark.parametrize(("cells", "lost"), [({5: ""}, 1), ({5: "13"}, 1), ({5: "#DIV/0!"}, 1), ({2: "8", 9: "6"}, 2)])
+def test_a_slip_in_a_steady_column_costs_its_cell_and_not_the_column(cells, lost):
+    """A drive of 7 1/s is printed without decimals; one cell that was left out took the other 20 with it."""
+    desk = Desk(parse_variant(STEADY, "own.toml", {}))
+    place_of = desk.key.names.index("w1")
+    grade = graded(desk, lambda row, place, value: cells.get(row, "7") if place == place_of else short(value, 5))
+    counted = int(grade.table.cells.counted.sum())
+    assert grade.part("table")[0] == pytest.approx(60 * (counted - lost) / counted, abs=0.01)
+
+
+def test_rows_that_are_missing_take_no_digits_from_a_steady_column():
+    desk = Desk(parse_variant(STEADY, "own.toml", {}))
+    grade = graded(desk, lambda row, place, value: "" if row == 0 or row > 12 else short(value, 5))
+    assert not grade.table.cells.too_coarse.any()
+
+
 def test_a_column_that_is_printed_coarser_than_those_beside_it_is_coarse():
     """As the numbers change, each of one digit behind the point, nothing was dropped."""
     desk = Desk(parse_variant(SLIDER_CRANK, "own.toml", {}))

@@ -29,7 +29,7 @@ def study(best, constant=3.0, order=1.0):
 def test_the_steps_are_those_at_which_the_error_is_reached(wanted):
     """The grid of fours has 98 304 behind 24 576: what lies between is told as it is, with the runs beside it."""
     rows = study(3.0 / wanted)
-    told = next(one for one in sentences_of(rows, {}, {}, rows[0]) if one.key.startswith("study.equal"))
+    told = next(one for one in sentences_of(rows, {}, {}, rows[0], 1e-15) if one.key.startswith("study.equal"))
     assert told.values["needed"].values["needed"] == f"{wanted:,}".replace(",", "\u202f")
     low, high = (int(told.values["needed"].values[name].replace("\u202f", "")) for name in ("low", "high"))
     assert low < wanted < high
@@ -38,7 +38,7 @@ def test_the_steps_are_those_at_which_the_error_is_reached(wanted):
 
 def test_beyond_the_finest_run_nothing_bounds_them():
     rows = study(3.0 / 410_000)
-    told = next(one for one in sentences_of(rows, {}, {}, rows[0]) if one.key.startswith("study.equal"))
+    told = next(one for one in sentences_of(rows, {}, {}, rows[0], 1e-15) if one.key.startswith("study.equal"))
     assert told.values["needed"] == "410\u202f000"
 
 
@@ -56,7 +56,7 @@ def test_steps_too_coarse_for_an_order_are_told():
 def test_errors_that_do_not_fall_yet_have_no_order_and_no_better_scheme():
     """A pulse between all rows of all runs: every scheme steps over it, by the same 1.77 rad but for rounding."""
     missed = [row(DEFAULT_SCHEME, count, 1.77 + 1e-15 * count) for count in COUNTS] + [row(PRECISE, 24, 1.77, 4)]
-    told = [str(one) for one in sentences_of(missed, {}, {}, missed[0])]
+    told = [str(one) for one in sentences_of(missed, {}, {}, missed[0], 1e-15)]
     assert "The same 24 steps of Runge-Kutta 4 are no better: 1.77 rad off." in told[1]
     assert not any("To be as good" in one or "times less" in one for one in told)
     assert str(unsettled(missed, 1e-15)[0]).endswith("too coarse for an order; local slopes: explicit Euler: none.")
@@ -73,7 +73,7 @@ def test_a_run_that_did_not_end_has_empty_cells():
 def test_what_round_off_forbids_is_not_promised():
     """A trillion steps of 1e-16 each add up to 1e-10 at random: no Euler is good to 4e-12 in doubles."""
     rows = study(4e-12)
-    told = [one.key for one in sentences_of(rows, {}, {}, rows[0])]
+    told = [one.key for one in sentences_of(rows, {}, {}, rows[0], 1e-15)]
     assert "study.never" in told
     assert not any(key.startswith("study.equal") for key in told)
 
@@ -82,7 +82,7 @@ def test_what_round_off_forbids_is_not_promised():
 def test_round_off_of_many_steps_grows_as_the_root_of_their_number(best, is_never):
     """3/E steps of 2^-53 each: at E = 3.33e-11 they add up to the error itself."""
     rows = study(best)
-    keys = [one.key.partition(".equal")[0] for one in sentences_of(rows, {}, {}, rows[0])]
+    keys = [one.key.partition(".equal")[0] for one in sentences_of(rows, {}, {}, rows[0], 1e-15)]
     assert ("study.never" in keys) == is_never
     assert ("study" in keys) != is_never
 
@@ -90,7 +90,7 @@ def test_round_off_of_many_steps_grows_as_the_root_of_their_number(best, is_neve
 @pytest.mark.parametrize(("part", "is_better"), [(0.94, True), (0.96, False)])
 def test_a_scheme_that_takes_no_twentieth_off_the_error_is_no_better(part, is_better):
     rows = study(part * 3.0 / 24)
-    keys = [one.key for one in sentences_of(rows, {}, {}, rows[0])]
+    keys = [one.key for one in sentences_of(rows, {}, {}, rows[0], 1e-15)]
     assert (keys[1].startswith("study.best"), keys[1] == "study.no_better") == (is_better, not is_better)
     assert any(key.startswith(("study.equal", "study.never")) for key in keys) == is_better
 
@@ -99,27 +99,34 @@ def test_a_scheme_that_takes_no_twentieth_off_the_error_is_no_better(part, is_be
 def test_an_end_row_that_understates_the_error_by_a_tenth_is_told(times, told):
     usual, *others = study(1e-3)
     rows = [replace(usual, end_error=usual.max_error / times), *others]
-    assert ("study.end_row" in [one.key for one in sentences_of(rows, {}, {}, rows[0])]) == told
+    assert ("study.end_row" in [one.key for one in sentences_of(rows, {}, {}, rows[0], 1e-15)]) == told
+
+
+@pytest.mark.parametrize(("floor", "told"), [(1e-2, True), (1.0, False)])
+def test_of_errors_that_are_round_off_the_last_row_tells_nothing(floor, told):
+    usual, *others = study(1e-3)
+    rows = [replace(usual, end_error=usual.max_error / 17), *others]
+    assert ("study.end_row" in [one.key for one in sentences_of(rows, {}, {}, rows[0], floor)]) == told
 
 
 def test_a_length_in_the_last_row_is_not_compared_with_an_angle_in_another():
     usual, *others = study(1e-3)
     rows = [replace(usual, end_error=usual.max_error / 2, end_unit="m"), *others]
-    assert "study.end_row" not in [one.key for one in sentences_of(rows, {}, {}, rows[0])]
+    assert "study.end_row" not in [one.key for one in sentences_of(rows, {}, {}, rows[0], 1e-15)]
 
 
 @pytest.mark.parametrize(("error", "key"), [(7e-18, "study.projected_exactly"), (1e-9, "study.with_projection")])
 def test_a_projection_that_leaves_round_off_is_told_so_and_no_number_of_times(error, key):
     projected = StudyRow(projected_title(1), "24", 48, error, error, None)
     rows = [*study(1e-3), projected]
-    told = next(one for one in sentences_of(rows, {}, {}, rows[0]) if "projec" in one.key)
+    told = next(one for one in sentences_of(rows, {}, {}, rows[0], 1e-15) if "projec" in one.key)
     assert told.key == key
 
 
 @pytest.mark.parametrize(("apart", "told"), [(0.49, False), (0.51, True)])
 def test_an_order_at_the_end_that_is_half_an_order_higher_only_seems_so(apart, told):
     rows, title = study(1e-3), title_of(DEFAULT_SCHEME)
-    found = sentences_of(rows, {title: 1.0}, {title: 1.0 + apart}, rows[0])
+    found = sentences_of(rows, {title: 1.0}, {title: 1.0 + apart}, rows[0], 1e-15)
     assert ("study.end_order" in [one.key for one in found]) == told
 
 
@@ -129,7 +136,7 @@ def test_what_has_no_error_has_no_ratio():
     assert {one.max_error for one in study.rows} == {0.0}
     assert not any("times less" in str(one) for one in study.sentences)
     rows = [row(DEFAULT_SCHEME, 24, 1e-3), row(PRECISE, 24, 0.0, 4)]
-    assert "many times less" in str(sentences_of(rows, {}, {}, rows[0])[1])
+    assert "many times less" in str(sentences_of(rows, {}, {}, rows[0], 1e-15)[1])
 
 
 @pytest.mark.parametrize(("least", "told"), [(0.99, True), (1.01, False)])

@@ -123,6 +123,12 @@ def test_a_method_that_fails_is_listed_not_dropped(run):
     assert all("did not finish" in row.failed for row in failed)
 
 
+def test_no_error_is_measured_below_what_two_references_differ_by(scene, run):
+    """Of a last run that cannot be told from its reference the order of Runge-Kutta 4 would be 3 (a five-bar)."""
+    moved = replace(run.exact, coordinates=run.exact.coordinates + 1e-10)
+    assert make_study(scene, moved, "euler").floor == pytest.approx(1e-10, rel=0.01)
+
+
 def test_a_table_is_measured_against_the_motion_its_schemes_solve():
     """Derivatives of a table belong to no curve through it: schemes and closed form come to rest 1e-7 rad apart."""
     run = coursework.solve("variable-crank-table", quantities=["accuracy"])

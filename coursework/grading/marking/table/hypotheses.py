@@ -32,7 +32,7 @@ _FAST = 0.2
 # How often a step with the velocities of its own end is repeated, until it stands to so much (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
-MISREAD = ("sign_drive", "degree_mode", "degree_drive", "degree_geometry")
+MISREAD = ("sign_drive", "degree_mode", "degree_drive", "degree_geometry", "radian_mode")
 
 
 def claims(

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from statistics import median_low
 from typing import Any
 
 from coursework.grading.reading.expected import Grid, GridColumn
@@ -28,6 +29,7 @@ from coursework.grading.reading.table.units import factor_of, stands_beside, uni
 from coursework.words.sentences import ranges
 
 _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
+_STEADY = 0.9  # share of numbers in equal steps that tell a drive: a few may be slips
 _MANY = 5  # numbers that do not end in the same zeros by chance
 
 
@@ -147,7 +149,8 @@ def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn
     others = [other for other in columns if other is not column]
     if not others or len(set(column.last_place)) > 1 or not _is_steady(column):
         return column
-    is_plain = column.decimals == 0 or column.values[0] != column.values[-1]
+    known = [value for value in column.values if math.isfinite(value)]
+    is_plain = column.decimals == 0 or known[0] != known[-1]
     digits = max(_digits(layout, other) for other in others)
     is_short = any(_drops_zeros(layout, other) for other in others) and _digits(layout, column) < digits
     if all(len(set(other.last_place)) == 1 for other in others):
@@ -202,12 +205,18 @@ def _drops_zeros(layout: Layout, column: TableColumn) -> bool:
 
 
 def _is_steady(column: TableColumn) -> bool:
-    """Return whether numbers are exactly in equal steps or all the same, which no rounding leaves of others."""
-    known = [value for value in column.values if math.isfinite(value)]
-    steps = [later - earlier for earlier, later in pairwise(known)]
-    if len(known) < len(column.values) or len(steps) < 2:
+    """Return whether numbers are exactly in equal steps or all the same, which no rounding leaves of others.
+
+    Rows may be missing; a slip of the pen makes no other column of it.
+    """
+    known = [(row, value) for row, value in enumerate(column.values) if math.isfinite(value)]
+    steps = [(later - earlier) / (row - before) for (before, earlier), (row, later) in pairwise(known)]
+    if len(steps) < 2:
         return False
-    return max(steps) - min(steps) <= 1e-9 * max(1.0, abs(known[0]), abs(known[-1]))
+    step = median_low(steps)
+    begins = [value - step * row for row, value in known]
+    near = 1e-9 * max(1.0, abs(known[0][1]), abs(known[-1][1]))
+    return sum(abs(begin - median_low(begins)) <= near for begin in begins) >= _STEADY * len(known)
 
 
 def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> Iterator[Note]:
