@@ -1,7 +1,7 @@
 """A program -> its listing in a language.
 
 Enters: a `Program`, a language, the words of the comments.  Leaves: text.  Used by `commands/listing.py` and `appendix.py`.
-A language is a `Syntax`, a function of its name, its elimination and its tables.
+A language is an entry of `languages.toml` and a function of its name.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from coursework.takeaway.listing.compiled import c, pascal
 from coursework.takeaway.listing.dense import dense
 from coursework.takeaway.listing.interpreted import javascript, octave, python
 from coursework.takeaway.listing.program import Program
-from coursework.takeaway.listing.syntax import SYNTAXES
+from coursework.takeaway.listing.syntax import syntax_of
 from coursework.takeaway.listing.writer import Writer
 
 _LANGUAGES: dict[str, Callable[[Writer], list[str]]] = {
@@ -23,6 +23,6 @@ _LANGUAGES: dict[str, Callable[[Writer], list[str]]] = {
 
 def listing(program: Program, language: str, words: Words) -> str:
     """Return the listing of a program."""
-    syntax = SYNTAXES[language]
+    syntax = syntax_of(language)
     lines = [line.rstrip() for line in _LANGUAGES[language](Writer(program, syntax, words))]
     return "\n".join(dense(lines, syntax)) + "\n"

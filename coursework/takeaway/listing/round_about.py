@@ -30,8 +30,7 @@ def limit_lines(one: Writer, leave: Callable[[Sequence[str]], Lines], test: str,
     """Return what stands for the velocities where a determinant vanishes and the motion goes on; `after` ends the test."""
     lines = []
     for limit in one.program.limits:
-        size = {"javascript": "Math.abs", "c": "fabs"}.get(one.syntax.name, "abs")
-        holds = f"{size}({one.t} - {limit.time!r}) <= {limit.within!r}"
+        holds = f"{one.syntax.calls.get('abs', 'abs')}({one.t} - {limit.time!r}) <= {limit.within!r}"
         lines += [one.say("limit"), test.format(holds=holds), *indented(leave([repr(value) for value in limit.values])), *after]
     return lines
 
