@@ -45,7 +45,7 @@ class Syntax:
     divides: bool = False  # whether a matrix divides a column
     brackets: tuple[str, str] = ("[", "]")  # around the numbers of a list
     node: str = "[s]"  # the entry of a list at the place s
-    functions: Mapping[str, str] = field(default_factory=dict)  # of a listing's own, by what they are for
+    texts: Mapping[str, str] = field(default_factory=dict)  # the whole listing, pieces of it, functions of its own
 
 
 @cache
@@ -53,12 +53,23 @@ def syntax_of(language: str) -> Syntax:
     """Return how a language of `languages.toml` writes.
 
     >>> syntax_of("c").loop
-    ('for (int {j} = 0; {j} < {times}; {j}++) {{', '}')
+    ('for (int {j} = 0; {j} < {times}; {j}++) {', '}')
     """
     text = Path(__file__).with_name("languages.toml").read_text(encoding="utf-8")
     told: dict[str, Any] = tomllib.loads(text)[language]
     told |= {key: tuple(value) for key, value in told.items() if isinstance(value, list)}
     return Syntax(**{**told, "reserved": frozenset(told["reserved"].split()) | {*_MATH}})
+
+
+def filled(text: str, /, **known: object) -> str:
+    """Return a text with what the names in its braces stand for; other braces are the language's own.
+
+    >>> filled("return ({kind}) {{outs}};", kind="Velocities", outs="w3, w4")
+    'return (Velocities) {w3, w4};'
+    """
+    for name, value in known.items():
+        text = text.replace(f"{{{name}}}", str(value))
+    return text
 
 
 @changing
@@ -165,7 +176,7 @@ def written(node: ast.expr, syntax: Syntax, names: Mapping[str, str] | Names) ->
         case ast.Compare():
             return f"{inner(node.left)} {_SIGNS[type(node.ops[0])]} {inner(node.comparators[0])}"
         case ast.Call(func=ast.Name(id="_choose"), args=[holds, ast.Lambda(body=yes), ast.Lambda(body=no)]):
-            return syntax.choice.format(holds=inner(holds), yes=inner(yes), no=inner(no))
+            return filled(syntax.choice, holds=inner(holds), yes=inner(yes), no=inner(no))
         case ast.Call(func=ast.Name(id=name)):
             called = names[name] if name.startswith("_table_") else syntax.calls.get(name, name)
             args = node.args[::-1] if called == "ATAN2" else node.args  # a spreadsheet has x before y

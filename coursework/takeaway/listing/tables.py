@@ -10,6 +10,7 @@ from __future__ import annotations
 from textwrap import fill
 
 from coursework.equations.codegen.tabulated import TableLaw
+from coursework.takeaway.listing.syntax import filled
 from coursework.takeaway.listing.writer import Writer
 
 _WIDEST, _BEFORE = 120, 40  # letters of a line of numbers, and before the first of them
@@ -25,32 +26,25 @@ def numbers(values: list[float], open_: str, close: str, wrap: str = "") -> str:
 def functions(writer: Writer) -> list[str]:
     """Return the functions that the lines of a listing call, no line where they call none."""
     lines: list[str] = []
-    own = writer.syntax.functions
+    own = writer.syntax.texts
     laws = {one[len("_table_") : -2] for one in writer.tables}
     if any(writer.program.tables[name].method != "spline" for name in laws):
-        lines += ["", *_filled(own["five"], five=writer.names.own("_five", "five"))]
+        lines += ["", *filled(own["five"], five=writer.names.own("_five", "five")).splitlines()]
     for called in writer.tables:
         name, order = called[len("_table_") : -2], int(called[-1])
         method = "spline" if writer.program.tables[name].method == "spline" else "five"
         told = writer.say("table", name=name, file=writer.words(f"listing.method.{method}"))
         lines += ["", *([told] if told not in lines else [])]
         lines += _law(writer, writer.names[called], writer.program.tables[name], order)
-    if writer.needs_gauss and "gauss" in own:
+    if writer.largest and "gauss" in own:
         work = writer.names.own("_work", "work")
-        lines += ["", writer.say("gauss"), *_filled(own["gauss"], gauss=writer.gauss, work=work)]
+        lines += ["", writer.say("gauss"), *filled(own["gauss"], gauss=writer.gauss, work=work).splitlines()]
     if "sign" in writer.program.calls and "sign" in own:
-        lines += ["", *_filled(own["sign"])]
+        lines += ["", *filled(own["sign"]).splitlines()]
     if breaks := writer.program.breaks:
         known = {"look": writer.look, "breaks": ", ".join(map(repr, breaks)), "count": str(len(breaks))}
-        lines += ["", writer.say("breaks"), *_filled(own["before_break"], **known)]
+        lines += ["", writer.say("breaks"), *filled(own["before_break"], **known).splitlines()]
     return lines
-
-
-def _filled(text: str, **known: str) -> list[str]:
-    """Return the lines of a text with what stands in it between braces, which the languages have too."""
-    for name, value in known.items():
-        text = text.replace(f"{{{name}}}", value)
-    return text.splitlines()
 
 
 def _law(writer: Writer, name: str, law: TableLaw, order: int) -> list[str]:
@@ -58,9 +52,9 @@ def _law(writer: Writer, name: str, law: TableLaw, order: int) -> list[str]:
     values, slopes, *_ = (level.tolist() for level in law.levels)  # of a spline its slopes, else those of the law
     at = syntax.node
     form = f"y{at} + u*(m{at} + u*(b + u*a))" if order == 0 else f"(m{at} + u*(2*b + 3*u*a))/{law.step!r}"
-    return _filled(
-        syntax.functions["spline" if is_spline else "law"], name=name, first=f"({law.first!r})", step=repr(law.step),
+    return filled(
+        syntax.texts["spline" if is_spline else "law"], name=name, first=f"({law.first!r})", step=repr(law.step),
         last=str(law.intervals - 1), nodes=str(law.intervals + 1), top=str(law.intervals), form=form,
         values=numbers(values if is_spline or order == 0 else slopes, *syntax.brackets, syntax.wrap),
         slopes=numbers(slopes, *syntax.brackets, syntax.wrap), five=writer.names.own("_five", "five"),
-    )  # fmt: skip
+    ).splitlines()  # fmt: skip
