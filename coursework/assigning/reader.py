@@ -13,7 +13,7 @@ from typing import Any
 
 from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.units import UnitFault, kind_of, read, unlike
+from coursework.variant.formula.units import Quantity, UnitFault, read_as
 from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath, Positions
@@ -135,19 +135,20 @@ class _Reader:
             if not isinstance(listed, list) or not listed:
                 self._say((*path, "choice"), "fault.A019")
                 return None
-            texts = [self._amount((*path, "choice", index), entry, si) for index, entry in enumerate(listed)]
+            for index, entry in enumerate(listed):
+                self._quantity((*path, "choice", index), entry, si)
             if len(self.faults) > before:
                 return None
-            choice = tuple(f"{entry}".strip() for entry in listed)
-            return Range(place, choice=choice, count=len(texts))
+            return Range(place, choice=tuple(f"{entry}".strip() for entry in listed), count=len(listed))
         missing = [key for key in RANGE[:3] if key not in value]
         if missing:
             self._say(path, "fault.A020", missing=tuple(missing))
-        amounts = {key: self._amount((*path, key), value[key], si) for key in RANGE[:3] if key in value}
+        found = [self._quantity((*path, key), value[key], si) for key in RANGE[:3] if key in value]
+        amounts = [one for one in found if one is not None]
         if len(self.faults) > before:
             return None
-        (first, unit), (last, _), (step, _) = (amounts[key] for key in RANGE[:3])  # type: ignore[misc]
-        if len({each[1] for each in amounts.values() if each}) > 1:
+        first, last, step = (Decimal(one.text.replace("−", "-")) for one in amounts)
+        if len({one.unit for one in amounts}) > 1:
             self._say(path, "fault.A021")
         elif step <= 0:
             self._say((*path, "step"), "fault.A022", found=str(step))
@@ -157,22 +158,18 @@ class _Reader:
             return None
         decimals = max(_decimals(first), _decimals(step))
         whole = [int(amount.scaleb(decimals)) for amount in (first, step)]
-        return Range(place, (), whole[0], whole[1], int((last - first) // step) + 1, decimals, unit)
+        return Range(place, (), whole[0], whole[1], int((last - first) // step) + 1, decimals, amounts[0].unit)
 
-    def _amount(self, path: KeyPath, value: Any, si: str) -> tuple[Decimal, str] | None:
-        """Return number and unit of one value of a datum."""
+    def _quantity(self, path: KeyPath, value: Any, si: str) -> Quantity | None:
+        """Return one value of a datum, None after a fault."""
         if not isinstance(value, (str, int, float)):
             self._say(path, "fault.A024")
             return None
         try:
-            quantity = read(value, si)
+            return read_as(value, si)
         except UnitFault as error:
             self.faults.append(self.source.fault(path, error.message))
             return None
-        if quantity.si and si and kind_of(quantity.si)[0] != kind_of(si)[0]:
-            self.faults.append(self.source.fault(path, unlike(si, str(value)[:40])))
-            return None
-        return Decimal(quantity.text.replace("−", "-")), quantity.unit
 
     def _limits(self) -> Limits:
         section = self._table("limits")
@@ -196,14 +193,13 @@ class _Reader:
         value = self._table(section).get(key) if isinstance(self.source.data.get(section), dict) else None
         if value is None:
             return None
-        path = (section, key)
-        if self._amount(path, value, si) is None:
+        found = self._quantity((section, key), value, si)
+        if found is None:
             return None
-        number = read(value, si).value
-        if not 0.0 < number <= most:
-            self._say(path, "fault.A026", least=0.0, most=most, found=str(value)[:40])
+        if not 0.0 < found.value <= most:
+            self._say((section, key), "fault.A026", least=0.0, most=most, found=str(value)[:40])
             return None
-        return number
+        return found.value
 
     def _difficulty(self) -> Difficulty:
         section = self._table("difficulty")

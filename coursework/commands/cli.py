@@ -12,13 +12,14 @@ from typing import Any
 import click
 
 from coursework.commands.line.options import (
+    PATH,
     RUBRIC_KEYS,
+    SCHEME,
     SET,
     VARIANT,
     CommandWithKinds,
     CommandWithTemplates,
     Formats,
-    SchemeOption,
     held_to_limits,
     limited,
     listed,
@@ -46,13 +47,9 @@ def main() -> None:
 
 @main.command("run", cls=CommandWithTemplates, short_help="Compute a variant and write its report.")
 @click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=offered("variants"))
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    help="Folder for the results (default: coursework-NAME; for several coursework-runs).",
-)
+@click.option("--out", type=PATH, help="Folder for the results (default: coursework-NAME; for several coursework-runs).")
 @click.option("--format", "formats", type=Formats("run"), help="Files to write (default: html,pdf,csv).")
-@click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
+@SCHEME
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @click.option("--end", type=float, help="End of the run in s.")
@@ -89,8 +86,8 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
 
 @main.command("animate", short_help="Write the mechanism in motion as one picture.")
 @VARIANT
-@click.option("--out", type=click.Path(path_type=Path), help="The picture to write (default: NAME.gif).")
-@click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
+@click.option("--out", type=PATH, help="The picture to write (default: NAME.gif).")
+@SCHEME
 @held_to_limits
 @spoken(passed_on=True)
 def animate_command(variant: str, out: Path | None, scheme: str | None, language: str) -> int:
@@ -106,12 +103,12 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, language
     "--language", "code", type=click.Choice(["python", "octave", "c", "pascal", "javascript"]),
     help="Language of the program (default: python; none with --chart alone).",
 )  # fmt: skip
-@click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
+@SCHEME
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto": the one that was found.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @SET
-@click.option("--out", type=click.Path(path_type=Path), help="The file to write (default: the screen).")
-@click.option("--chart", type=click.Path(path_type=Path), help="Write the block diagram of this program: FILE.svg.")
+@click.option("--out", type=PATH, help="The file to write (default: the screen).")
+@click.option("--chart", type=PATH, help="Write the block diagram of this program: FILE.svg.")
 @spoken(passed_on=True, option="--comments")
 @held_to_limits
 def listing_command(variant: str, **options: Any) -> int:
@@ -168,7 +165,7 @@ def new_command(
 
 @main.command("accuracy", cls=CommandWithTemplates, short_help="Show what accuracy costs in time.")
 @VARIANT
-@click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
+@click.option("--out", type=PATH, help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
 @templates(passed_on=False)
 @held_to_limits
@@ -181,23 +178,23 @@ def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | 
 
 
 @main.command("grade", cls=CommandWithTemplates)
-@click.argument("source", type=click.Path(path_type=Path))
+@click.argument("source", type=PATH)
 @click.option("--variant", shell_complete=offered("variants"), help="The variant that everybody has.")
-@click.option("--roster", type=click.Path(path_type=Path), help="ROSTER.csv: id,name,email,variant.")
-@click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for the gradebook.")
-@click.option("--rubric", type=click.Path(path_type=Path), help=f"How marks are made (TOML; keys: {RUBRIC_KEYS}).")
+@click.option("--roster", type=PATH, help="ROSTER.csv: id,name,email,variant.")
+@click.option("--out", type=PATH, required=True, help="Folder for the gradebook.")
+@click.option("--rubric", type=PATH, help=f"How marks are made (TOML; keys: {RUBRIC_KEYS}).")
 @click.option(
     "--rubric-example", is_flag=True, is_eager=True, expose_value=False, callback=rubric_shown, help="Print the default rubric."
 )
 @click.option(
     "--overrides",
-    type=click.Path(path_type=Path),
+    type=PATH,
     help="Your own decisions: id,check,points,reason,say; check is table, equations, answers or total.",
 )
-@click.option("--worksheet", type=click.Path(path_type=Path), help="Moodle's offline grading worksheet, to be filled in.")
+@click.option("--worksheet", type=PATH, help="Moodle's offline grading worksheet, to be filled in.")
 @click.option(
     "--canvas",
-    type=click.Path(path_type=Path),
+    type=PATH,
     help="Canvas's gradebook export, to be filled in; it has no place for comments: attach feedback/ID.html in SpeedGrader.",
 )
 @click.option("--results", type=click.Choice(["gradescope", "prairielearn"]), help="One submission, for an autograder.")
@@ -216,16 +213,16 @@ def grade_command(source: Path, **options: Any) -> int:
 
 
 @main.command("assign", cls=CommandWithTemplates, short_help="Give every student a variant, a sheet, a key.")
-@click.argument("roster", type=click.Path(path_type=Path))
+@click.argument("roster", type=PATH)
 @click.option("--template", required=True, shell_complete=offered("variants"), help="The variant whose data are drawn anew.")
 @click.option("--ranges", help="What the data may be (TOML; default: those of the template in the catalogue).")
 @click.option("--seed", required=True, help="Any number or word: the same seed gives everybody the same data.")
-@click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for variants, sheets and keys.")
+@click.option("--out", type=PATH, required=True, help="Folder for variants, sheets and keys.")
 @click.option("--pdf", is_flag=True, help="All sheets in one PDF, too.")
 @click.option("--format", "workbooks", type=click.Choice(["xlsx"]), help="A workbook for everybody: data and an empty table.")
 @click.option("--help-level", type=click.IntRange(0, 1), default=0, show_default=True, help="1: its first row has its formulas.")
 @click.option("--deadline", default="", help="What stands on the line of the deadline (default: a line to write on).")
-@click.option("--rubric", type=click.Path(path_type=Path), help="By it the sheets say what is marked (TOML, as for grade).")
+@click.option("--rubric", type=PATH, help="By it the sheets say what is marked (TOML, as for grade).")
 @templates(passed_on=False)
 @spoken(passed_on=True)
 def assign_command(roster: Path, **options: Any) -> int:
@@ -236,7 +233,7 @@ def assign_command(roster: Path, **options: Any) -> int:
 
 
 @main.command("precheck", short_help="See how your files would be read.")
-@click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.argument("files", nargs=-1, required=True, type=PATH)
 @click.option("--variant", shell_complete=offered("variants"), help="The variant you were given.")
 @spoken(passed_on=False)
 def precheck_command(files: tuple[Path, ...], variant: str | None) -> int:
@@ -267,9 +264,7 @@ def edit_command(context: click.Context, /, name: str, language: str, **options:
 @click.option("--root-path", default="", metavar="P", help="What stands before every path behind a proxy, such as /desk.")
 @click.option("--proxy", is_flag=True, help="Believe the X-Forwarded headers of the proxy before it.")
 @click.option("--allow-host", "hosts", multiple=True, metavar="H", help="A name by which it is called; again for more.")
-@click.option(
-    "--policy", type=click.Path(path_type=Path), help="What the desk offers (TOML: equations, exact, formats, language)."
-)
+@click.option("--policy", type=PATH, help="What the desk offers (TOML: equations, exact, formats, language).")
 @spoken(passed_on=True)
 @click.pass_context
 def serve_command(context: click.Context, /, language: str, **options: Any) -> int:

@@ -16,7 +16,7 @@ from coursework.drawing.figures import HIGHEST, VELOCITY, room
 from coursework.drawing.lettering.naming import point_names
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
-from coursework.drawing.paper.board import SPEEDS, Board, fit
+from coursework.drawing.paper.board import Board, fit, vector_scale
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import AXIS, ITALIC, number
@@ -103,7 +103,7 @@ def _velocities(equations: VelocityEquations, motion: Motion) -> dict[str, Compl
 def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
     both = np.concatenate([curve, rows])
     fastest = float(np.max(np.abs(both)))
-    speed = next((s for s in SPEEDS if fastest / s <= LONGEST), SPEEDS[-1])
+    speed = vector_scale(fastest, LONGEST)
     tips = both / speed
     reach = [(complex(tip.conjugate()), 6.0) for tip in tips[np.isfinite(tips)]]
     board = fit(lambda mm: [(0j, 8.0), *reach], 2 * LONGEST + 20, narrowest=90.0)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -37,10 +39,23 @@ def filled(name: str, /, **content: Any) -> str:
 
     Raises `InputError` where a piece of the instructor's own fails, such as by a gap that nothing fills, or lacks a part.
     """
+    with _told():
+        return _template(folder("reports"), name).render(**content)
+
+
+def filled_part(name: str, part: str, /, **content: Any) -> str:
+    """Return a macro of a template of `reports/` with its gaps filled, as `filled` does."""
+    with _told():
+        return str(getattr(_template(folder("reports"), name).module, part)(**content))
+
+
+@contextmanager
+def _told() -> Iterator[None]:
+    """Tell by which piece of the instructor's own a page failed; where it was none, the error is ours."""
     from jinja2 import TemplateError
 
     try:
-        return _template(folder("reports"), name).render(**content)
+        yield
     except CourseworkError:
         raise
     except Exception as error:

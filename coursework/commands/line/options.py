@@ -66,6 +66,8 @@ class SchemeOption(click.Option):
 
 
 VARIANT = click.argument("variant", shell_complete=offered("variants"))
+SCHEME = click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
+PATH = click.Path(path_type=Path)
 
 
 def _speaks(_context: click.Context, _option: click.Parameter, language: str) -> str:
@@ -138,7 +140,7 @@ class CommandWithKinds(click.Command):
 def templates(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
     """Add `--templates` to a `CommandWithTemplates`; `passed_on` where the command itself asks for the folder."""
     return click.option(
-        "--templates", type=click.Path(path_type=Path), expose_value=passed_on,
+        "--templates", type=PATH, expose_value=passed_on,
         help="Folder of your own pieces of pages; each stands before the piece of reports/ of the same name.",
     )  # fmt: skip
 

@@ -45,9 +45,15 @@ def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]
     return [
         _beginning(fault, lines, meant)
         if fault.code in (_MISSING, _NOTHING_WRITTEN, _TOO_FEW)
-        else _one_sign(fault, lines) or _rewritten(fault, lines) or _respelled(fault, name, lines)
+        else _changed(fault, name, lines[fault.line - 1])
+        if 1 <= fault.line <= len(lines)
+        else None
         for fault, name in zip(faults, meant, strict=True)
     ]
+
+
+def _changed(fault: Fault, meant: str | None, line: str) -> Mend | None:
+    return _one_sign(fault, line) or _rewritten(fault, line) or _respelled(fault, meant, line)
 
 
 def _meant(fault: Fault) -> str | None:
@@ -72,22 +78,15 @@ def _put(line: int, begin: int, end: int, text: str) -> Mend:
     return {"line": line, "column": begin + 1, "end_line": line, "end_column": end + 1, "text": text}
 
 
-def _one_sign(fault: Fault, lines: Sequence[str]) -> Mend | None:
+def _one_sign(fault: Fault, line: str) -> Mend | None:
     """Return the mend of a formula that lacks one sign, or has one too many or another one."""
     wrong, right = _ONE_SIGN.get(fault.code, (None, ""))
-    if wrong is None or not 1 <= fault.line <= len(lines):
-        return None
-    found = wrong.match(lines[fault.line - 1], fault.column - 1)
-    if found is None:
-        return None
-    return _put(fault.line, *found.span(), right)
+    found = wrong.match(line, fault.column - 1) if wrong is not None else None
+    return None if found is None else _put(fault.line, *found.span(), right)
 
 
-def _rewritten(fault: Fault, lines: Sequence[str]) -> Mend | None:
+def _rewritten(fault: Fault, line: str) -> Mend | None:
     """Return the mend of a line whose fault says how it has to be written: what stands there in another spelling."""
-    if not 1 <= fault.line <= len(lines):
-        return None
-    line = lines[fault.line - 1]
     found = _spelling(fault, line)
     if found is None or found[0] not in line:
         return None
@@ -112,10 +111,10 @@ def _spelling(fault: Fault, line: str) -> tuple[str, str] | None:
     return bare[2], value if _NUMBER.fullmatch(value) else f'"{value}"'
 
 
-def _respelled(fault: Fault, meant: str | None, lines: Sequence[str]) -> Mend | None:
-    if meant is None or not 1 <= fault.line <= len(lines):
+def _respelled(fault: Fault, meant: str | None, line: str) -> Mend | None:
+    if meant is None:
         return None
-    line, begin = lines[fault.line - 1], max(fault.column - 1, 0)
+    begin = max(fault.column - 1, 0)
     found = [(line.find(word, begin), word) for word in _words(fault.message) if word != meant]
     placed = [(SequenceMatcher(None, word, meant).ratio(), -at, word) for at, word in found if at >= 0]
     if not placed:

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.sketch import Sketch
-from coursework.drawing.paper.board import SPEEDS, Board, Circle, around
+from coursework.drawing.paper.board import Board, Circle, around, vector_scale
 from coursework.drawing.paper.cover import Rectangle
 from coursework.drawing.plans.foot import FOOT
 from coursework.system.frozen import frozen
@@ -95,7 +95,7 @@ def _points(sketch: Sketch) -> list[str]:
 def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide: bool) -> Layout | None:
     mm = 1000 / scale
     fastest = max((abs(v) for v in findings.velocities.values()), default=0.0)
-    speed = next((s for s in SPEEDS if fastest / s <= longest), SPEEDS[-1])
+    speed = vector_scale(fastest, longest)
     most_wide, most_high = LANDSCAPE if wide else PAGE
 
     def fits(circles: list[Circle]) -> bool:

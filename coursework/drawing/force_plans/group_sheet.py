@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from coursework.drawing.force_plans.vectors import DIRECTION, FOUND, KNOWN, ForceVector, GroupPlan
-from coursework.drawing.paper.board import COLUMN, EDGE, SPEEDS, around, largest_scale
+from coursework.drawing.paper.board import COLUMN, EDGE, around, largest_scale, vector_scale
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import ITALIC, Sheet
@@ -42,10 +42,9 @@ def scale_of(plan: GroupPlan, row: int) -> float:
     tips = [0j]
     for vector in plan.vectors:
         tips.append(tips[-1] + complex(vector.force[row]))
-    wide = max(tip.real for tip in tips) - min(tip.real for tip in tips)
-    high = max(tip.imag for tip in tips) - min(tip.imag for tip in tips)
-    longest = max([wide, high, *(vector.size(row) for vector in plan.vectors)])
-    return next((s for s in SPEEDS if longest / s <= LONGEST * (1 + 1e-12)), SPEEDS[-1])
+    left, low, right, high = around((tip, 0.0) for tip in tips)
+    longest = max([right - left, high - low, *(vector.size(row) for vector in plan.vectors)])
+    return vector_scale(longest, LONGEST)
 
 
 def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[str], str]) -> Drawing:
@@ -132,10 +131,9 @@ def _draw_polygon(sheet: Sheet, plan: GroupPlan, shown: Sequence[ForceVector], t
 def _chord(plan: GroupPlan, shown: Sequence[ForceVector], tips: Sequence[complex]) -> tuple[complex, complex] | None:
     """Return where the inner reaction lies in the polygon: across what acts on the first link."""
     first = [place for place, vector in enumerate(shown) if vector.body == plan.bodies[0]]
-    inside = [place for place in range(len(shown)) if place in first]
-    last = next((place for place in inside if place + 1 not in first), None)
+    last = next((place for place in first if place + 1 not in first), None)
     if last is None or last + 1 >= len(tips):
         return None
-    closing = [place for place in inside if place > last]
+    closing = [place for place in first if place > last]
     begin = tips[closing[0]] if closing else tips[0]
     return (begin, tips[last + 1]) if abs(tips[last + 1] - begin) > SHORT else None

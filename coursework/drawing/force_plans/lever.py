@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.drawing.force_plans.vectors import word_of
-from coursework.drawing.paper.board import COLUMN, EDGE, SPEEDS, around
+from coursework.drawing.paper.board import COLUMN, EDGE, around, vector_scale
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import AXIS, ITALIC, Sheet
@@ -85,7 +85,7 @@ def levers_of(found: ForceAnalysis, row: int) -> tuple[Lever, ...]:
         longest = max((abs(image) for *_, image in listed), default=0.0)
         if not longest:
             continue
-        unit = next((s for s in SPEEDS if longest / s <= LONGEST / 2 * (1 + 1e-12)), SPEEDS[-1])
+        unit = vector_scale(longest, LONGEST / 2)
         for word, force, image in listed:
             at = image / unit
             h = (np.conj(at) * force).imag / abs(force)

@@ -19,8 +19,7 @@ EDGE = 2.0  # mm
 COLUMN = 170.0  # mm: the text of an A4 page with margins of 20 mm
 # Denominators of scales that are easily read off a ruler; a construction takes those of the drawing standards instead.
 SCALES = tuple(sorted(m * 10.0**k for k in range(-4, 12) for m in (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)))
-# Scales of vectors, units a mm.
-SPEEDS = tuple(sorted(m * 10.0**k for k in range(-12, 12) for m in (1.0, 2.0, 5.0)))
+_SPEEDS = tuple(sorted(m * 10.0**k for k in range(-12, 12) for m in (1.0, 2.0, 5.0)))
 
 Circle = tuple[complex, float]  # a place (mm, y down) and how much room it takes around
 
@@ -73,6 +72,11 @@ def largest_scale(room: Callable[[float], Iterable[Circle]], wide: float, high: 
 
     # What takes room at a smaller scale takes less of it.
     return SCALES[min(bisect.bisect_left(SCALES, True, key=holds), len(SCALES) - 1)]
+
+
+def vector_scale(longest: float, room: float) -> float:
+    """Return the scale of vectors, units a mm: the smallest of 1, 2, 5 · 10^k at which the longest is within `room` mm."""
+    return next((scale for scale in _SPEEDS if longest / scale <= room * (1 + 1e-12)), _SPEEDS[-1])
 
 
 def around(circles: Iterable[Circle]) -> Rectangle:

@@ -6,7 +6,7 @@ Used by `polygon_sheet.py`, `steps.py`, `check_plan.py` and `readings.py`.
 
 from __future__ import annotations
 
-from coursework.drawing.paper.board import SPEEDS
+from coursework.drawing.paper.board import vector_scale
 from coursework.drawing.plans.vectors import ACCELERATION, Polygons
 from coursework.system.frozen import frozen
 
@@ -44,7 +44,7 @@ def scale_of(found: Polygons, plan: str, index: int) -> PlanScale:
     """Return the scale of a plan of a row (from 0): the smallest of 1, 2, 5 · 10^k a mm with no vector over 80 mm."""
     arrows = arrows_of(found, plan, index)
     longest = max((abs(vector) for *_, vector in arrows), default=0.0)
-    unit = next((s for s in SPEEDS if longest / s <= LONGEST * (1 + 1e-12)), SPEEDS[-1])
+    unit = vector_scale(longest, LONGEST)
     small = short_ones([(kind, start, end, at / unit, vector / unit) for kind, start, end, at, vector in arrows])
     return PlanScale(unit, enlarged(small) if small else 1, longest)
 

@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
+from coursework.grading.platforms.moodle_times import MOODLE
 from coursework.grading.platforms.names import file_stem
 from coursework.system.frozen import frozen
 from coursework.system.zipped import zipped
@@ -20,7 +21,6 @@ _MOODLE = re.compile(
     r"(?P<owner>(?P<name>.*?)_(?P<number>[0-9]+)_assignsubmission_(?P<plugin>[a-z]+))(?:_(?P<rest>.*))?", re.DOTALL
 )
 _CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<user>[0-9]+)_(?P<submission>[0-9]+)_(?P<rest>.+)", re.DOTALL)
-_BLIND = {"participant", "участник", "учасник", "teilnehmer", "teilnehmer/in", "participante", "参与者", "participant(e)"}
 
 
 @frozen
@@ -51,7 +51,7 @@ def moodle_owner(name: str) -> Owner | None:
     if not match:
         return None
     full = match["name"].strip()
-    shown = None if full.casefold() in _BLIND or not full else full
+    shown = None if full.casefold() in MOODLE["anonymous"] or not full else full
     rest = match["rest"] or ""
     folder = match["owner"] if rest else plain
     return Owner(f"{match['name']}_{match['number']}", match["number"], shown, "", folder, rest)

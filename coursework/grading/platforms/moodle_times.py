@@ -1,20 +1,19 @@
-"""When a submission was last changed, as Moodle writes it in the language of the teacher.
+"""When a submission was last changed, as Moodle writes it in the language of the teacher; its words are in `moodle.toml`.
 
-Enters: a cell of the worksheet.  Leaves: a time without a zone, as the teacher's clock shows it.  Used by `worksheet.py`.
+Enters: a cell of the worksheet.  Leaves: a time without a zone, as the teacher's clock shows it.
+Used by `worksheet.py` and `downloads.py`.
 """
 
 from __future__ import annotations
 
 import re
+import tomllib
 import unicodedata
 from datetime import datetime
+from pathlib import Path
+from typing import Any
 
-# By the first letters of the names of the months, of all languages, that tell them apart.
-_MONTHS = (
-    "jan,янв,січ,ene", "feb,fév,фев,лют", "mar,mär,мар,бер", "apr,avr,abr,апр,кві", "may,mai,мая,май,тра",
-    "jun,juin,июн,чер", "jul,juil,июл,лип", "aug,aoû,ago,авг,сер", "sep,сен,вер", "oct,okt,окт,жов",
-    "nov,ноя,лис", "dec,dez,déc,dic,дек,гру",
-)  # fmt: skip
+MOODLE: dict[str, Any] = tomllib.loads(Path(__file__).with_name("moodle.toml").read_text(encoding="utf-8"))
 _CLOCK = re.compile(r"(?<![0-9])([0-9]{1,2})[:.]([0-9]{2})(?::([0-9]{2}))?(?![0-9])")
 _CHINESE = re.compile(r"([0-9]{4}) ?年 ?([0-9]{1,2}) ?月 ?([0-9]{1,2}) ?日")
 _ISO = re.compile(r"([0-9]{4})-([0-9]{1,2})-([0-9]{1,2})")
@@ -51,7 +50,5 @@ def _date(plain: str) -> tuple[int, int, int] | None:
     found = _DAY_MONTH.search(plain)
     if not found:
         return None
-    months = [
-        number for number, names in enumerate(_MONTHS, start=1) if any(found[2].startswith(name) for name in names.split(","))
-    ]
+    months = [number for number, names in enumerate(MOODLE["months"], start=1) if found[2].startswith(tuple(names))]
     return (int(found[3]), months[0], int(found[1])) if len(months) == 1 else None

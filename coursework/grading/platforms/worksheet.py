@@ -14,38 +14,14 @@ from datetime import datetime
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.platforms.escapes import shown, text_cell
-from coursework.grading.platforms.moodle_times import moodle_time
+from coursework.grading.platforms.moodle_times import MOODLE, moodle_time
 from coursework.grading.platforms.names import name_key
 from coursework.grading.reading.numbers import filled_in
 from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-# Titles in English, Russian, Ukrainian, German, French, Spanish, Chinese, case folded.
-_TITLES = {
-    "identifier": "identifier,идентификатор,ідентифікатор,id,identifiant,identificador,标识号,识别号,编号,bezeichner,kennung",
-    "name": "full name,полное имя,фамилия и имя,повне ім'я,vollständiger name,nom complet,nombre completo,全名,"
-    "姓名",
-    "email": "email address,адрес электронной почты,электронная почта,електронна пошта,e-mail-adresse,adresse de courriel,"
-    "dirección de correo,dirección email,电子邮件地址,电子邮箱地址,email",
-    "id_number": "id number,индивидуальный номер,номер id,ідентифікаційний номер,id-nummer,"
-    "numéro d'identification,número de id,学号,身份编号",
-    "grade": "grade,оценка,оцінка,bewertung,note,calificación,成绩,评分",
-    "maximum": "maximum grade,максимальная оценка,максимальна оцінка,beste bewertung,höchste bewertung,bestmögliche bewertung,"
-    "note maximale,calificación máxima,最高分,最高成绩",
-    "changeable": "grade can be changed,оценка может быть изменена,оцінка може бути змінена,оцінку можна змінити,"
-    "bewertung kann geändert werden,la note peut être modifiée,la calificación puede cambiarse,"
-    "la calificación puede ser cambiada,成绩可更改,成绩可以更改",
-    "modified": "last modified (submission),последнее изменение (ответ),последнее изменение (представленный ответ),"
-    "остання зміна (поданий матеріал),остання зміна (відповідь),zuletzt geändert (abgabe),"
-    "dernière modification (travail remis),dernière modification (remise),última modificación (entrega),"
-    "última modificación (envío),最后修改 (提交),最后修改(提交),最后修改（提交）,最近修改 (提交)",
-    "comment": "feedback comments,отзыв в виде комментария,відгук у формі коментаря,коментарі відгуку,feedback als kommentar,"
-    "commentaires de feedback,feedback par commentaires,comentarios de retroalimentación,反馈评论,反馈意见",
-}  # fmt: skip
-# Whether a grade can be changed, in the same languages.
-_YES = {"yes", "да", "так", "ja", "oui", "sí", "si", "是"}
-_NO = {"no", "нет", "ні", "nein", "non", "否"}
+_NO = {*MOODLE["no"]}
 _MOST_COMMENT = 5000
 _AFTER_MAXIMUM = 4  # whether it can be changed, two times, the comment
 
@@ -111,7 +87,7 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     if len(cells.records) < 2:
         raise InputError([Fault(say("fault.G021"), file)])
     titles = cells.columns
-    found = {name: titles[title] for name, known in _TITLES.items() for title in known.split(",") if title in titles}
+    found = {name: titles[title] for name, known in MOODLE["titles"].items() for title in known if title in titles}
     equal = _columns_where(cells, _are_one_number, first=1)
     maximum = found.get("maximum", equal[0] if len(equal) == 1 else None)
     if maximum is None:
@@ -145,7 +121,7 @@ def _are_one_number(values: list[str]) -> bool:
 
 
 def _are_yes_or_no(values: list[str]) -> bool:
-    return {value.casefold() for value in values} <= _YES | _NO
+    return {value.casefold() for value in values} <= {*MOODLE["yes"]} | _NO
 
 
 def _are_addresses(values: list[str]) -> bool:

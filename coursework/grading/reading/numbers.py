@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from coursework.grading.reading.student_work import Flag
-from coursework.grading.reading.unit_names import unit_of
+from coursework.grading.reading.unit_names import WORDS, unit_of
 
 _PLAIN = str.maketrans({
     **{chr(0xFF10 + digit): str(digit) for digit in range(10)}, "．": ".", "，": ",", "＋": "+", "－": "-", "＝": "=",
@@ -37,13 +37,10 @@ _ERROR = re.compile(
     r"#.*|[-+]?nan(?:\(.*\))?|[-+]?inf(?:inity)?|[-+]?∞|n/?a|[-+]?1[.,]#.*|undefined|err:.*|ошибка.*|помилка.*|div/0!?",
     re.IGNORECASE,
 )
-_MONTHS = (
-    "янв фев мар апр май мая июн июл авг сен окт ноя дек січ лют бер кві тра чер лип сер вер жов лис гру "
-    "jan feb mar mrz mär apr may mai jun jul aug sep oct okt nov dec dez"
-)  # fmt: skip
+_MONTHS = "|".join(WORDS["months"])
 _DATE = re.compile(
-    rf"\d{{1,4}}\s?[-./ ]\s?(?:{'|'.join(_MONTHS.split())})[а-яіїa-z]*\.?(?:\s?[-./ ]\s?\d{{2,4}})?"
-    rf"|(?:{'|'.join(_MONTHS.split())})[а-яіїa-z]*[-./ ]+\d{{1,4}}"
+    rf"\d{{1,4}}\s?[-./ ]\s?(?:{_MONTHS})[а-яіїa-z]*\.?(?:\s?[-./ ]\s?\d{{2,4}})?"
+    rf"|(?:{_MONTHS})[а-яіїa-z]*[-./ ]+\d{{1,4}}"
     r"|\d{1,2}[./-]\d{1,2}[./-](?:\d{4}|\d{2})|\d{4}-\d{1,2}-\d{1,2}(?:[t ].*)?|\d{1,2}月\d{1,2}日|\d{4}年\d{1,2}月.*"
     r"|\d{1,2}:\d{2}(?::\d{2})?",
     re.IGNORECASE,

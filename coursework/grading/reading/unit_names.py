@@ -7,19 +7,17 @@ Used by `numbers.py`, `headers.py`, `layout.py`, `answers.py`, `labels.py`, `lin
 from __future__ import annotations
 
 import re
+import tomllib
 import unicodedata
+from pathlib import Path
+from typing import Any
 
 from coursework.variant.formula.alphabet import spell
 
 # Letters of the Cyrillic alphabet that a keyboard leaves in place of Latin ones, after casefold().
 _LATIN = str.maketrans("асеорхуіјѕвкмнт", "aceopxyijsbkmht")
-_UNITS = {
-    "rad": "рад rad радиан радиани радиан. radian radians 弧度", "deg": "град град. ° deg degree degrees grad º 度 градусы",
-    "1/s": "1/с 1/s 1/c рад/с rad/s rad/sec рад/сек с-1 s-1 с^-1 s^-1 1/сек 1/sec radian/second 弧度/秒 rad/秒 rad/с рад·с-1",
-    "deg/s": "град/с deg/s °/s °/с град/сек grad/s 度/秒 º/s", "rpm": "об/мин rpm об/хв u/min min-1 мин-1 хв-1 rev/min r/min",
-    "s": "с s c сек сек. sec 秒 seconds sekunden", "ms": "мс ms", "m": "м m", "mm": "мм mm", "cm": "см cm",
-    "m/s": "м/с m/s м/сек m/sec 米/秒 metre/second meter/second", "mm/s": "мм/с mm/s", "cm/s": "см/с cm/s",
-}  # fmt: skip
+# What people write in tables, in all languages.
+WORDS: dict[str, Any] = tomllib.loads(Path(__file__).with_name("words.toml").read_text(encoding="utf-8"))
 
 
 def fold(text: str) -> str:
@@ -28,7 +26,7 @@ def fold(text: str) -> str:
     return spell(plain.replace("−", "-").translate(_LATIN))
 
 
-_FOLDED_UNITS = {fold(spelling): unit for unit, spellings in _UNITS.items() for spelling in spellings.split()}
+_FOLDED_UNITS: dict[str, str] = {fold(spelling): unit for unit, spellings in WORDS["units"].items() for spelling in spellings}
 
 
 def unit_of(text: str) -> str:

@@ -174,11 +174,6 @@ def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion, words: Words
     return axes.axvline(0.0, color=ORANGE, linewidth=1.0)
 
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.lines import Line2D
-
-
 def draw_ground(field: Axes, outline: Outline, motions: tuple[Poses, Poses], size: float) -> None:
     """Draw rails, fixed circles and hinges, hatched on the side of the ground in Figure 1; rails for the way of both motions."""
     start = motions[0].pose(0)

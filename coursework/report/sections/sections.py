@@ -8,6 +8,7 @@ To add one: write the function, put it into `PAPER` or `APPENDIX` with the quant
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from importlib import import_module
 from typing import Any
 
 from coursework.report.graphs.figures import drawn_parts
@@ -18,7 +19,6 @@ from coursework.report.sections.construction import graph_check
 from coursework.report.sections.control import control
 from coursework.report.sections.dead_point import dead_point
 from coursework.report.sections.graphs import graphs
-from coursework.report.sections.late import dynamics, energy, flowchart, forces, listing
 from coursework.report.sections.method import method
 from coursework.report.sections.motion_equations import equations
 from coursework.report.sections.results import results
@@ -46,6 +46,25 @@ from coursework.scene.quantities import (
 
 Writer = Callable[[PageContext], list[Part]]
 Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
+
+
+def _late(module: str, name: str) -> Writer:
+    """Return a writer whose module is imported when a run has asked for it: a page without forces or a program needs none of it.
+
+    What writes a program stands above this floor, in `takeaway/listing/`.
+    """
+
+    def write(context: PageContext) -> list[Part]:
+        parts: list[Part] = getattr(import_module(f"coursework.{module}"), name)(context)
+        return parts
+
+    write.__name__ = name
+    return write
+
+
+dynamics = _late("report.sections.dynamics", "dynamics")
+forces, energy = (_late("report.sections.forces", name) for name in ("forces", "energy"))
+listing, flowchart = (_late("takeaway.listing.appendix", name) for name in ("listing", "flowchart"))
 
 # Each writer with the quantity that must be asked for; None: always there.
 FIRST: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))

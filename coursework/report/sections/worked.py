@@ -202,6 +202,12 @@ def _printed(context: PageContext, value: float) -> str:
     return context.numbers.scalar(context.numbers.without_noise(value, 1.0), SHOWN)
 
 
+def _factors(context: PageContext, *values: float) -> Iterator[str]:
+    """Yield numbers as they stand in a product, those below zero in parentheses."""
+    texts = (context.numbers.scalar(value, DIGITS + 2) for value in values)
+    return (f"({text})" if text.startswith("−") else text for text in texts)
+
+
 def _put(tree: Formula, values: Mapping[str, float]) -> Formula:
     """Return a formula with numbers in the place of names."""
     if tree.op == "name" and tree.name in values:
@@ -211,7 +217,7 @@ def _put(tree: Formula, values: Mapping[str, float]) -> Formula:
 
 def _quotients(context: PageContext, extra: ExtraTable) -> list[Part]:
     """The derivatives of a coordinate by the angle of the crank from those in time, in a row."""
-    exact, variant, numbers = context.run.exact, context.run.variant, context.numbers
+    exact, variant = context.run.exact, context.run.variant
     crank = next(c for c in variant.coordinates if c.name == extra.names[0])
     other = next((c for c in variant.coordinates if f"d{c.name}/d{crank.name}" in extra.names), None)
     if other is None or len(extra.rows) != len(exact.t):
@@ -229,9 +235,8 @@ def _quotients(context: PageContext, extra: ExtraTable) -> list[Part]:
         Display(f"{twice} = frac(1, {turn.typst}^2) ({du.typst} - {first} {dw.typst})", second_text),
     ]
     place = extra.names.index(f"d{other.name}/d{crank.name}")
-    results = [numbers.scalar(numbers.without_noise(float(value), 1.0), SHOWN) for value in extra.rows[row, place : place + 2]]
-    texts = [numbers.scalar(value, DIGITS + 2) for value in (v, w, second[other.rate], v / w, second[crank.rate])]
-    v_, w_, a_, r_, e_ = (f"({text})" if text.startswith("−") else text for text in texts)
+    results = [_printed(context, float(value)) for value in extra.rows[row, place : place + 2]]
+    v_, w_, a_, r_, e_ = _factors(context, v, w, second[other.rate], v / w, second[crank.rate])
     told = (f"{v_}/{w_} = {results[0]}", f"({a_} − {r_} · {e_})/{w_}² = {results[1]}")
     put = [
         Display(f'{sign} = "{text}"', f"{name} = {text}")
@@ -253,9 +258,8 @@ def _invariants(context: PageContext, extra: ExtraTable) -> list[Part]:
     numbers, crank = context.numbers, context.symbol(driven[0])
     stroke, angle = float(known["stroke"].values["value"]), float(known["angle"])
     k, a, b, c = extra.rows[len(extra.rows) // 2].tolist()
-    texts = [numbers.scalar(x, DIGITS + 2) for x in (a * stroke, b * stroke / angle, c * stroke / angle**2, stroke, angle)]
-    s0, s1, s2, size, turn = (f"({text})" if text.startswith("−") else text for text in texts)
-    ends = [numbers.scalar(numbers.without_noise(value, 1.0), SHOWN) for value in (a, b, c)]
+    s0, s1, s2, size, turn = _factors(context, a * stroke, b * stroke / angle, c * stroke / angle**2, stroke, angle)
+    ends = [_printed(context, value) for value in (a, b, c)]
     told = (f"{s0}/{size} = {ends[0]}", f"{s1} · {turn}/{size} = {ends[1]}", f"{s2} · {turn}²/{size} = {ends[2]}")
     first, second = f"frac(d s, d {crank.typst})", f"frac(d^2 s, d {crank.typst}^2)"
     shown = [

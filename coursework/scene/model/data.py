@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.system.arrays import Array
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.units import MAX_NUMBER, UnitFault, kind_of, read, unlike
+from coursework.variant.formula.units import MAX_NUMBER, UnitFault, read_as
 from coursework.variant.record.variant import Variant, not_by_name
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -112,12 +112,9 @@ def _number(variant: Variant, name: str, value: Any, si: str, place: int) -> flo
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         raise _fault(variant, say("fault.D016", found=repr(value)), where)
     try:
-        quantity = read(value, si)
+        return read_as(value, si).value
     except UnitFault as fault:
         raise _fault(variant, fault.message, where) from None
-    if quantity.si and si and kind_of(quantity.si)[0] != kind_of(si)[0]:
-        raise _fault(variant, unlike(si, value), where)
-    return quantity.value
 
 
 def _fault(variant: Variant, message: Sentence, place: str = "") -> InputError:

@@ -44,7 +44,8 @@ class Chain:
         self.scheme = scheme
         self.known = set(scheme.fixed)
         self.placed: set[int] = set()
-        self.steps: list[Group | Carried] = []
+        self.groups: list[Group] = []
+        self.carried: list[Carried] = []
         pin = arm_of(scheme.joints, self.known, scheme.links[scheme.crank], scheme.pivot)[0]  # there is one: see `Reading.scheme`
         self.lines: dict[int, tuple[str, complex]] = {}  # from which joint the angle of a link is counted, and which way it goes
         self._add(Group("crank", (scheme.pivot,), pin, (scheme.crank,), (self._apart(scheme.pivot, pin),), 0))
@@ -56,9 +57,9 @@ class Chain:
         while (found := next(self._dyads(), None)) is not None:
             self._add(found)
         self.lost = [name for name in scheme.joints if name not in self.known]
-        used_slots = {group.slider for group in self.steps if isinstance(group, Group)}
+        used_slots = {group.slider for group in self.groups}
         self.lost += [name for name, one in scheme.sliders.items() if one not in used_slots and name not in self.lost]
-        used = {name for step in self.steps if isinstance(step, Group) for name in step.start}
+        used = {name for group in self.groups for name in group.start}
         self.hinges = [name for name in scheme.joints if name in scheme.fixed and name in used]
 
     def _apart(self, first: str, second: str) -> float:
@@ -100,7 +101,7 @@ class Chain:
                     yield Group("RPR", (pin, base), "", (slider.link,), (way.imag,), 1 if way.real > 0 else -1, slider)
 
     def _add(self, group: Group) -> None:
-        self.steps.append(group)
+        self.groups.append(group)
         self.known.add(group.meets)
         slot = group.kind == "RPR" and group.slider
         for link, base in zip(group.links, group.start[1:] if slot else group.start, strict=True):
@@ -111,5 +112,5 @@ class Chain:
             for joint in self.scheme.links[link]:
                 if joint not in self.known:
                     turned = (at[joint] - at[base]) / along
-                    self.steps.append(Carried(joint, link, base, self._apart(base, joint), cmath.phase(turned)))
+                    self.carried.append(Carried(joint, link, base, self._apart(base, joint), cmath.phase(turned)))
                     self.known.add(joint)

@@ -19,8 +19,8 @@ _SET = re.compile(r"(?:static double )?\w+(?:: double)? :?= [^;=\"']*;?")
 def dense(lines: list[str], syntax: Syntax) -> list[str]:
     """Return lines, closer to each other where they are too many.
 
-    >>> from coursework.takeaway.listing.syntax import C
-    >>> closer(["a = b;", "c = d;"], C, WIDEST), behind(["// 4 t = i·h", "t = i*h;"], C, WIDEST)
+    >>> from coursework.takeaway.listing.syntax import syntax_of
+    >>> closer(["a = b;", "c = d;"], syntax_of("c"), WIDEST), behind(["// 4 t = i·h", "t = i*h;"], syntax_of("c"), WIDEST)
     (['a = b; c = d;'], ['t = i*h;  // 4 t = i·h'])
     """
     if len(lines) > MOST:

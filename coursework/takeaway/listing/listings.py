@@ -1,28 +1,138 @@
 """A program -> its listing in a language.
 
 Enters: a `Program`, a language, the words of the comments.  Leaves: text.  Used by `commands/listing.py` and `appendix.py`.
-A language is a `Syntax`, a function of its name, its elimination and its tables.
+A language is an entry of `languages.toml`: what is known of a program is put into its texts.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator, Mapping, Sequence
 
 from coursework.report.text.words import Words
-from coursework.takeaway.listing.compiled import c, pascal
 from coursework.takeaway.listing.dense import dense
-from coursework.takeaway.listing.interpreted import javascript, octave, python
-from coursework.takeaway.listing.program import Program
-from coursework.takeaway.listing.syntax import SYNTAXES
-from coursework.takeaway.listing.writer import Writer
+from coursework.takeaway.listing.program import Datum, Program
+from coursework.takeaway.listing.syntax import filled, syntax_of
+from coursework.takeaway.listing.tables import functions
+from coursework.takeaway.listing.writer import Writer, held
 
-_LANGUAGES: dict[str, Callable[[Writer], list[str]]] = {
-    "python": python, "octave": octave, "c": c, "pascal": pascal, "javascript": javascript,
-}  # fmt: skip
+_IMPORTED = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sqrt"}
 
 
 def listing(program: Program, language: str, words: Words) -> str:
     """Return the listing of a program."""
-    syntax = SYNTAXES[language]
-    lines = [line.rstrip() for line in _LANGUAGES[language](Writer(program, syntax, words))]
-    return "\n".join(dense(lines, syntax)) + "\n"
+    syntax = syntax_of(language)
+    lines = _Listing(Writer(program, syntax, words)).lines()
+    return "\n".join(dense([line.rstrip() for line in lines], syntax)) + "\n"
+
+
+class _Listing:
+    """The texts of a language filled with what one program says."""
+
+    def __init__(self, one: Writer) -> None:
+        self.one, self.texts, self.program = one, one.syntax.texts, one.program
+        names = one.names
+        self.known = {
+            "t": one.t, "row": one.row, "rates": one.rates, "count": one.count, "kind": names.own("_kind", "Velocities"),
+            "text": names.own("_text", "shown"), "outs": self._listed(one.velocities),
+            "data_box": one.box("data"), "rates_box": one.of_velocities, "start_box": one.box("start"),
+        }  # fmt: skip
+
+    def lines(self) -> Iterator[str]:
+        """Yield the lines of the listing."""
+        one, program = self.one, self.program
+        inside = one.locals
+        later = [self._out(stage, rate) for stage in range(1, program.scheme.slopes) for rate in one.velocities]
+        of_data = [one.names[name] for name in one.targets(program.known)]
+        size = one.largest
+        in_velocities = self._perhaps("inside", names=", ".join([*inside, *one.velocities]), locals=", ".join(inside))
+        arguments = (filled(self.texts.get("argument", "{name}"), name=name) for name in (one.t, *one.coordinates))
+        self.known |= {"arguments": ", ".join(arguments), "doubles": ", ".join([one.t, *one.velocities, *later])}
+        yield from self._laid("program", {
+            "head": one.head(), "data": [*self._data()], "functions": functions(one), "limits": [*self._limits()],
+            "blocks": one.blocks(), "rows": self._rows(),
+            "known": [filled(self.texts.get("of_data", "{line}"), line=line) for line in one.known()],
+            "imports": self._perhaps("imports", calls=", ".join(sorted(program.calls & _IMPORTED))),
+            "shared": self._perhaps("shared", names=" ".join(one.data)),
+            "declared": self._perhaps("declared", names=", ".join(of_data)),
+            "work": self._perhaps("work", work=size and one.names.own("_work", "work"), last=size - 1, size=size, more=size + 1),
+            "inside": [line for text in in_velocities for line in one.wrapped(text)],
+            "counted": self._perhaps("counted", count=one.repeats and one.count),
+        })  # fmt: skip
+
+    def _laid(self, key: str, several: Mapping[str, Sequence[str]], **known: object) -> Iterator[str]:
+        """Yield the lines of a text; a line that is one name of `several` stands for these, as far to the right."""
+        for line in self.texts[key].splitlines():
+            bare = line.strip()
+            if bare[1:-1] in several and bare[0] == "{":
+                yield from (line.replace(bare, each) for each in several[bare[1:-1]])
+            else:
+                yield filled(line, **{**self.known, **known})
+
+    def _perhaps(self, key: str, **known: object) -> list[str]:
+        """Return the line of a text, none where the language lacks it or what it names is nothing."""
+        text = self.texts.get(key, "")
+        asked = [value for name, value in known.items() if f"{{{name}}}" in text]
+        return [filled(text, **known)] if asked and all(asked) else []
+
+    def _listed(self, names: Sequence[str]) -> str:
+        return ", ".join(names) + self.texts.get("alone", "") * (len(names) == 1)
+
+    def _data(self) -> Iterator[str]:
+        """Yield data, step, number of steps and start, each with its unit."""
+        one, program = self.one, self.program
+        text = self.texts["datum"]
+
+        def line(datum: Datum) -> str:
+            told = f"  {one.comment(datum.told)}" if datum.told else ""
+            return filled(text, name=one.names[datum.name], value=repr(datum.value)) + told
+
+        yield from map(line, program.data)
+        yield filled(text, name=one.h, value=repr(program.step))
+        yield f"{filled(self.texts.get('whole', text), name=one.steps, value=one.last)}  {one.say('rows')}"
+        yield from map(line, program.start)
+
+    def _limits(self) -> Iterator[str]:
+        """Yield what stands for the velocities where a determinant vanishes and the motion goes on."""
+        one = self.one
+        for limit in self.program.limits:
+            values = [*map(repr, limit.values)]
+            size = one.syntax.calls.get("abs", "abs")
+            sets = [one.sets(name, value) for name, value in zip(one.velocities, values, strict=True)]
+            yield one.say("limit")
+            holds = f"{size}({one.t} - {limit.time!r}) <= {limit.within!r}"
+            yield from self._laid("limit", {"sets": sets}, holds=holds, values=self._listed(values))
+
+    def _rows(self) -> list[str]:
+        """Return the head line and the loop over the rows."""
+        one, syntax, program = self.one, self.one.syntax, self.program
+        further = [line for stage in range(1, program.scheme.slopes) for line in one.wrapped(self._call(stage))]
+        step = [*further, one.box("step"), *one.steps_on(self._out)]
+        row = [
+            one.box("time"), one.sets(f"{syntax.declares}{one.t}", f"{one.row}*{one.h}"),
+            one.box("rates"), self._call(0), *one.closed(self._out),
+            one.box("row"), *one.wrapped(self._show([one.t, *one.shown(self._out)])),
+            one.box("more"), *held(syntax.test, step, holds=f"{one.row} < {one.steps}"),
+        ]  # fmt: skip
+        heads = filled(syntax.prints, heads=",".join(program.heads))
+        return [heads, one.box("loop"), *held(syntax.rows, row, i=one.row, n=one.steps), one.box("again"), one.box("end")]
+
+    def _call(self, stage: int) -> str:
+        """Return the line that finds the velocities of a slope."""
+        arguments = ", ".join(self.one.slope(stage, self._out))
+        outs = self._listed([self._out(stage, rate) for rate in self.one.velocities])
+        return filled(self.texts["call"], **{**self.known, "outs": outs, "arguments": arguments, "slope": self._slope(stage)})
+
+    def _slope(self, stage: int) -> str:
+        return self.one.names.own(f"_k{stage}", f"u{stage + 1}", f"slope{stage + 1}")
+
+    def _out(self, stage: int, rate: str) -> str:
+        """Return the name of a velocity in a slope of the step; that of the first one is its own."""
+        if "out" in self.texts:
+            return filled(self.texts["out"], slope=self._slope(stage), rate=rate)
+        return self.one.names.own(f"_{rate}_{stage}", f"{rate}_{stage + 1}") if stage else rate
+
+    def _show(self, values: Sequence[str]) -> str:
+        """Return the line that prints the numbers of a row."""
+        told = (filled(self.texts.get("value", "{value}"), value=value, **self.known) for value in values)
+        marks = ",".join(["%.15g"] * len(values))
+        return filled(self.texts["show"], values=self.texts.get("between", ", ").join(told), marks=marks)

@@ -6,46 +6,31 @@ Enters: lines that the tool printed itself.  Leaves: text that means the same.  
 from __future__ import annotations
 
 import ast
-import keyword
 import re
+import tomllib
 from collections.abc import Collection, Mapping
+from dataclasses import field
+from functools import cache
+from pathlib import Path
+from typing import Any
 
 from coursework.equations.codegen.names import public
 from coursework.system.frozen import changing, frozen
 
 _MATH = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sqrt", "pow", "abs", "sign", "pi")
-_C = """auto break case char const continue default do double else enum extern float for goto if inline int long register restrict
-return short signed sizeof static struct switch typedef union unsigned void volatile while main printf j0 j1 jn y0 y1 yn gamma
-lgamma tgamma erf div abs labs exit free time signal remove rename index round floor ceil fabs fmin fmax stderr fprintf"""
-_PASCAL = """and array as begin case const constructor destructor div do downto else end except exports file finalization finally
-for function goto if implementation in inherited initialization inline interface is label library mod nil not object of on
-operator or out packed procedure program property raise record repeat set shl shr string then threadvar to try type unit
-until uses var
-while with xor power arcsin arccos arctan arctan2 ifthen double write writeln exit halt ln result read single real integer
-boolean true false sqr odd ord trunc round frac int high low length break continue self min max"""
-_JAVASCRIPT = """await break case catch class const continue debugger default delete do else enum export extends false finally for
-function if implements import in instanceof interface let new null package private protected public return static super switch
-this throw true try typeof var void while with yield Math console Number Error arguments eval undefined NaN Infinity"""
-_OCTAVE = """break case catch continue do else elseif end end_try_catch end_unwind_protect endfor endfunction endif endswitch
-endwhile for function global if otherwise persistent return switch try until unwind_protect unwind_protect_cleanup while printf
-merge error e i j I J Inf NaN eps ans min max floor abs zeros numel e1 det inv"""
-
-
 # Shares of free rates in velocities, masses, inertias, what positions keep, corrections, the matrix of the equations of motion.
 _OF_FORCES = re.compile(r"_(?:u\d+_\w+|(?:m|j|jf|kept|step|near|mass|force)\d*(?:_n)?)")
 
 
 @frozen
 class Syntax:
-    """How a language writes what differs: functions by name (others alike), the choice of two values, comments, loops."""
+    """How a language writes what differs: reserved words, the choice of two values, comments, loops, functions by name."""
 
-    name: str
-    suffix: str
     reserved: frozenset[str]
-    calls: Mapping[str, str]
     choice: str
     comment: str
     loop: tuple[str, str]
+    calls: Mapping[str, str] = field(default_factory=dict)
     rows: tuple[str, str] = ("", "")  # the loop over the rows
     test: tuple[str, str] = ("", "")
     stop: tuple[str, ...] = ()  # what is done where a determinant is zero
@@ -58,46 +43,33 @@ class Syntax:
     around: tuple[str, str] = ("", "")  # what holds a value of several lines
     unpacks: str = ""  # how several names take what one function gives; "" where none gives more than one
     divides: bool = False  # whether a matrix divides a column
+    brackets: tuple[str, str] = ("[", "]")  # around the numbers of a list
+    node: str = "[s]"  # the entry of a list at the place s
+    texts: Mapping[str, str] = field(default_factory=dict)  # the whole listing, pieces of it, functions of its own
 
 
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
+@cache
+def syntax_of(language: str) -> Syntax:
+    """Return how a language of `languages.toml` writes.
+
+    >>> syntax_of("c").loop
+    ('for (int {j} = 0; {j} < {times}; {j}++) {', '}')
+    """
+    text = Path(__file__).with_name("languages.toml").read_text(encoding="utf-8")
+    told: dict[str, Any] = tomllib.loads(text)[language]
+    told |= {key: tuple(value) for key, value in told.items() if isinstance(value, list)}
+    return Syntax(**{**told, "reserved": frozenset(told["reserved"].split()) | {*_MATH}})
 
 
-PYTHON = Syntax(
-    "python", "py", frozenset((*keyword.kwlist, *_MATH, "print", "range", "min", "max", "int")), {"pow": "pow"},
-    "({yes} if {holds} else {no})", "# ", ("for {j} in range({times}):", ""),
-    ("for {i} in range({n} + 1):", ""), ("if {holds}:", ""),
-    ("if {name} == 0.0:", '    raise SystemExit("{name} = 0")'), 'print("{heads}")', end="", around=("(", ")"),
-    unpacks="{names} = ",
-)  # fmt: skip
-OCTAVE = Syntax(
-    "octave", "m", _words(_OCTAVE) | {*_MATH}, {"pow": "power"}, "merge({holds}, {yes}, {no})", "% ",
-    ("for {j} = 1:{times}", "end"), ("for {i} = 0:{n}", "end"), ("if {holds}", "end"),
-    ("if {name} == 0", '    error("{name} = 0");', "end"), 'printf("{heads}\\n");', wrap=" ...", divides=True,
-)  # fmt: skip
-C = Syntax(
-    "c", "c", _words(_C) | {*_MATH}, {"abs": "fabs"}, "({holds} ? {yes} : {no})", "// ",
-    ("for (int {j} = 0; {j} < {times}; {j}++) {{", "}"), ("for (int {i} = 0; {i} <= {n}; {i}++) {{", "}"),
-    ("if ({holds}) {{", "}"), ('if ({name} == 0.0) {{ fprintf(stderr, "{name} = 0\\n"); exit(1); }}',),
-    'printf("{heads}\\n");', declares="double ",
-)  # fmt: skip
-PASCAL = Syntax(
-    "pascal", "pas", _words(_PASCAL) | {*_MATH},
-    {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "log": "ln", "pow": "power"},
-    "ifthen({holds}, {yes}, {no})", "// ", ("for {j} := 1 to {times} do begin", "end;"),
-    ("for {i} := 0 to {n} do begin", "end;"), ("if {holds} then begin", "end;"),
-    ("if {name} = 0.0 then begin writeln(stderr, '{name} = 0'); halt(1) end;",), "writeln('{heads}');", assign=" := ",
-    knows_case=False,
-)  # fmt: skip
-JAVASCRIPT = Syntax(
-    "javascript", "js", _words(_JAVASCRIPT) | {*_MATH}, {name: f"Math.{name}" for name in _MATH},
-    "({holds} ? {yes} : {no})", "// ", ("for (let {j} = 0; {j} < {times}; {j}++) {{", "}"),
-    ("for (let {i} = 0; {i} <= {n}; {i}++) {{", "}"), ("if ({holds}) {{", "}"),
-    ('if ({name} === 0.0) throw new Error("{name} = 0");',), 'console.log("{heads}");', declares="const ",
-    unpacks="[{names}] = ",
-)  # fmt: skip
-SYNTAXES = {one.name: one for one in (PYTHON, OCTAVE, C, PASCAL, JAVASCRIPT)}
+def filled(text: str, /, **known: object) -> str:
+    """Return a text with what the names in its braces stand for; other braces are the language's own.
+
+    >>> filled("return ({kind}) {{outs}};", kind="Velocities", outs="w3, w4")
+    'return (Velocities) {w3, w4};'
+    """
+    for name, value in known.items():
+        text = text.replace(f"{{{name}}}", str(value))
+    return text
 
 
 @changing
@@ -162,8 +134,8 @@ class Names:
 def expression(text: str, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
     """Return an expression that the tool printed, in a language.
 
-    >>> names = Names.of(PASCAL, ("t", "r", "R"))
-    >>> expression("-v_r*pow(v_R, 3.0)", PASCAL, names)
+    >>> names = Names.of(syntax_of("pascal"), ("t", "r", "R"))
+    >>> expression("-v_r*pow(v_R, 3.0)", syntax_of("pascal"), names)
     '-r*power(R_, 3.0)'
     """
     return written(ast.parse(text, mode="eval").body, syntax, names)
@@ -204,7 +176,7 @@ def written(node: ast.expr, syntax: Syntax, names: Mapping[str, str] | Names) ->
         case ast.Compare():
             return f"{inner(node.left)} {_SIGNS[type(node.ops[0])]} {inner(node.comparators[0])}"
         case ast.Call(func=ast.Name(id="_choose"), args=[holds, ast.Lambda(body=yes), ast.Lambda(body=no)]):
-            return syntax.choice.format(holds=inner(holds), yes=inner(yes), no=inner(no))
+            return filled(syntax.choice, holds=inner(holds), yes=inner(yes), no=inner(no))
         case ast.Call(func=ast.Name(id=name)):
             called = names[name] if name.startswith("_table_") else syntax.calls.get(name, name)
             args = node.args[::-1] if called == "ATAN2" else node.args  # a spreadsheet has x before y

@@ -12,7 +12,7 @@ from coursework.equations.codegen.straight_line import Line
 from coursework.motion.schemes import SEMI_IMPLICIT, Sum
 from coursework.report.text.words import Words
 from coursework.takeaway.listing.program import Box, Program
-from coursework.takeaway.listing.syntax import Names, Syntax, expression, parts
+from coursework.takeaway.listing.syntax import Names, Syntax, expression, filled, parts
 from coursework.words.templates import clean
 
 WIDEST = 100  # letters of a line; a longer one goes on in the next
@@ -34,7 +34,8 @@ class Writer:
         self.gauss, self.look = own("_gauss", "gauss"), own("_look", "before_break")
         self.count = own("_count", "j", "turn")
         self.tables = [name for name in sorted(program.calls) if name.startswith("_table_")]
-        self.needs_gauss = any("_solve" in line.text for block in program.blocks for line in block.lines)
+        lines = (line for block in program.blocks for line in block.lines)
+        self.largest = max((len(line.targets) - 1 for line in lines if "_solve" in line.text), default=0)  # solved by elimination
 
     @property
     def coordinates(self) -> list[str]:
@@ -151,7 +152,7 @@ class Writer:
                 if block.checked and block.checked in one.targets:
                     name = self.names[block.checked]
                     lines.append(self.of(Box(block.box.number + 1, "decision", self.words("listing.zero", name=name))))
-                    lines += [line.format(name=name) for line in self.syntax.stop]
+                    lines += [filled(line, name=name) for line in self.syntax.stop]
         return [*lines, self.of(self.program.returned(self.words))]
 
     def moved(self, name: str, row: Sum, rates: list[str]) -> str:
@@ -215,7 +216,7 @@ def indented(lines: Iterable[str]) -> list[str]:
 def held(around: tuple[str, str], lines: Iterable[str], **names: object) -> list[str]:
     """Return lines inside what begins and, in most languages, ends them."""
     begin, end = around
-    return [begin.format(**names), *indented(lines), *([end] if end else [])]
+    return [filled(begin, **names), *indented(lines), *([end] if end else [])]
 
 
 def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> list[str]:
@@ -223,17 +224,17 @@ def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> 
     syntax, rows = writer.syntax, [[*entries[row * size : (row + 1) * size], entries[size * size + row]] for row in range(size)]
     if syntax.unpacks:
         listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
-        return writer.wrapped(f"{syntax.unpacks.format(names=', '.join(found))}{writer.gauss}([{listed}]){syntax.end}")
+        return writer.wrapped(f"{filled(syntax.unpacks, names=', '.join(found))}{writer.gauss}([{listed}]){syntax.end}")
     work = writer.names.own("_work", "work")
     if syntax.divides:
-        filled = writer.wrapped(f"{work} = [{'; '.join(', '.join(f'({one})' for one in row) for row in rows)}];")
+        matrix = writer.wrapped(f"{work} = [{'; '.join(', '.join(f'({one})' for one in row) for row in rows)}];")
         return [
-            *filled,
+            *matrix,
             f"{found[size]} = det({work}(:, 1:{size}));",
             f"{work} = {work}(:, 1:{size}) \\ {work}(:, {size + 1});",
             *(f"{one} = {work}({place});" for place, one in enumerate(found[:size], 1)),
         ]
     cells = [(row, column, value) for row, values in enumerate(rows) for column, value in enumerate(values)]
-    filled = [line for row, column, value in cells for line in writer.wrapped(writer.sets(f"{work}[{row}][{column}]", value))]
+    cells_set = [line for row, column, value in cells for line in writer.wrapped(writer.sets(f"{work}[{row}][{column}]", value))]
     read = [writer.sets(one, f"{work}[{place}][{size}]") for place, one in enumerate(found[:size])]
-    return [*filled, writer.sets(found[size], f"{writer.gauss}({size})"), *read]
+    return [*cells_set, writer.sets(found[size], f"{writer.gauss}({size})"), *read]

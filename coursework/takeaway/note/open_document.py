@@ -13,7 +13,7 @@ from coursework.system.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.dialects import SEQUENCES
 from coursework.takeaway.note.sections import STRUCTURAL
-from coursework.takeaway.note.styles import PAGE, House, open_document_styles
+from coursework.takeaway.note.styles import PAGE, House, open_document_styles, xml_of
 from coursework.takeaway.note.tree import printed
 
 CONTENT, STYLES, MANIFEST = "content.xml", "styles.xml", "META-INF/manifest.xml"
@@ -39,25 +39,7 @@ _SET = _HEADING.replace("Heading_20_1", "Heading_20_Structural")
 
 def contents_of(title: str, listed: Sequence[tuple[str, str]], _width: float) -> str:
     """Return the contents as an index that a program brings up to date, with what it shows until then."""
-    lines = "".join(
-        f'<text:p text:style-name="Contents_20_1"><text:a xlink:type="simple" xlink:href="#{name}">{escape(said)}</text:a>'
-        "</text:p>"
-        for name, said in listed
-    )
-    template = (
-        '<text:table-of-content-entry-template text:outline-level="1" text:style-name="Contents_20_1"><text:index-entry-text/>'
-        '<text:index-entry-tab-stop style:type="right" style:leader-char="."/><text:index-entry-page-number/>'
-        "</text:table-of-content-entry-template>"
-    )
-    head = (
-        f'<text:index-title text:name="ContentsHead"><text:p text:style-name="Contents_20_Heading">{escape(title)}</text:p>'
-        "</text:index-title>"
-    )
-    return (
-        f'<text:table-of-content text:name="Contents"><text:table-of-content-source text:outline-level="1">'
-        f'<text:index-title-template text:style-name="Contents_20_Heading">{escape(title)}</text:index-title-template>{template}'
-        f"</text:table-of-content-source><text:index-body>{head}{lines}</text:index-body></text:table-of-content>"
-    )
+    return xml_of("opendocument", "contents", title=title, listed=listed)
 
 
 def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Picture]) -> bytes:
@@ -108,40 +90,13 @@ def _with_right_sides(formula: str) -> str:
 def _with_pages(styles: str, house: House) -> str:
     """Return the styles with A4 pages of the house, upright and turned, and the paragraphs that begin them."""
     place, align = house.page_number.split()
-    number = (
-        f'<style:{place}><text:p text:style-name="PageNumber"><text:page-number text:select-page="current">1</text:page-number>'
-        f"</text:p></style:{place}>"
-    )
-
-    def layout(name: str, size: tuple[float, float], way: str) -> str:
-        left, right, top, bottom = house.margins
-        top, bottom = (top - HEADER, bottom) if place == "header" else (top, bottom - HEADER)
-        return (
-            f'<style:page-layout style:name="{name}"><style:page-layout-properties fo:page-width="{size[0]}mm" '
-            f'fo:page-height="{size[1]}mm" style:print-orientation="{way}" fo:margin-left="{left}mm" fo:margin-right="{right}mm" '
-            f'fo:margin-top="{top}mm" fo:margin-bottom="{bottom}mm"/><style:{place}-style>'
-            f'<style:header-footer-properties fo:min-height="{HEADER}mm"/></style:{place}-style></style:page-layout>'
-        )
-
-    layouts = layout("NoteUpright", PAGE, "portrait") + layout("NoteTurned", PAGE[::-1], "landscape")
-    masters = "".join(
-        f'<style:master-page style:name="{name}" style:page-layout-name="{kind}">{number}</style:master-page>'
-        for name, kind in (("Standard", "NoteUpright"), ("Turned", "NoteTurned"))
-    )
-    begins = "".join(
-        f'<style:style style:name="{name}" style:family="paragraph" style:parent-style-name="Figure" '
-        f'style:master-page-name="{master}"><style:paragraph-properties style:page-number="auto"/></style:style>'
-        for name, master in (("Turned", "Turned"), ("Upright", "Standard"))
-    )
-    begins += (
-        f'<style:style style:name="PageNumber" style:family="paragraph" style:parent-style-name="Standard">'
-        f'<style:paragraph-properties fo:text-align="{align}" fo:text-indent="0mm"/></style:style>'
-    )
+    layouts = xml_of("opendocument", "layouts", place=place, page=PAGE, margins=house.margins, header=HEADER)
+    begins, masters = xml_of("opendocument", "begins", align=align), xml_of("opendocument", "masters", place=place)
     for name in ("Turned", "Upright"):
         styles = re.sub(_STYLE.format(name), "", styles, flags=re.S)
     styles = styles.replace("</office:styles>", f"{begins}</office:styles>", 1)
     styles = styles.replace("</office:automatic-styles>", f"{layouts}</office:automatic-styles>", 1)
-    return _MASTER.sub(lambda _: f"<office:master-styles>{masters}</office:master-styles>", styles, count=1)
+    return _MASTER.sub(lambda _: masters, styles, count=1)
 
 
 def _with_drawings(files: dict[str, bytes], text: str, drawings: Mapping[bytes, Picture]) -> str:

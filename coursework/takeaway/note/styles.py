@@ -9,12 +9,19 @@ figures below in the middle, of tables above at the left; numbers of pages below
 
 from __future__ import annotations
 
-from coursework.system.frozen import frozen
+import re
+from typing import Any
 
-TWIPS = 1440 / 25.4  # a mm
+from coursework.system.frozen import frozen
+from coursework.words.templates import filled_part
+
 PAGE = (210.0, 297.0)  # mm
-MONO = "Courier New"
 FIRST = "First Paragraph"  # of a section, and behind a formula
+OPEN_NAMES = {  # of pandoc's styles in an OpenDocument text, where they have others there
+    "Normal": "Standard", "Body Text": "Text_20_body", "Image Caption": "FigureCaption", "Table Caption": "TableCaption",
+    "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents",
+    "Source Code": "Preformatted_20_Text", FIRST: "First_20_paragraph",
+}  # fmt: skip
 REACH = 5.0  # mm into the right margin, for a drawing true to scale that is hardly wider than the text
 
 
@@ -113,97 +120,25 @@ def styles_of(house: House) -> tuple[Style, ...]:
     )  # fmt: skip
 
 
+def xml_of(name: str, part: str, /, **content: Any) -> str:
+    """Return a part of `reports/<name>.xml.j2` in one line."""
+    made = filled_part(f"{name}.xml.j2", part, **content)
+    return re.sub(r"\s*\n\s*", " ", re.sub(r"\s*\n\s*(?=<|$)", "", made))
+
+
+def twips(mm: float) -> int:
+    """Return a length as Word counts it."""
+    return round(mm * (1440 / 25.4))
+
+
 def word_styles(house: House | None) -> dict[str, str]:
     """Return the XML of every style by its id in Word's `styles.xml`; None leaves the text as a department has it."""
-    return {
-        style.name.replace(" ", ""): _word_style(style, house or House(), house is None) for style in styles_of(house or House())
-    }
-
-
-def _word_style(style: Style, house: House, lent: bool) -> str:
-    identifier = style.name.replace(" ", "")
-    first = house.indent if style.first is None else style.first
-    line = style.line or house.line
-    paragraph = "<w:keepNext/><w:keepLines/>" if style.keep else ""
-    paragraph += "<w:pageBreakBefore/>" if style.new_page else ""
-    if style.tabs:
-        places = (("center", house.width / 2), ("right", house.width))
-        stops = "".join(f'<w:tab w:val="{kind}" w:pos="{round(at * TWIPS)}"/>' for kind, at in places)
-        paragraph += f"<w:tabs>{stops}</w:tabs>"
-    paragraph += (
-        ""
-        if lent and style.is_text
-        else (
-            f'<w:spacing w:before="{round(style.before * 20)}" w:after="{round(style.after * 20)}" '
-            f'w:line="{round(line * 240)}" w:lineRule="auto"/>'
-            f'<w:ind w:left="0" w:right="{round(style.right * TWIPS)}" w:firstLine="{round(first * TWIPS)}"/>'
-            f'<w:jc w:val="{style.align}"/>'
-        )
-    )
-    paragraph += f'<w:outlineLvl w:val="{style.level - 1}"/>' if style.level else ""
-    half = round((style.size or house.size) * 2)
-    face = MONO if style.typed else house.face
-    faces = f'w:ascii="{face}" w:hAnsi="{face}" w:cs="{face}" w:eastAsia="{house.eastern}"'
-    run = (
-        ("" if lent and not style.typed else f"<w:rFonts {faces}/>")
-        + ("<w:b/>" if style.bold else "")
-        + ("<w:i/>" if style.italic else "")
-    )
-    run += "<w:caps/>" if style.capitals else ""
-    run += f'<w:color w:val="{"7F7F7F" if style.grey else "000000"}"/>' if style.grey or not lent else ""
-    run += f'<w:sz w:val="{half}"/><w:szCs w:val="{half}"/>' if style.size or not lent else ""
-    parent = "BodyText" if lent and style.name == FIRST else "Normal"
-    based = "" if style.name == "Normal" else f'<w:basedOn w:val="{parent}"/>'
-    default = ' w:default="1"' if style.name == "Normal" else ""
-    name = style.name.lower() if style.name.startswith(("Heading ", "TOC ")) and style.name[-1].isdigit() else style.name
-    return (
-        f'<w:style w:type="paragraph"{default} w:styleId="{identifier}"><w:name w:val="{name}"/>{based}<w:qFormat/>'
-        f"<w:pPr>{paragraph}</w:pPr><w:rPr>{run}</w:rPr></w:style>"
-    )
+    known: dict[str, Any] = {"house": house or House(), "lent": house is None, "twips": twips, "round": round}
+    return {one.name.replace(" ", ""): xml_of("word", "style", one=one, **known) for one in styles_of(house or House())}
 
 
 def open_document_styles(house: House | None) -> dict[str, str]:
     """Return the XML of every style by its name in OpenDocument's `styles.xml`; None as for Word."""
-    names = {"Normal": "Standard", "Body Text": "Text_20_body", "Image Caption": "FigureCaption", "Table Caption": "TableCaption",
-             "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents",
-             "Source Code": "Preformatted_20_Text", FIRST: "First_20_paragraph"}  # fmt: skip
-    return {
-        (name := names.get(one.name, one.name.replace(" ", "_20_"))): _open_style(one, name, house or House(), house is None)
-        for one in styles_of(house or House())
-    }
-
-
-def _open_style(style: Style, name: str, house: House, lent: bool) -> str:
-    first = house.indent if style.first is None else style.first
-    size, align = style.size or house.size, {"both": "justify"}.get(style.align, style.align)
-    keep = ' fo:keep-with-next="always"' if style.keep else ""
-    keep += ' fo:break-before="page"' if style.new_page else ""
-    tabs = ""
-    if style.tabs:
-        places = (("center", house.width / 2), ("right", house.width))
-        stops = "".join(f'<style:tab-stop style:type="{kind}" style:position="{at:.1f}mm"/>' for kind, at in places)
-        tabs = f"<style:tab-stops>{stops}</style:tab-stops>"
-    weight = "bold" if style.bold else "normal"
-    slope = "italic" if style.italic else "normal"
-    more = ' fo:text-transform="uppercase"' if style.capitals else ""
-    level = f' style:default-outline-level="{style.level}"' if style.level and style.name.startswith("Heading ") else ""
-    above = "Text_20_body" if lent and style.name == FIRST else "Standard"
-    parent = "" if name == "Standard" else f' style:parent-style-name="{above}"'
-    shown = style.name if name != "Standard" else "Standard"
-    face = MONO if style.typed else house.face
-    faces = f'fo:font-family="{face}" style:font-family-asian="{house.eastern}" ' if style.typed or not lent else ""
-    if style.size or not lent:
-        faces += f'fo:font-size="{size}pt" style:font-size-asian="{size}pt" '
-    colour = f' fo:color="{"#7f7f7f" if style.grey else "#000000"}"' if style.grey or not lent else ""
-    lines = (
-        f' fo:margin-left="0mm" fo:margin-right="{style.right}mm" fo:text-indent="{first}mm" '
-        f'fo:margin-top="{style.before}pt" fo:margin-bottom="{style.after}pt" '
-        f'fo:line-height="{(style.line or house.line):.0%}" fo:text-align="{align}" style:justify-single-word="false"'
-    )
-    return (
-        f'<style:style style:name="{name}" style:display-name="{shown}" style:family="paragraph"{parent} '
-        f'style:class="text"{level}>'
-        f"<style:paragraph-properties{'' if lent and style.is_text else lines}{keep}>{tabs}</style:paragraph-properties>"
-        f'<style:text-properties {faces}fo:font-weight="{weight}" style:font-weight-asian="{weight}" fo:font-style="{slope}"'
-        f"{colour}{more}/></style:style>"
-    )
+    known: dict[str, Any] = {"house": house or House(), "lent": house is None}
+    named = {OPEN_NAMES.get(one.name, one.name.replace(" ", "_20_")): one for one in styles_of(house or House())}
+    return {name: xml_of("opendocument", "style", one=one, name=name, **known) for name, one in named.items()}

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from html import escape
 
 from coursework.system.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.dialects import ENDED_FIELD, TURNED, UPRIGHT, begun_field, word_field
 from coursework.takeaway.note.sections import STRUCTURAL
-from coursework.takeaway.note.styles import PAGE, TWIPS, House, word_styles
+from coursework.takeaway.note.styles import PAGE, House, twips, word_styles, xml_of
 
 DOCUMENT, STYLES, RELATIONS = "word/document.xml", "word/styles.xml", "word/_rels/document.xml.rels"
 TYPES = "[Content_Types].xml"
@@ -31,17 +30,8 @@ _WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 
 def contents_of(title: str, listed: Sequence[tuple[str, str]], width: float) -> str:
     """Return the contents as a field that Word brings up to date, with what it shows until then."""
-    tab = f'<w:tabs><w:tab w:val="right" w:leader="dot" w:pos="{round(width * TWIPS)}"/></w:tabs>'
-    lines = []
-    for place, (name, text) in enumerate(listed):
-        opens = begun_field('TOC \\o "1-2" \\h \\z \\u', ' w:dirty="true"') if place == 0 else ""
-        page = word_field(f"PAGEREF {name} \\h", " ")
-        shown = f'<w:r><w:t xml:space="preserve">{escape(text)}</w:t></w:r><w:r><w:tab/></w:r>{page}'
-        entry = f'<w:hyperlink w:anchor="{name}">{shown}</w:hyperlink>'
-        closes = ENDED_FIELD if place == len(listed) - 1 else ""
-        lines.append(f'<w:p><w:pPr><w:pStyle w:val="TOC1"/>{tab}</w:pPr>{opens}{entry}{closes}</w:p>')
-    head = f'<w:p><w:pPr><w:pStyle w:val="TOCHeading"/></w:pPr><w:r><w:t>{escape(title)}</w:t></w:r></w:p>'
-    return f'{head}{"".join(lines)}<w:p><w:r><w:br w:type="page"/></w:r></w:p>'
+    fields = {"begun": begun_field, "field": word_field, "ended": ENDED_FIELD}
+    return xml_of("word", "contents", title=title, listed=listed, width=width, twips=twips, **fields)
 
 
 def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Picture]) -> bytes:
@@ -77,35 +67,19 @@ def _with_styles(styles: str, house: House | None) -> str:
             styles = pattern.sub(lambda _, made=made: made, styles, count=1)  # type: ignore[misc]
     if house is None:
         return styles
-    lines = "".join(f'<w:{side} w:val="single" w:sz="4" w:space="0" w:color="000000"/>'
-                    for side in ("top", "left", "bottom", "right", "insideH", "insideV"))  # fmt: skip
-    table = (
-        f'<w:style w:type="table" w:customStyle="1" w:styleId="Table"><w:name w:val="Table"/><w:basedOn w:val="TableNormal"/>'
-        f'<w:qFormat/><w:tblPr><w:jc w:val="center"/><w:tblBorders>{lines}</w:tblBorders><w:tblCellMar>'
-        f'<w:left w:w="57" w:type="dxa"/><w:right w:w="57" w:type="dxa"/></w:tblCellMar></w:tblPr></w:style>'
-    )
-    return re.sub(_STYLE.format("Table"), lambda _: table, styles, count=1, flags=re.S)
+    return re.sub(_STYLE.format("Table"), lambda _: xml_of("word", "table_style"), styles, count=1, flags=re.S)
 
 
 def _with_page(files: dict[str, bytes], document: str, house: House) -> str:
     """Return the document with an A4 page of the house, whose number stands where the standard wants it."""
     place, align = house.page_number.split()
     tag = {"footer": "ftr", "header": "hdr"}[place]
-    files[f"word/{place}9.xml"] = (
-        f'<?xml version="1.0" encoding="UTF-8" standalone="yes"?><w:{tag} xmlns:w="{_WORD}"><w:p><w:pPr>'
-        f'<w:ind w:firstLine="0"/><w:jc w:val="{align}"/></w:pPr>{word_field("PAGE", "1")}</w:p></w:{tag}>'
-    ).encode()
+    number = xml_of("word", "page_number", tag=tag, align=align, field=word_field, namespace=_WORD)
+    files[f"word/{place}9.xml"] = number.encode()
     _related(files, "rIdPage", place, f"{place}9.xml")
     kind = f"application/vnd.openxmlformats-officedocument.wordprocessingml.{place}+xml"
     _typed(files, f'<Override PartName="/word/{place}9.xml" ContentType="{kind}"/>')
-    left, right, top, bottom = (round(one * TWIPS) for one in house.margins)
-    section = (
-        f'<w:sectPr><w:{place}Reference w:type="default" r:id="rIdPage"/>'
-        f'<w:pgSz w:w="{round(PAGE[0] * TWIPS)}" w:h="{round(PAGE[1] * TWIPS)}"/>'
-        f'<w:pgMar w:top="{top}" w:right="{right}" w:bottom="{bottom}" w:left="{left}" w:header="567" w:footer="567" '
-        'w:gutter="0"/>'
-        f"<w:titlePg/></w:sectPr>"
-    )
+    section = xml_of("word", "section", place=place, page=PAGE, margins=house.margins, twips=twips)
     last = list(_SECTION.finditer(document))[-1]
     return document[: last.start()] + section + document[last.end() :]
 
@@ -114,7 +88,7 @@ def _turned(section: str) -> str:
     """Return the same section on its side."""
     size = re.search(r"<w:pgSz\b[^>]*>", section)
     wide, high = (
-        (found[1] if size and (found := re.search(rf'w:{side}="(\d+)"', size[0])) else str(round(mm * TWIPS)))
+        (found[1] if size and (found := re.search(rf'w:{side}="(\d+)"', size[0])) else str(twips(mm)))
         for side, mm in zip("wh", PAGE, strict=True)
     )
     turned = f'<w:pgSz w:w="{high}" w:h="{wide}" w:orient="landscape"/>'

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import tempfile
+import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,7 @@ from coursework.words.data_folders import REPORTS, folder
 
 MODULE, EXTRA = "pypandoc", "note"
 LANGUAGES = {"en": "en-GB", "ru": "ru-RU", "uk": "uk-UA", "zh": "zh-CN"}
+MANY = 7  # columns: in LaTeX a wider table is set smaller
 DEPARTMENT = "reference"  # with the suffix: the department's own styles, in a folder of own pieces
 
 
@@ -61,8 +63,6 @@ def _office_note(
 
 def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
     """Yield the note for LaTeX, and the drawings that it shows."""
-    from coursework.takeaway.note.tex import CLASSES, PREAMBLES, sized_tables
-
     note = _Note(results, "tex")
     title, author = tree.text(results.model.heading), tree.text(results.model.author)
     blocks = [*title_blocks(results.model, note.blocks)[2:], *section_blocks(results, note.blocks)]
@@ -70,23 +70,32 @@ def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
         "title": {"t": "MetaInlines", "c": title}, "author": {"t": "MetaInlines", "c": author},
         "subtitle": {"t": "MetaInlines", "c": tree.text(results.model.kind)},
     }  # fmt: skip
-    options = [
-        "--standalone",
-        "--toc",
-        "--toc-depth=2",
-        "-V",
-        f"documentclass={CLASSES.get(results.language, 'extarticle')}",
-        "-V",
-        "papersize=a4",
-    ]
+    latex = tomllib.loads(Path(__file__).with_name("latex.toml").read_text(encoding="utf-8"))
+    own = latex.get(results.language, latex["others"])
     left, right, top, bottom = note.house.margins
-    options += ["-V", f"geometry=left={left}mm,right={right}mm,top={top}mm,bottom={bottom}mm", "-V", "colorlinks=true"]
-    options += ["-V", f"header-includes={PREAMBLES.get(results.language, PREAMBLES['en'])}", "-V", "linkcolor=black"]
+    variables = {
+        "documentclass": own["class"], "papersize": "a4",
+        "geometry": f"left={left}mm,right={right}mm,top={top}mm,bottom={bottom}mm", "colorlinks": "true",
+        "header-includes": (latex["shared"] + own["preamble"]).replace("\n", ""), "linkcolor": "black",
+    }  # fmt: skip
+    options = ["--standalone", "--toc", "--toc-depth=2", *(f"--variable={name}={value}" for name, value in variables.items())]
     with tempfile.TemporaryDirectory() as place:
-        made = note.converted(sized_tables(blocks), Path(place), None, *options, **meta)
+        made = note.converted(_sized_tables(blocks), Path(place), None, *options, **meta)
     yield f"{results.stem}.tex", made
     for one in note.pictures.values():
         yield f"{FOLDER}/{one.name}.pdf", as_pdf(one, results.language)
+
+
+def _sized_tables(blocks: list[tree.Node]) -> list[tree.Node]:
+    """Return blocks in which tables stand in small letters, wide ones in smaller."""
+    found: list[tree.Node] = []
+    for block in blocks:
+        if block["t"] != "Table":
+            found.append(block)
+            continue
+        size = "scriptsize" if len(block["c"][2]) > MANY else "small"
+        found += [tree.raw_block("latex", f"\\begingroup\\{size}"), block, tree.raw_block("latex", "\\endgroup")]
+    return found
 
 
 class _Note:

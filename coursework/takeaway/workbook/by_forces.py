@@ -33,9 +33,7 @@ from coursework.words.sentences import say
 CORRECTIONS = 3  # of a position: a step leaves 1e-2 or less, and each correction about the square of that
 _NUMBER = re.compile(r"-?[\d.]+(?:e[-+]?\d+)?")
 _CALLS = {name: name.upper() for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "sqrt", "abs", "sign")}
-_CELLS = Syntax(
-    "cells", "", frozenset(), {**_CALLS, "log": "LN", "pow": "POWER"}, "IF({holds},{yes},{no})", "", ("", ""),
-)  # fmt: skip
+_CELLS = Syntax(frozenset(), "IF({holds},{yes},{no})", "", ("", ""), {**_CALLS, "log": "LN", "pow": "POWER"})
 
 
 def forced_columns(run: SceneRun, tables: Tables) -> StepTable:

@@ -14,6 +14,7 @@ from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array
 from coursework.takeaway.workbook.cells import FIRST, ROW, SHEET, StepTable
 from coursework.takeaway.workbook.names import letters
 from coursework.takeaway.workbook.sheet import RESIDUAL, WIDTH, Book, number, plain
@@ -43,12 +44,8 @@ def write_exact(book: Book, sheet: Any, table: StepTable) -> None:
         sheet.write_string(0, beside, plain(f"Δ{name}"), book.right)
         differences = motion.column(name)[:both] - rows[:both, place]
         sheet.set_column(beside, beside, WIDTH, book.shown(differences))
-        for step, value in enumerate(differences.tolist()):
-            row = FIRST + step
-            sheet.write_formula(row - 1, beside, f"={SHEET}!{own}{row}-{column}{row}", None, number(value))
-        span = f"{letters(beside)}{FIRST}:{letters(beside)}{FIRST + both - 1}"
-        most, bold = float(np.abs(differences).max()), book.shown(differences, bold=True)
-        sheet.write_formula(both + 2, beside, f"=MAX(MAX({span}),-MIN({span}))", bold, most)
+        _write_small(sheet, beside, FIRST, f"{SHEET}!{own}{ROW}-{column}{ROW}", differences, None)
+        _write_largest(sheet, both + 2, beside, FIRST, differences, book.shown(differences, bold=True))
         beside += 1
     sheet.write_string(both + 2, len(names) + 1, book.say("largest"), book.bold)
     sheet.set_column(len(names) + 1, len(names) + 1, WIDTH)
@@ -104,7 +101,7 @@ def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual]
     sheet.write_string(top, 0, book.say("zero"), book.bold)
     sheet.write_string(top + 1, 0, "t", book.right)
     sheet.write_string(top + 2, 0, book.say("largest"), book.bold)
-    first, last = top + 4, top + 3 + table.rows
+    first = top + 4
     times, shown = book.times(motion.step), book.file.add_format({"num_format": RESIDUAL})
     shown_largest = book.file.add_format({"num_format": RESIDUAL, "bold": True})
     for step, at in enumerate(motion.t.tolist()):
@@ -113,11 +110,20 @@ def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual]
         sheet.write_string(top + 1, place, plain(head), book.right)
         column = values[:, place - 1] - (values[0, place - 1] if is_kept else 0.0)
         text = f"{text}-({text.replace(ROW, str(FIRST))})" if is_kept else text
-        span = f"{letters(place)}{first}:{letters(place)}{last}"
-        sheet.write_formula(top + 2, place, f"=MAX(MAX({span}),-MIN({span}))", shown_largest, number(float(np.abs(column).max())))
-        for step, value in enumerate(column.tolist()):
-            formula = text.replace(ROW, str(FIRST + step))
-            sheet.write_formula(top + 3 + step, place, f"={formula}", shown, number(value))
+        _write_largest(sheet, top + 2, place, first, column, shown_largest)
+        _write_small(sheet, place, first, text, column, shown)
+
+
+def _write_small(sheet: Any, place: int, first: int, text: str, values: Array, look: Any) -> None:
+    """Write what must be small into a column from a row on (from 1), a formula over each row of the table."""
+    for step, value in enumerate(values.tolist()):
+        sheet.write_formula(first - 1 + step, place, f"={text.replace(ROW, str(FIRST + step))}", look, number(value))
+
+
+def _write_largest(sheet: Any, row: int, place: int, first: int, values: Array, look: Any) -> None:
+    """Write the largest size in a column of such values."""
+    span = f"{letters(place)}{first}:{letters(place)}{first + len(values) - 1}"
+    sheet.write_formula(row, place, f"=MAX(MAX({span}),-MIN({span}))", look, number(float(np.abs(values).max())))
 
 
 def residuals_of(book: Book, table: StepTable) -> Iterator[Residual]:

@@ -231,6 +231,19 @@ def kind_of(si: str) -> tuple[tuple[int, int, int], str]:
     return mass_units.KINDS[si]
 
 
+def measures(quantity: Quantity, si: str) -> bool:
+    """Return whether a quantity may stand where `si` is wanted: of its kind, a bare number, or where all may stand ("")."""
+    return not quantity.si or not si or kind_of(quantity.si)[0] == kind_of(si)[0]
+
+
+def read_as(text: str | int | float, si: str) -> Quantity:
+    """Read as `read` does what must measure what `si` does.  Raises `UnitFault` with advice."""
+    found = read(text, si)
+    if not measures(found, si):
+        raise UnitFault(unlike(si, text))
+    return found
+
+
 def measured(si: str) -> Sentence:
     """Return what has an SI unit: a length, an angle."""
     return say(f"quantity.{si}")

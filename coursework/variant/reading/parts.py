@@ -128,7 +128,7 @@ class Parts:
         if isinstance(value, str) and not self.is_quantity(value):
             return self.formula(path, value, "scalar", scope)
         read = self.quantity(path, value, wanted)
-        if wanted and read.si and units.kind_of(read.si)[0] != units.kind_of(wanted)[0]:
+        if not units.measures(read, wanted):
             self.say(path, units.unlike(wanted, value))
         quarters = read.quarters
         size = Formula("number", name=repr(abs(read.value)), si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.units import UnitFault, exact_size, kind_of, read, unlike
+from coursework.variant.formula.units import UnitFault, exact_size, read_as
 from coursework.variant.record.variant import Changes, Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault, InputError
@@ -98,11 +98,9 @@ def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> flo
     """Return a value as the file writes it, in the author's unit where that says the same number."""
     if isinstance(value, str):
         try:
-            read_value = read(value, si)
+            read_value = read_as(value, si)
         except UnitFault as fault:
             raise _fault(variant, name, fault.message) from None
-        if read_value.si and si and kind_of(read_value.si)[0] != kind_of(si)[0]:
-            raise _fault(variant, name, unlike(si, value))
         return value if read_value.si or not unit else f"{value} {si}"
     try:
         number = float(value)

@@ -14,7 +14,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.takeaway.listing.listings import listing
 from coursework.takeaway.listing.program import program_of
-from coursework.takeaway.listing.syntax import SYNTAXES
+from coursework.takeaway.listing.syntax import syntax_of
 from coursework.variant.catalogue import names
 from tests.command import call
 from tests.hard.scenes import scene, solve
@@ -26,6 +26,7 @@ from tests.takeaway.workbook.test_workbook import THREE, off
 FILES = names()
 FORCED = [("example-2-motor", "euler"), ("example-2-motor", "semi-implicit"), ("falling-arm", "rk4")]
 PROGRAMS = {"python": sys.executable, "octave": "octave-cli", "c": "gcc", "pascal": "fpc", "javascript": "node"}
+ENDINGS = {"python": "py", "octave": "m", "c": "c", "pascal": "pas", "javascript": "js"}
 OTHERS = [language for language in PROGRAMS if language != "python"]
 GATE = {("31", language) for language in PROGRAMS} | {(name, "python") for name in SAMPLE}
 
@@ -39,7 +40,7 @@ def printed(text, language, folder):
     """The table that a program prints."""
     if shutil.which(PROGRAMS[language]) is None:
         pytest.skip(f"{PROGRAMS[language]} is not installed")
-    file, made = folder / f"own.{SYNTAXES[language].suffix}", folder / "made"
+    file, made = folder / f"own.{ENDINGS[language]}", folder / "made"
     file.write_text(text, encoding="utf-8")
     build = {
         "c": ["gcc", "-Wall", "-Werror", "-o", made, file, "-lm"], "pascal": ["fpc", "-v0", f"-o{made}", file],
@@ -111,7 +112,7 @@ def test_a_motion_that_stops_prints_the_rows_before(tmp_path):
 
 @pytest.mark.parametrize("language", PROGRAMS)
 def test_comments_are_numbered_and_speak_the_language_of_the_report(language):
-    mark = re.escape(SYNTAXES[language].comment)
+    mark = re.escape(syntax_of(language).comment)
     for words in ("en", "ru", "uk", "zh"):
         text = written(solved("31"), language, words)
         numbers = [int(one) for one in re.findall(rf"(?:^ *|  ){mark}(\d+) ", text, re.MULTILINE)]
@@ -134,7 +135,7 @@ def test_words_of_a_file_stay_in_their_comment():
     run = solve(text)
     for language in PROGRAMS:
         first = written(run, language).split("\n")[0]
-        assert first.startswith(SYNTAXES[language].comment) and "print(1)" in first and "\\" not in first
+        assert first.startswith(syntax_of(language).comment) and "print(1)" in first and "\\" not in first
 
 
 @pytest.mark.usefixtures("folder")

@@ -1,6 +1,7 @@
 """The head of a column -> which column of the task it may be, and its unit.
 
-Enters: a head's text and the columns of the task.  Leaves: `Head`.  Aliases are made from the names of the columns.
+Enters: a head's text and the columns of the task.  Leaves: `Head`.  Aliases are made from the names of the columns and
+`words.toml`.
 Used by whatever reads a file of a student or of a platform.
 """
 
@@ -10,7 +11,7 @@ import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
-from coursework.grading.reading.unit_names import fold, unit_of
+from coursework.grading.reading.unit_names import WORDS, fold, unit_of
 from coursework.system.frozen import frozen
 
 TIME = "t"
@@ -29,35 +30,11 @@ PRINTED: dict[str, dict[str, float]] = {
 }
 _OF_FORCE = re.compile(r"(.+?)[\s,/(\[]+(k?)[nh]([·*]?m)?[)\]]?\s*")  # behind a name, as `fold` leaves it: the Cyrillic one is h
 _LONGEST = 80  # characters of a head that are looked at
-_TIMES = ["t", "time", "время", "час", "zeit", "时间", "時間", "τ", "tau", "т", "t0", "ti", "tk"]
-_INDICES = [
-    "№", "no", "n", "nr", "i", "k", "j", "#", "строка", "рядок", "шаг", "крок", "step", "row", "zeile", "schritt", "номер", "num",
-    "number", "序号", "行", "步",
-]  # fmt: skip
-# Words before or in place of a symbol, by the SI unit of the column, and the symbols that stand for it.
-_WORDS = {
-    "rad": ["кут", "угол", "angle", "winkel", "角", "角度", "转角", "уголповорота", "кутповороту", "угл", "крен"],
-    "1/s": ["угл.скорость", "угловаяскорость", "кутовашвидкість", "кутовашв", "angularvelocity", "angularspeed", "angvel",
-            "winkelgeschwindigkeit", "角速度", "скорость", "швидкість", "velocity", "speed", "geschwindigkeit", "угловаяск"],
-    "m": ["перемещение", "переміщення", "displacement", "weg", "位移", "ход", "хід"],
-    "m/s": ["скорость", "швидкість", "velocity", "speed", "geschwindigkeit", "速度"],
-}  # fmt: skip
-_SYMBOLS = {
-    "phi": ["phi", "fi", "f", "ф", "фи", "фі", "varphi"],
-    "w": ["w", "omega", "om", "ом", "омега", "щ"],
-    "theta": ["theta", "th", "тета", "тэта", "vartheta"], "psi": ["psi", "пси", "псі"], "alpha": ["alpha", "альфа"],
-    "beta": ["beta", "бета"], "gamma": ["gamma", "гамма"],
-}  # fmt: skip
+_SYMBOLS, _QUANTITIES = WORDS["symbols"], WORDS["quantities"]
 _TURNING = [*_SYMBOLS["phi"], *_SYMBOLS["theta"]]
 _BY_UNIT = {"rad": _TURNING, "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}
-# Parts of the words that say what stands in a column, that it is another quantity, and which link is meant.
-_RATE = [*map(fold, ("velocit", "speed", "скорост", "швидк", "geschwind", "速度", "vel", "rate"))]
-_ANGLE = [*map(fold, ("ang", "кут", "угол", "угл", "поворот", "winkel", "角", "rotat", "dreh"))]
-_OTHER = [*map(fold, ("err", "diff", "delta", "ускор", "прискор", "accel", "похиб", "погреш", "точн", "误差", "加速", "beschleun",
-                      "fehler", "exact", "start", "initial", "нач", "поч", "change"))]  # fmt: skip
-_ORDINALS = {1: ["first", "перв", "перш", "一", "erst"], 2: ["second", "втор", "друг", "二", "zweit"],
-             3: ["third", "трет", "三", "dritt"], 4: ["fourth", "четв", "四", "viert"]}  # fmt: skip
-_ORDINALS = {k: [*map(fold, words)] for k, words in _ORDINALS.items()}
+_RATE, _ANGLE, _OTHER = ([*map(fold, WORDS[part])] for part in ("rate", "angle", "other"))
+_ORDINALS = {str(k): [*map(fold, words)] for k, words in enumerate(WORDS["ordinals"], start=1)}
 _PRIME = re.compile(r"(?<=[^\W_])['′’](?=\w|\s?[(\[,]|$)")
 _OF_TIME = ("(t)", "(tk)", "(ti)", "[t]")
 _FUNCTIONS = {"sin", "cos", "tan", "tg", "cot", "ctg"}  # a column of one is none of its argument
@@ -141,7 +118,7 @@ def _of_kind(said: str, unit: str, known: tuple[tuple[str, str], ...]) -> tuple[
     kinds = {si for si in PRINTED if unit and _fits(unit, si) and (not moves or si != "rad")}
     if turns or moves:
         kinds = {"rad"} if not moves else {"1/s"} if turns or "1/s" in kinds else kinds & {"m/s"} or {"m/s", "1/s"}
-    indices = {*re.findall(r"\d+", said)} or {str(k) for k, words in _ORDINALS.items() if any(word in said for word in words)}
+    indices = {*re.findall(r"\d+", said)} or {k for k, words in _ORDINALS.items() if any(word in said for word in words)}
     if len(indices) > 1 or not kinds or not (turns or moves or indices):
         return ()
     found = [name for name, si in known if si in kinds and (not indices or _parts(name)[1] in indices)]
@@ -206,13 +183,10 @@ def aliases(columns: tuple[tuple[str, str], ...]) -> Mapping[str, tuple[str, ...
         symbols = _SYMBOLS.get(stem, [stem])
         if [parts[other][1] for other, kind in columns if kind == unit].count(index) == 1:
             # The only angle (speed …) with this index may be called by any symbol of its kind.
-            symbols = [
-                *symbols,
-                *_BY_UNIT.get(unit, []),
-            ]
-        for symbol in (*symbols, *_WORDS.get(unit, [])):
+            symbols = [*symbols, *_BY_UNIT.get(unit, [])]
+        for symbol in (*symbols, *_QUANTITIES.get(unit, [])):
             offer(symbol + index, name)
-            for word in _WORDS.get(unit, []):
+            for word in _QUANTITIES.get(unit, []):
                 offer(word + symbol + index, name)
             if unit == "1/s":
                 for angle in _TURNING if index else ():
@@ -220,14 +194,11 @@ def aliases(columns: tuple[tuple[str, str], ...]) -> Mapping[str, tuple[str, ...
                         offer(rate.format(angle, index), name)
                 offer(f"{symbol}{index}z", name)
                 offer(f"{symbol}z{index}", name)
-    for spelling in _TIMES:
-        offer(spelling, TIME)
-        for word in ("время", "час", "time", "zeit", "时间"):
+    for spelling in WORDS["times"]:
+        for word in ("", *WORDS["before_times"]):
             offer(word + spelling, TIME)
-    for spelling in _INDICES:
+    for spelling in WORDS["indices"]:
         offer(spelling, INDEX)
-    for word in ("№пп", "№строки", "№рядка", "nпп", "номерстроки", "№точки", "точка", "point", "№п/п"):
-        offer(word, INDEX)
     # A column that is called so in the task is that column, whatever else the word could mean.
     return {key: (own[key],) if key in own else tuple(names) for key, names in found.items()} | {
         key: (name,) for key, name in own.items()
