@@ -23,13 +23,19 @@ from coursework.variant.judging.dimension_check import check_dimensions
 from coursework.variant.judging.plausibility import remarks_on
 from coursework.variant.judging.whole_file import faults_of_the_whole
 from coursework.variant.reading import schema
-from coursework.variant.reading.bodies import read_frame, read_group, read_link
 from coursework.variant.reading.names import Names
 from coursework.variant.reading.parts import Parts
+from coursework.variant.reading.sections import (
+    read_binding,
+    read_frame,
+    read_group,
+    read_link,
+    read_quote,
+    read_time,
+    read_unknown,
+)
 from coursework.variant.reading.shape import read_shape
 from coursework.variant.reading.tables import read_table
-from coursework.variant.reading.times import read_quote, read_time
-from coursework.variant.reading.unknowns import read_binding, read_unknown
 from coursework.variant.record.changes import with_changes
 from coursework.variant.record.texts import Texts
 from coursework.variant.record.variant import (

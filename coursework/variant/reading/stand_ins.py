@@ -1,7 +1,7 @@
 """A fault of a file -> a stand-in in its place, so that the rest can be read in the same go.
 
 Enters: the data of a file, the path of a fault and what pydantic says of it.  Leaves: the data changed.
-Used by `shape.py`; `bodies.py` knows the name of what nobody can read.
+Used by `shape.py`; `sections.py` knows the name of what nobody can read.
 """
 
 from __future__ import annotations
