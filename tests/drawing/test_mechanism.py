@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 from types import SimpleNamespace
 
 import pytest
@@ -14,8 +15,10 @@ from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.board import SCALES
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import Sheet
+from coursework.drawing.paper.symbols import ratio
 from coursework.mechanism.mechanism import build
 from coursework.run import Run
 from coursework.variant.catalogue import names
@@ -205,3 +208,11 @@ def test_a_rack_lies_beyond_its_contact_seen_from_the_gear(above):
     (rack,) = racks(outline, places)
     assert (rack.link, rack.contact, rack.side) == ("5", "P", -above)
     assert racks(outline, places | {"P": 2 + 0.1j}) == []
+
+
+def test_the_scale_of_an_enlargement_is_as_round_as_that_of_a_reduction():
+    """A coupling of 15 mm was drawn 6.666666666667:1."""
+    told = [str(ratio(scale)) for scale in SCALES]
+    assert {"1:1", "1.5:1", "6:1", "8:1", "1:1.5", "1:8"} <= {*told}
+    assert [scale for scale in told if not re.fullmatch(r"1:\d+(\.5)?|\d+(\.5)?:1", scale)] == []
+    assert all(fine < coarse for fine, coarse in pairwise(SCALES))

@@ -18,7 +18,8 @@ from coursework.words.sentence import Sentence
 EDGE = 2.0  # mm
 COLUMN = 170.0  # mm: the text of an A4 page with margins of 20 mm
 # Denominators of scales that are easily read off a ruler; a construction takes those of the drawing standards instead.
-SCALES = tuple(sorted(m * 10.0**k for k in range(-4, 12) for m in (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)))
+_ROUND = [m * 10.0**k for k in range(12) for m in (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)]
+SCALES = tuple(sorted({*_ROUND, *(1 / m for m in _ROUND if m < 1e4)}))  # of an enlargement it is the other number that is round
 _SPEEDS = tuple(sorted(m * 10.0**k for k in range(-12, 12) for m in (1.0, 2.0, 5.0)))
 
 Circle = tuple[complex, float]  # a place (mm, y down) and how much room it takes around

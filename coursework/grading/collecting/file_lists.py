@@ -79,6 +79,13 @@ def sorted_out(names: Names) -> tuple[str, tuple[FileList, ...]]:
     return "flat", _with_doubts(_flat(names))
 
 
+def of_nobody(platform: str, names: Names) -> list[str]:
+    """Return what belongs to no student: what bears no name of the platform, files that lie beside the folders of students."""
+    if platform == "moodle":
+        return sorted(top for top in names.tops if not moodle_owner(top))
+    return sorted(name for name, _ in names.files if "/" not in name) if platform == "folder" else []
+
+
 def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[FileList]:
     """Return one file list for each owner that a platform's names tell; other names belong to nobody."""
     owners: dict[str, list[Owner]] = {}

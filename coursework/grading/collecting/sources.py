@@ -17,7 +17,7 @@ from pathlib import Path, PurePosixPath
 from types import TracebackType
 from typing import IO
 
-from coursework.grading.collecting.file_lists import FileList, Names, sorted_out, unwrapped
+from coursework.grading.collecting.file_lists import FileList, Names, of_nobody, sorted_out, unwrapped
 from coursework.grading.platforms.names import legible
 from coursework.grading.reading.files.archive import legible_name
 from coursework.grading.reading.files.kinds import is_ignored, is_named_as_table
@@ -31,6 +31,7 @@ _MOST_PARTS = 200_000
 _ENTRY, _UTF8 = b"PK\x01\x02", 0x08  # an entry of the list of parts, and the mark (in its ninth byte) that its name is UTF-8
 HEAD = 4096  # bytes kept of a file that is too large, enough to tell what it is
 _DEPTH = 6
+_SHOWN = 8  # names of what belongs to nobody
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"))
 
 
@@ -47,6 +48,9 @@ class Source:
             raise InputError([Fault(say("fault.G001"), str(path))])
         names = self._names_in_zip() if self._zip else self._names_in_folder()
         self.platform, self.file_lists = sorted_out(names)
+        if left := of_nobody(self.platform, names):
+            shown = [legible(name)[:80] for name in left[:_SHOWN]]
+            self.remarks.append(say(f"screen.of_nobody.{self.platform}", names=(*shown, *["…"][: len(left) - len(shown)])))
 
     def __enter__(self) -> Source:
         """Return the source itself."""

@@ -14,6 +14,7 @@ import pytest
 from coursework.grading.batch.journal import Entry, Journal
 from coursework.grading.platforms.escapes import text_cell
 from coursework.system import lock
+from coursework.words.data_folders import folder
 from coursework.words.errors import OutputError
 from tests.grading.batch.classroom import EQUATIONS, csv, hand_in, small_class
 from tests.grading.batch.test_batch import grade, rows, submissions
@@ -210,6 +211,12 @@ def test_what_is_no_variant_is_not_quoted_and_long_ids_are_cut(tmp_path):
     (tmp_path / "roster.csv").write_text("id,name,email,variant\nada,A,a@b,private.txt\n", encoding="utf-8")
     done = grade(tmp_path / "in", tmp_path / "out", "--roster", tmp_path / "roster.csv")
     assert (done.exit_code, "secret" in done.output, done.output.count("G066")) == (2, False, 1)
+    own = tmp_path / "own.toml"
+    own.write_text(
+        (folder("variants") / "31.toml").read_text(encoding="utf-8").replace("format = 1\n", ""), encoding="utf-8"
+    )  # it is 1 where left out
+    (tmp_path / "roster.csv").write_text("id,name,email,variant\nada,A,a@b,own.toml\n", encoding="utf-8")
+    assert grade(tmp_path / "in", tmp_path / "own", "--roster", tmp_path / "roster.csv").exit_code == 0
     long = "x" * 300
     (tmp_path / "roster.csv").write_text(f"id,name,email,variant\n{long},A,a,31\n{long},B,b,31\n", encoding="utf-8")
     done = grade(tmp_path / "in", tmp_path / "out", "--roster", tmp_path / "roster.csv")

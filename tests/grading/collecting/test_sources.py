@@ -242,3 +242,20 @@ def test_folders_are_opened_five_deep(tmp_path: Path, deep: int, is_read: bool) 
     write(tmp_path, "/".join([*"abcdef"[:deep], "t.csv"]))
     found = collect_one(tmp_path)
     assert (names(found), len(found.notes)) == (["a/b/c/d/e/t.csv"] if is_read else [], 0 if is_read else 1)
+
+
+@pytest.mark.parametrize(("students", "beside", "told"), [
+    ("Ada Byron_1001_assignsubmission_file", "Late Student/table.csv", "other names: Late Student. Rename"),  # sent by mail
+    ("ada", "late.csv", "no student's folder: late.csv"),
+])  # fmt: skip
+def test_what_belongs_to_nobody_is_told(tmp_path: Path, students: str, beside: str, told: str) -> None:
+    write(tmp_path, f"{students}/table.csv")
+    with Source(tmp_path) as source:
+        assert source.remarks == []
+    write(tmp_path, beside)
+    with Source(tmp_path) as source:
+        (remark,) = source.remarks
+    assert told in str(remark)
+    write(tmp_path, *(f"{place}-{beside}" for place in range(12)))
+    with Source(tmp_path) as source:
+        assert str(source.remarks[0]).count("-") == 8 and "…" in str(source.remarks[0])

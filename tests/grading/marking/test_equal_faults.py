@@ -35,6 +35,13 @@ def variants():
     return [Desk(variant) for variant in found]
 
 
+@cache
+def with_a_steady_drive():
+    """The crank of most tasks: at any other time the velocities are the same, so no rule of time differs from Euler's."""
+    steady = SLIDER_CRANK.replace(b"w0 + eps*sin(3*t)", b"w0 + 0*eps")
+    return [*variants(), Desk(parse_variant(steady, "own.toml", {}))]
+
+
 class Desk:
     """Where tables of one variant are handed in; `accepted` decimals are those of its class."""
 
@@ -96,7 +103,7 @@ def test_a_start_value_typed_wrong_and_not_used_is_one_cell():
 
 def test_one_slip_costs_the_same_in_every_row():
     points = []
-    for desk in variants():
+    for desk in with_a_steady_drive():
         m = desk.machine.m
         for row in (0, 1, 7, desk.machine.rows - 2):
             for place in range(m if row == 0 else 0, len(desk.key.names)):
@@ -181,7 +188,10 @@ def test_exchanged_columns_are_named_both():
         names, m = desk.key.names, desk.machine.m
         for first in range(len(names)):
             for second in range(first + 1, len(names)):
-                if (first < m) == (second < m) and desk.variant.unit_of(names[first]) == desk.variant.unit_of(names[second]):
+                is_like = (first < m) == (second < m) and desk.variant.unit_of(names[first]) == desk.variant.unit_of(
+                    names[second]
+                )
+                if is_like or (first, second) == (m - 1, len(names) - 1):  # an angle where the last velocity should stand
                     order = list(range(len(names)))
                     order[first], order[second] = second, first
                     _, table = desk.marked(desk.machine.table()[:, order])
@@ -218,7 +228,7 @@ def test_a_start_value_is_told_as_the_task_has_it_whatever_turns_were_taken_off(
 
 def test_a_row_too_many_or_too_few_costs_a_row():
     points = []
-    for desk in variants():
+    for desk in with_a_steady_drive():
         machine = desk.machine
         right, long = machine.table(), machine.table(rows=machine.rows + 1)
         before = right[0].copy()
@@ -252,7 +262,7 @@ def test_a_chain_of_groups_under_a_steady_drive_is_marked_like_the_others():
     for shifted in (long[1:], np.vstack([long[:19], long[18:]])[: desk.machine.rows]):
         found, table = desk.marked(shifted)
         assert found > 57
-        assert table.earned.cause == "rows_shifted"
+        assert codes(table)[0] == "rows_shifted"
 
 
 def sign_faults(constraint):

@@ -202,6 +202,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "own-sum": files(*own_sum()),
         "degrees-drive": files(degrees_in(drive=True)),
         "degrees-equations": files(degrees_in(drive=False)),
+        "degrees-put-in": files(students.table(printed=lambda t, q: velocities(t, np.degrees(q)))),
         "new-phi": files(new_phi()),
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
     }

@@ -86,6 +86,9 @@ def test_derivatives_by_the_crank() -> None:
         "".join(run.get("t", run.get("v", "") + run.get("s", "")) for run in derivative("dphi2/dphi1")) == "d\u2009φ2/d\u2009φ1"
     )
     assert {"p": "2"} in derivative("d2phi2/dphi12")
+    coupler = {"v": "θ", "s": "coupler"}  # as a word it would be too wide for the head of a column, and stand over the next one
+    assert coupler in derivative("dtheta_coupler/dphi1") and coupler in runs("θ_coupler = 3 rad")
+    assert runs("see e_twelve_twice and x_mmmmmmmmmmmmm") == [{"t": "see e_twelve_twice and x_mmmmmmmmmmmmm"}]
 
 
 @pytest.mark.parametrize(

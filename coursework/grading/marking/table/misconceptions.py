@@ -116,7 +116,8 @@ def explanations(
     began = own_start(key, cells)
     elsewhere = began is not None or begins_elsewhere(key, cells)
     by_key = np.asarray(cells.marks == KEY)
-    key_share = share_of(by_key & spoken, spoken) if elsewhere else euler_share
+    stands = share_of(by_key & spoken, spoken)  # under a steady drive rows in wrong places follow Euler's rules all the same
+    key_share = stands if elsewhere else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
@@ -130,6 +131,7 @@ def explanations(
             continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
         share, against = share_of(holds, says), key_share if claim.is_whole else euler_share
+        against = stands if claim.code == ROWS_SHIFTED else against
         known = named.get(claim.code)
         is_told = claim.code != OWN and claim.code not in hidden
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:

@@ -127,15 +127,13 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
-    """Two columns of one kind exchanged; whole turns are taken off after they are put back."""
+    """Two columns exchanged; whole turns are taken off after they are put back."""
     key, student, m = printed.key, printed.student, printed.m
     turns = np.zeros(len(key.names)) if student.turns is None else student.turns
     tolerance = as_printed(key, np.nan_to_num(student.units))
     with np.errstate(invalid="ignore"):
         as_it_is = np.abs(student.values - key.table) <= tolerance
     for first, second in combinations(range(len(key.names)), 2):
-        if key.variant.unit_of(key.names[first]) != key.variant.unit_of(key.names[second]) or (first < m) != (second < m):
-            continue
         order = list(range(len(key.names)))
         order[first], order[second] = second, first
         values = (student.values + _TURN * turns)[:, order]
@@ -145,7 +143,8 @@ def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
             values[:, place] = student.values[:, place]
         close = near(values, key.table, tolerance[:, order])
         pair = [first, second]
-        begins = first < m and close[0, pair].all() and not as_it_is[0, pair].any()
+        is_like = second < m and key.variant.unit_of(key.names[first]) == key.variant.unit_of(key.names[second])
+        begins = is_like and close[0, pair].all() and not as_it_is[0, pair].any()
         if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):
             names = (key.names[first], key.names[second])
             yield _as_euler("swapped_columns", StudentTable(values, student.units[:, order]), names)

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from coursework.grading.marking.decimals import NO_GAP
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import MISSING, WRONG, Cells
 from coursework.grading.marking.table.claims import Claim
@@ -33,7 +34,7 @@ def untold_steps(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
     m, gaps = len(key.coordinates), _gaps(key, rows)
     marks = cells.marks[rows[1:], :m]
     told = np.where(marks == MISSING, 0.0, gaps)
-    euler = float((told * (marks != WRONG)).sum()) / (float(told.sum()) or 1.0)
+    euler = float((told * (marks != WRONG)).sum() / told.sum()) if told.any() else 1.0
     open_by = cells.way(STEP).tolerance[rows[1:], :m]
     found = np.zeros_like(steps)
     found[rows[1:], :m] = steps[rows[1:], :m] & (gaps <= _TOLD * open_by)
@@ -64,9 +65,15 @@ def _right_with_all_digits(key: Key, table: Array) -> Flags:
 
 
 def _gaps(key: Key, rows: Places) -> Array:
-    """Return how near to Euler's steps from one of some rows to the next (n - 1, m) those of Heun or of another time come."""
+    """Return how near to Euler's steps from one of some rows to the next (n - 1, m) those of Heun or of another time come.
+
+    A rule that makes of a coordinate what Euler's does, as any time does under a steady drive, is no other one; 0 where all do.
+    """
     off = np.pad(key.off_euler, ((0, 0), (1, 0), (0, 0)))
-    return np.asarray(np.min(np.abs(np.diff(np.cumsum(off, axis=1)[:, rows], axis=1)), axis=0))
+    gaps = np.abs(np.diff(np.cumsum(off, axis=1)[:, rows], axis=1))
+    is_other = np.abs(off).max(axis=1, keepdims=True) > NO_GAP * key.ranges[: off.shape[2]]
+    nearest = np.min(np.where(is_other, gaps, np.inf), axis=0)
+    return np.asarray(np.where(np.isfinite(nearest), nearest, 0.0))
 
 
 def ramp(share: float, none: float, whole: float) -> float:

@@ -23,7 +23,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-_FORMAT = re.compile(r"^[ \t]*format[ \t]*=", re.MULTILINE)
+_ITS_OWN = re.compile(r"^[ \t]*(?:format[ \t]*=|\[coordinates\])", re.MULTILINE)  # no variant is without coordinates
 _SAME = 1e-9
 
 
@@ -39,7 +39,7 @@ class VariantFile:
 
 def is_variant_file(text: str) -> bool:
     """Return whether a text is meant as a variant file."""
-    return _FORMAT.search(text[: 4 * MAX_BYTES]) is not None
+    return _ITS_OWN.search(text[: 4 * MAX_BYTES]) is not None
 
 
 def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantFile:
