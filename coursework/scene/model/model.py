@@ -136,11 +136,7 @@ class Model:
         >>> coursework.compile_model("31").data({"p": [10.0, 13.08], "r1": "953 mm"}).count
         2
         """
-        return self._own if columns is None else columns if isinstance(columns, Data) else read_data(self.variant, columns)
-
-    @cached_property
-    def _own(self) -> Data:
-        return read_data(self.variant)
+        return columns if isinstance(columns, Data) else read_data(self.variant, columns)
 
     def rates(self, t: ArrayLike, q: ArrayLike, data: Any = None) -> Array:
         """Return the velocities (…, k) in rad/s and m/s at times and positions.
