@@ -22,7 +22,17 @@ gc.set_threshold(50_000, 20, 100)
 # PyMuPDF would load a neural net that looks for paragraphs, and nobody asks it for any.
 sys.modules["pymupdf.layout"] = None  # type: ignore[assignment]
 
-BROWSERS = ("chromium", "google-chrome", "chromium-browser", "google-chrome-stable", "chrome", "msedge")
+# The first is the engine of the others alone: it opens the same pages for three quarters of the processor time.
+BROWSERS = (
+    "chromium-headless-shell", "chromium", "google-chrome", "chromium-browser", "google-chrome-stable", "chrome", "msedge",
+)  # fmt: skip
+# Without hinting, letters are as wide in the engine alone as in a whole browser.
+STARTED = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--font-render-hinting=none"]
+
+
+def installed_browser() -> str | None:
+    """Return the path of a browser of this machine, None where there is none."""
+    return next((path for name in BROWSERS if (path := shutil.which(name))), None)
 
 
 @pytest.fixture
@@ -36,12 +46,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def browser() -> Iterator[Any]:
     """A headless Chromium; tests that need it are skipped, with the reason, on machines without one."""
     driver = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    found = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    found = installed_browser()
     if found is None:
         pytest.skip(f"no browser on this machine (looked for {', '.join(BROWSERS)})")
-    quiet = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
     with driver.sync_playwright() as play:
-        running = play.chromium.launch(executable_path=found, args=quiet)
+        running = play.chromium.launch(executable_path=found, args=STARTED)
         yield running
         running.close()
 

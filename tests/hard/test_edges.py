@@ -13,14 +13,14 @@ from tests.hard.more_edges import drawn as drawn_more
 from tests.hard.scenes import ROOT
 
 
-@pytest.mark.parametrize("seed", range(1000, 1020))
+@pytest.mark.parametrize("seed", range(1000, 1012))
 def test_nothing_that_passes_is_wrong(seed, draw=drawn):
     edge = draw(seed)
     wrong, told, spent = judged(edge)
     assert not wrong, (edge.told, wrong, told, spent, edge.text)
 
 
-@pytest.mark.parametrize("seed", range(1000, 1020))
+@pytest.mark.parametrize("seed", range(1000, 1012))
 def test_nothing_that_passes_is_wrong_in_more_families(seed):
     test_nothing_that_passes_is_wrong(seed, drawn_more)
 

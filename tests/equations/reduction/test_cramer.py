@@ -75,7 +75,7 @@ OTHER_DIVISORS = (2, [
 ])  # fmt: skip
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(systems(), st.integers(0, 10**6))
 @example((2, [([(0, "a*cos(q0)"), (1, "b*cos(q1)")], "V"), ([(0, "-a*sin(q0)"), (1, "-b*sin(q1)")], "0")]), 1)
 @example((2, [([(0, "c"), (1, "c")], "V"), ([(0, "a*cos(q0)"), (1, "b*q1")], "0")]), 2)

@@ -36,7 +36,7 @@ def largest_matchings(rows, columns):
     return {frozenset()}
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(incidences())
 def test_as_many_are_matched_as_can_be(incidence):
     rows, columns = incidence
@@ -47,7 +47,7 @@ def test_as_many_are_matched_as_can_be(incidence):
     assert len(matched) == len(next(iter(largest_matchings(rows, columns))))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(incidences(square=True))
 def test_blocks_are_the_strong_components_in_an_order_that_can_be_solved(incidence):
     rows, columns = incidence
@@ -66,7 +66,7 @@ def test_blocks_are_the_strong_components_in_an_order_that_can_be_solved(inciden
         assert all(needs[column] <= done for column in block)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(incidences())
 def test_over_and_under_determined_parts(incidence):
     """Dulmage and Mendelsohn: a row that some largest matching leaves out is in the over-determined part, and vice versa."""

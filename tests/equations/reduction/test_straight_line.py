@@ -45,7 +45,7 @@ def compiled(*wanted, arrays=False, definitions=None):
     return compile_function("values", ["x", "y"], body, results, numpy=arrays)
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)  # a sine of 1e9 has few digits: none is drawn anew each run
+@settings(max_examples=75, deadline=None, derandomize=True)  # a sine of 1e9 has few digits: none is drawn anew each run
 @given(st.lists(NODES, min_size=1, max_size=3))
 def test_the_lines_mean_the_expressions(wanted):
     points = [(0.3, -1.1), (1.7, 0.4), (-0.9, 2.2)]

@@ -7,7 +7,7 @@ from coursework.grading.marking.table.ways import KEY
 from tests.grading.marking.test_equal_faults import variants
 from tests.grading.marking.test_more_right_never_less import earned
 
-PAIRS = 60
+PAIRS, MANY = 40, 60
 
 
 def mistyped(chance, value):
@@ -46,10 +46,10 @@ def put_right(desk, worse, places):
     return better
 
 
-def losses(seed):
+def losses(seed, count=MANY):
     """What pairs of a table and the same with some cells put right lose, of those that lose any: in parts of a cell."""
     chance, given, lost = np.random.default_rng(seed), 0, []
-    while given < PAIRS:
+    while given < count:
         desk = variants()[chance.integers(len(variants()))]
         machine = desk.machine
         carried = (int(chance.integers(1, machine.rows)), int(chance.integers(2 * machine.m)), chance.choice([-1, 1]) * 0.1)
@@ -68,17 +68,17 @@ def losses(seed):
 
 
 def test_cells_put_right_do_not_lower_the_points_of_a_table_with_slips():
-    assert losses(31) == []
+    assert losses(31, PAIRS) == []
 
 
 @pytest.mark.long
 def test_of_hundreds_hardly_any_loses_and_none_more_than_the_cell_that_was_put_right():
     """What cells were is searched for, and the search misses some: the limit tells how many, and of how much."""
     lost = [loss for seed in range(32, 42) for loss in losses(seed)]
-    assert len(lost) <= 10 * PAIRS // 200 and max(lost, default=0.0) <= 1 + 1e-9
+    assert len(lost) <= 10 * MANY // 200 and max(lost, default=0.0) <= 1 + 1e-9
 
 
-@pytest.mark.parametrize("number", [0, 2, *(pytest.param(number, marks=pytest.mark.long) for number in (1, 3, 4, 5))])
+@pytest.mark.parametrize("number", [0, *(pytest.param(number, marks=pytest.mark.long) for number in range(1, 6))])
 @pytest.mark.parametrize("twice", [True, False])
 def test_rows_that_belong_elsewhere_stay_explained_while_their_cells_are_put_right(number, twice):
     """So many cells may stand right by then that hardly more are right with the rows put back; they were worth 7 points."""

@@ -21,6 +21,8 @@ from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import PULLED_BARS, SLIDER_CRANK, Machine
 
 NEAR = 2.0  # points of 60 between the same fault in two places
+# One of each mechanism; `--long` asks all of them here, and a dozen of two mechanisms in test_twelve_variants.py.
+of_each = pytest.mark.parametrize("numbers", [(0, 2, 4, 5), pytest.param(range(6), marks=pytest.mark.long)], ids=len)
 
 
 @cache
@@ -39,7 +41,7 @@ def variants():
 def with_a_steady_drive():
     """The crank of most tasks: at any other time the velocities are the same, so no rule of time differs from Euler's."""
     steady = SLIDER_CRANK.replace(b"w0 + eps*sin(3*t)", b"w0 + 0*eps")
-    return [*variants(), Desk(parse_variant(steady, "own.toml", {}))]
+    return Desk(parse_variant(steady, "own.toml", {}))
 
 
 class Desk:
@@ -76,9 +78,10 @@ def close(points, near=NEAR):
     assert max(points) - min(points) <= near, sorted(points)
 
 
-def test_a_mistyped_start_costs_the_same_in_every_coordinate_and_variant():
+@of_each
+def test_a_mistyped_start_costs_the_same_in_every_coordinate_and_variant(numbers):
     points = []
-    for desk in variants():
+    for desk in (variants()[number] for number in numbers):
         for place, name in enumerate(desk.key.coordinates):
             if desk.key.velocities[place] in desk.variant.known_rates and desk.key.velocities[place] == "w1":
                 continue  # a driven crank turned further: as below, its rate does not feel the start
@@ -101,9 +104,10 @@ def test_a_start_value_typed_wrong_and_not_used_is_one_cell():
         assert found == pytest.approx(60 - 60 / marked.points.cells, abs=0.01)
 
 
-def test_one_slip_costs_the_same_in_every_row():
+@of_each
+def test_one_slip_costs_the_same_in_every_row(numbers):
     points = []
-    for desk in with_a_steady_drive():
+    for desk in [*(variants()[number] for number in numbers), with_a_steady_drive()]:
         m = desk.machine.m
         for row in (0, 1, 7, desk.machine.rows - 2):
             for place in range(m if row == 0 else 0, len(desk.key.names)):
@@ -126,8 +130,9 @@ def test_degrees_for_radians_cost_the_same_wherever_they_are(where):
         assert code in codes(table)
 
 
-def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen():
-    for desk in variants():
+@of_each
+def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen(numbers):
+    for desk in (variants()[number] for number in numbers):
         machine, h = desk.machine, desk.machine.h / 2
         fine = machine.table(step=h, rows=2 * machine.rows - 1)
         times = np.arange(len(fine)) * h
@@ -183,8 +188,9 @@ def test_a_value_is_another_from_a_thousandth_on(part, told):
     assert not told or found["r1"] == pytest.approx(part * value, rel=1e-6)
 
 
-def test_exchanged_columns_are_named_both():
-    for desk in variants():
+@of_each
+def test_exchanged_columns_are_named_both(numbers):
+    for desk in (variants()[number] for number in numbers):
         names, m = desk.key.names, desk.machine.m
         for first in range(len(names)):
             for second in range(first + 1, len(names)):
@@ -226,9 +232,10 @@ def test_a_start_value_is_told_as_the_task_has_it_whatever_turns_were_taken_off(
     assert "phi2 should begin with the start value 3.32 rad of the task; 0.08 rad stands there" in table.first.sentence
 
 
-def test_a_row_too_many_or_too_few_costs_a_row():
+@of_each
+def test_a_row_too_many_or_too_few_costs_a_row(numbers):
     points = []
-    for desk in with_a_steady_drive():
+    for desk in [*(variants()[number] for number in numbers), with_a_steady_drive()]:
         machine = desk.machine
         right, long = machine.table(), machine.table(rows=machine.rows + 1)
         before = right[0].copy()
@@ -273,9 +280,10 @@ def sign_faults(constraint):
             yield text[:place] + ("-" if sign == "+" else "+") + text[place + 1 :]
 
 
-def test_a_sign_in_an_equation_is_worth_the_same_with_any_equations_handed_in():
+@of_each
+def test_a_sign_in_an_equation_is_worth_the_same_with_any_equations_handed_in(numbers):
     points = []
-    for desk in variants():
+    for desk in (variants()[number] for number in numbers):
         right = desk.machine.table()
         for constraint in desk.variant.constraints:
             for text in list(sign_faults(constraint))[:2]:
@@ -291,7 +299,7 @@ def test_a_sign_in_an_equation_is_worth_the_same_with_any_equations_handed_in():
                     assert three[0][0] > 30  # the slip spoils few columns: those cells are what it costs
                 else:
                     points.append(three[0][0])
-    assert len(points) > 20
+    assert len(points) > 3 * len(numbers)
     close(points)
 
 

@@ -18,7 +18,7 @@ from coursework.variant.formula.tree import Formula, spelled
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.test_equal_faults import sign_faults, variants
 
-PAIRS, MANY = 60, 1000
+PAIRS, MANY = 40, 1000
 # Tables of motions that ran into a singular place, where no digits tell anything, are left out.
 BLOWN_UP = 300
 

@@ -173,7 +173,7 @@ def test_grashof_neutral_linkage_folds_at_any_scale(mode: int) -> None:
         assert solved.determinant[0] == 0.0
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(
     st.floats(0.1, 10.0),
     st.floats(0.1, 10.0),

@@ -233,7 +233,7 @@ def turned(difference: Array, angle: bool) -> Array:
 
 
 @pytest.mark.parametrize("group", SCENES)
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=125, deadline=None)
 @given(data=st.data())
 def test_the_textbook_equations_hold(group: str, data: st.DataObject) -> None:
     scene = data.draw(SCENES[group])
@@ -255,7 +255,7 @@ def test_the_textbook_equations_hold(group: str, data: st.DataObject) -> None:
 
 
 @pytest.mark.parametrize("group", SCENES)
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=125, deadline=None)
 @given(data=st.data())
 def test_finite_differences_of_positions(group: str, data: st.DataObject) -> None:
     scene = data.draw(SCENES[group])

@@ -5,13 +5,13 @@ The mechanism is the shaper of a task sheet, which stands in no file of the cata
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.conftest import installed_browser
 from tests.drawing.test_clearest import SHAPER
 
 pytestmark = pytest.mark.browser
@@ -41,11 +41,11 @@ def test_every_graph_is_drawn_when_the_page_is_there(shaper: Path, opened: Any) 
 
 
 def test_a_picture_taken_by_the_browser_alone_has_the_graphs(shaper: Path, tmp_path: Path) -> None:
-    chromium = shutil.which("chromium")
-    if chromium is None:
-        pytest.skip("no chromium on the path")
+    found = installed_browser()
+    if found is None:
+        pytest.skip("no browser on the path")
     told = subprocess.run(
-        [chromium, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", (shaper / "report.html").as_uri()],
+        [found, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", (shaper / "report.html").as_uri()],
         capture_output=True, text=True, check=True, timeout=120, encoding="utf-8",
     ).stdout  # fmt: skip
     panels = told.partition('id="live-panels"')[2].partition('class="live-below"')[0]

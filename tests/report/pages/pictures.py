@@ -8,7 +8,6 @@ All letters are those of one face, which comes with matplotlib: set in those of 
 from __future__ import annotations
 
 import base64
-import shutil
 import tempfile
 from functools import cache
 from pathlib import Path
@@ -17,7 +16,7 @@ from typing import Any
 import matplotlib
 import pymupdf
 
-from tests.conftest import BROWSERS
+from tests.conftest import STARTED, installed_browser
 from tests.report.pages.all_kinds import KINDS, make
 
 SEEN = Path(__file__).parent / "seen"
@@ -52,10 +51,9 @@ def main() -> None:
     """Take all of them anew."""
     from playwright.sync_api import sync_playwright
 
-    found = next(path for name in BROWSERS if (path := shutil.which(name)))
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
         places = make(Path(folder))
-        browser = play.chromium.launch(executable_path=found, args=["--no-sandbox", "--disable-gpu"])
+        browser = play.chromium.launch(executable_path=installed_browser(), args=STARTED)
         for name, (kind, width, colours) in VIEWS.items():
             take(browser, places[kind], width, colours).save(SEEN / f"{name}.png")
         browser.close()

@@ -49,7 +49,7 @@ def read(text, **options):
         return fault
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=200, deadline=None)
 @given(scalar_trees)
 @example(Formula("neg", (Formula("^", (Formula("name", name="a"), Formula("number", name="2"))),)))
 @example(Formula("^", (Formula("neg", (Formula("name", name="a"),)), Formula("number", name="2"))))
@@ -62,7 +62,7 @@ def test_written_and_read_again_a_formula_has_the_same_value(tree):
     assert again.names() == tree.names()
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(st.one_of(vector_trees, parts))
 def test_vectors_are_written_and_read_again(tree):
     again = read(spelled(tree), vectors=True)
@@ -71,7 +71,7 @@ def test_vectors_are_written_and_read_again(tree):
     assert place(again) == pytest.approx(place(tree), rel=1e-15, nan_ok=True)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(scalar_trees, scalar_trees)
 def test_equations_are_written_and_read_again(left, right):
     try:
@@ -81,7 +81,7 @@ def test_equations_are_written_and_read_again(left, right):
     assert [value(side) for side in sides] == [value(left), value(right)]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(any_text, st.booleans())
 @example("(" * 10_000 + ")" * 10_000, False)
 @example("-" * 100_000, False)
@@ -106,7 +106,7 @@ def test_any_text_is_read_or_refused_at_once(text, vectors):
     assert time.process_time() - begun < 2
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(spoilt(scalar_trees.map(spelled)))
 def test_a_spoilt_formula_is_read_or_refused(text):
     again = read(text)

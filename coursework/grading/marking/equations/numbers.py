@@ -88,9 +88,9 @@ def _size(tree: Formula, names: Mapping[str, Any]) -> Any:
     return np.abs(computed(tree, names, {}))
 
 
-def real(values: Any, rows: int) -> Array:
-    """Return a scalar value as an array (rows,).  Raises `NoValue` for a vector."""
+def real(values: Any, *shape: int) -> Array:
+    """Return a scalar value as an array of a shape.  Raises `NoValue` for a vector."""
     if np.iscomplexobj(values):
         raise NoValue("a vector stands where a number was expected")
     found = np.asarray(values, dtype=float)
-    return found if found.shape == (rows,) else np.broadcast_to(found, (rows,))
+    return found if found.shape == shape else np.broadcast_to(found, shape)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 
 import numpy as np
 
@@ -166,8 +166,8 @@ class TableUnderTest:
     def marched(
         self, velocities_at: Callable[[Array, Array], Array], increments: Callable[[Array, Array, Array], Array] | None = None
     ) -> Callable[[], Array]:
-        """Return what makes the whole table from the task's start, with other velocities or other steps."""
-        return partial(march, self.key, self.key.table[0, : self.m], velocities_at, increments)
+        """Return what makes the whole table from the task's start, with other velocities or other steps: once, if at all."""
+        return cache(partial(march, self.key, self.key.table[0, : self.m], velocities_at, increments))
 
     def claim(
         self,

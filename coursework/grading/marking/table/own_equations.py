@@ -147,12 +147,10 @@ def _solved(key: Key, trees: Sequence[Formula], t: Array, q: Array) -> Array:
     names = names_at(key, t, q)
     rows, count = len(t), len(sought)
 
-    def residuals(velocities: Array) -> Array:
-        known = {**names, **dict(zip(sought, velocities, strict=True))}
-        return np.column_stack([real(value_of(tree, known), rows) for tree in trees])
-
-    rest = residuals(np.zeros(count))
-    matrix = np.stack([residuals(np.eye(count)[place]) - rest for place in range(count)], axis=-1)
+    # All velocities zero, then each of them one by itself: (count + 1, rows) at once.
+    known = {**names, **dict(zip(sought, np.eye(count + 1, count, -1).T[..., None], strict=True))}
+    rest, *others = np.stack([real(value_of(tree, known), count + 1, rows) for tree in trees], axis=-1)
+    matrix = np.stack([one - rest for one in others], axis=-1)
     found = np.full((rows, len(key.velocities)), np.nan)
     usable = np.flatnonzero(np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(rest).all(axis=1))
     taken = _independent(matrix[usable])
@@ -173,7 +171,7 @@ def _independent(matrix: Array) -> list[int]:
     """Return the places of the first independent lines of a matrix (n, lines, k), as most of a few of its points see them."""
     if not len(matrix):
         return []
-    points = matrix[np.linspace(0, len(matrix) - 1, 5).round().astype(int)]
+    points = matrix[np.linspace(0, len(matrix) - 1, min(5, len(matrix))).round().astype(int)]
     taken: list[int] = []
     for place in range(points.shape[1]):
         ranks = np.linalg.matrix_rank(points[:, [*taken, place]], tol=None)

@@ -198,8 +198,8 @@ def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
 
     A step beside which those of its coordinate are may be broken: one slip, or one cell put right, is no other motion.
     """
-    edged = np.pad(near, ((1, 1), (0, 0)), constant_values=True)
-    near = near | (edged[:-2] & edged[2:])
+    edge = np.ones_like(near[:1])
+    near = near | (np.concatenate([edge, near[:-1]]) & np.concatenate([near[1:], edge]))
     joined = (np.mean(near, axis=1) >= _MOST) & moves
     follows = np.zeros(len(q), dtype=bool)
     follows[1:] |= joined

@@ -53,6 +53,7 @@ def relates_two_sides(text: str) -> bool:
     return _RELATION.search(ARROWS.sub(" ", text)) is not None or _WORDS.search(text) is not None
 
 
+@lru_cache(1024)  # a line is looked at by several readers, one after the other
 def plain_signs(text: str) -> str:
     r"""Return a line with the letters and signs of a keyboard; Greek letters stay.
 

@@ -69,8 +69,8 @@ def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velo
     """Return coordinates (n, m) and digits; what is `right`, and no step from above, is that step."""
     m, h = len(key.coordinates), key.stride
     q, units = student.values[:, :m].copy(), student.units.copy()
-    beside = np.pad(right, ((1, 1), (0, 0)), constant_values=True)
-    edge = right & ~(beside[:-2] & beside[2:])
+    beside = np.ones_like(right[:1])
+    edge = right & ~(np.concatenate([beside, right[:-1]]) & np.concatenate([right[1:], beside]))
     for place in range(m):
         column, digits, rates = q[:, place].tolist(), units[:, place].tolist(), units[:, m + place].tolist()
         last = 0
