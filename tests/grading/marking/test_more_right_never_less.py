@@ -16,7 +16,7 @@ from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import Formula, spelled
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.test_equal_faults import sign_faults, variants
+from tests.grading.marking.table.test_equal_faults import sign_faults, variants
 
 PAIRS, MANY = 40, 1000
 # Tables of motions that ran into a singular place, where no digits tell anything, are left out.

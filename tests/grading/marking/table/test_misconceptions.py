@@ -10,7 +10,7 @@ from coursework.grading.marking.key import key_of
 from coursework.grading.marking.table.cells import mark_cells
 from coursework.grading.marking.table.misconceptions import euler_cells, explanations, indistinct, looked_for
 from tests.grading.marking import students
-from tests.grading.marking.test_cells import printed
+from tests.grading.marking.table.test_cells import printed
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.table.ways import KEY
-from tests.grading.marking.test_equal_faults import variants
+from tests.grading.marking.table.test_equal_faults import variants
 from tests.grading.marking.test_more_right_never_less import earned
 
 PAIRS, MANY = 40, 60

@@ -9,8 +9,8 @@ import coursework
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.table.earning import ROUNDED
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.test_equal_faults import Desk, close, codes
-from tests.grading.marking.test_twelve_variants import desks
+from tests.grading.marking.table.test_equal_faults import Desk, close, codes
+from tests.grading.marking.table.test_twelve_variants import desks
 from tests.grading.whole_class.tables import from_rows_before, slopes
 
 DECIMALS = (2, 3, 5)  # of variant 31's class two are accepted

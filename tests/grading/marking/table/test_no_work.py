@@ -12,7 +12,7 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.variant.reading.reader import parse_variant
-from tests.grading.marking.test_equal_faults import Desk
+from tests.grading.marking.table.test_equal_faults import Desk
 
 MOST = 5 / 60
 NAMES = ("31", "v102", "v108", "example-1", "watt", "jansen")

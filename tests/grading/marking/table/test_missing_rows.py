@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.grading.marking.test_equal_faults import variants
-from tests.grading.marking.test_no_work import MOST, NAMES, marker, share, without_work
+from tests.grading.marking.table.test_equal_faults import variants
+from tests.grading.marking.table.test_no_work import MOST, NAMES, marker, share, without_work
 
 
 def left_out(chance, rows):
