@@ -11,6 +11,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
 from coursework.report.sections.answer import answer
 from coursework.report.sections.laws import laws_shown, moved_by_forces
+from coursework.report.sections.masses_and_loads import masses_and_loads
 from coursework.report.sections.remarks import as_written, remarks
 from coursework.report.text.numbers import NOTHING, aligned, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
@@ -29,7 +30,7 @@ GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text ha
 
 
 def statement(context: PageContext) -> list[Part]:
-    """Title block, what drives what, the mechanism, its data beside the answer, remarks."""
+    """Title block, what drives what, the mechanism, its data beside the answer, what has mass and what acts, remarks."""
     data = _data(context)
     return [
         _title_block(context),
@@ -38,6 +39,7 @@ def statement(context: PageContext) -> list[Part]:
         *_task(context),
         *_mechanism(context),
         *([data] if data.rows else []),
+        *masses_and_loads(context),
         *[Paragraph(context.in_its_language(text, context.rich(text)), style="note") for text in context.variant.remarks],
         *remarks(context),
     ]

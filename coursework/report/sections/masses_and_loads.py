@@ -1,0 +1,80 @@
+"""What the file says of masses and forces, as a table below the data: masses, weight, loads, springs, friction, flywheel.
+
+Enters: a `PageContext`.  Leaves: a table, or nothing where the file names none.  Used by `statement.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from coursework.report.formulas.typst_math import text
+from coursework.report.text.numbers import aligned
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Cell, Column, Part, Runs, Table
+from coursework.report.text.text_runs import runs
+from coursework.variant.formula.tree import Formula, constant, spelled
+from coursework.variant.record.forces import MEASURED
+from coursework.words.templates import clean
+
+_Entry = tuple[str, str, Formula | str, str]  # whose, what, how much, its unit in SI
+
+
+def masses_and_loads(context: PageContext) -> list[Part]:
+    """Return the table of what has mass and what acts; torques of the motor are told beside the free rates."""
+    listed = [*_entries(context)]
+    if not listed:
+        return []
+    values = [_value(context, how_much) for _, _, how_much, _ in listed]
+    numbers = iter(aligned([value for value in values if isinstance(value, str)], context.numbers.mark))
+    told = ["", *(of for of, _, _, _ in listed)]  # whose it is stands before the first of several
+    rows: list[list[Cell]] = [
+        [
+            context.lettered(of if of != before else "", data=False),
+            runs(meaning),
+            next(numbers) if isinstance(value, str) else value,
+            context.unit(unit),
+        ]
+        for before, (of, meaning, _, unit), value in zip(told, listed, values, strict=False)
+    ]
+    rules = [place for place, (before, (of, *_)) in enumerate(zip(told, listed, strict=False)) if place and of != before]
+    heads = [Column(context.say(f"acting.{key}"), words=key != "written") for key in ("of", "meaning", "written", "unit")]
+    return [Table(heads, rows, context.say("acting.table"), rules=[place - 1 for place in rules], id="acting")]
+
+
+def _entries(context: PageContext) -> Iterator[_Entry]:
+    forces, say = context.variant.forces, context.words
+    if forces is None:
+        return
+    points = {name for name, _ in context.run.scene.mechanism.points}
+    for mass in forces.masses:
+        of = say("acting.block" if mass.body in points else "acting.link", name=clean(mass.body))
+        yield from _of(context, of, mass)
+    for axis, part in zip("xy", forces.gravity or (), strict=False):
+        if constant(part) != 0:
+            yield say("acting.gravity"), say("acting.along", axis=axis), part, "m/s^2"
+    for load in forces.loads:
+        yield from _of(context, say("acting.load", name=clean(load.name), link=clean(load.on)), load, at=load.at)
+    for spring in forces.springs:
+        first, second = map(clean, spring.ends)
+        yield from _of(context, say("acting.spring", name=clean(spring.name), first=first, second=second), spring)
+    for friction in forces.friction:
+        yield from _of(context, say("acting.friction", point=clean(friction.at)), friction)
+    if forces.flywheel is not None:
+        yield from _of(context, say("acting.flywheel", link=clean(forces.flywheel.on)), forces.flywheel)
+
+
+def _of(context: PageContext, of: str, record: object, at: Formula | None = None) -> Iterator[_Entry]:
+    """Yield what a record says, key by key; a force says `at` which point."""
+    for key, unit in MEASURED.items():
+        value = getattr(record, key, None)
+        if value is not None and key != "at":
+            meaning = context.words(f"acting.{key}", at=clean(spelled(at)) if at is not None else "")
+            yield of, meaning, value, "" if isinstance(value, str) else unit
+
+
+def _value(context: PageContext, how_much: Formula | str) -> str | Runs:
+    """Return a number, or the runs of a formula or of a shape."""
+    if isinstance(how_much, str):
+        return context.say(f"acting.shape.{how_much}")
+    number = constant(how_much)
+    return context.lettered(text(how_much, context.rates)) if number is None else context.numbers.plain(float(number))
