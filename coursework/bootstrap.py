@@ -72,7 +72,8 @@ def test(python: Path, wanted: list[str]) -> int:
     """
     marked = ["-m", ""] if LONG in wanted else []
     wanted = [word for word in wanted if word != LONG]
-    everywhere = ["-n", "auto", "--dist", "worksteal", "--benchmark-disable", "--ignore", MEASURED]
+    workers = str(1 + (os.cpu_count() or 1))  # one waits for a browser or a process while the others work
+    everywhere = ["-n", workers, "--dist", "worksteal", "--benchmark-disable", "--ignore", MEASURED]
     runs = [wanted] if wanted else [everywhere, [MEASURED]]
     return max(subprocess.run([str(python), "-m", "pytest", *marked, *chosen], cwd=ROOT).returncode for chosen in runs)
 

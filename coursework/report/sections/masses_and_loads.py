@@ -1,6 +1,6 @@
 """What the file says of masses and forces, as a table below the data: masses, weight, loads, springs, friction, flywheel.
 
-Enters: a `PageContext`.  Leaves: a table, or nothing where the file names none.  Used by `statement.py`.
+Enters: a `PageContext`, `Forces`.  Leaves: a table, or nothing where they say nothing of the kind.  Used by `statement.py`.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Part, Runs, Table
 from coursework.report.text.text_runs import runs
 from coursework.variant.formula.tree import Formula, constant, spelled
-from coursework.variant.record.forces import MEASURED
+from coursework.variant.record.forces import MEASURED, Forces
 from coursework.words.templates import clean
 
 _Entry = tuple[str, str, Formula | str, str]  # whose, what, how much, its unit in SI
 
 
-def masses_and_loads(context: PageContext) -> list[Part]:
+def masses_and_loads(context: PageContext, forces: Forces) -> list[Part]:
     """Return the table of what has mass and what acts; torques of the motor are told beside the free rates."""
-    listed = [*_entries(context)]
+    listed = [*_entries(context, forces)]
     if not listed:
         return []
     values = [_value(context, how_much) for _, _, how_much, _ in listed]
@@ -41,10 +41,8 @@ def masses_and_loads(context: PageContext) -> list[Part]:
     return [Table(heads, rows, context.say("acting.table"), rules=[place - 1 for place in rules], id="acting")]
 
 
-def _entries(context: PageContext) -> Iterator[_Entry]:
-    forces, say = context.variant.forces, context.words
-    if forces is None:
-        return
+def _entries(context: PageContext, forces: Forces) -> Iterator[_Entry]:
+    say = context.words
     points = {name for name, _ in context.run.scene.mechanism.points}
     for mass in forces.masses:
         of = say("acting.block" if mass.body in points else "acting.link", name=clean(mass.body))

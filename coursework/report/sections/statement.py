@@ -11,7 +11,6 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
 from coursework.report.sections.answer import answer
 from coursework.report.sections.laws import laws_shown, moved_by_forces
-from coursework.report.sections.masses_and_loads import masses_and_loads
 from coursework.report.sections.remarks import as_written, remarks
 from coursework.report.text.numbers import NOTHING, aligned, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
@@ -39,10 +38,20 @@ def statement(context: PageContext) -> list[Part]:
         *_task(context),
         *_mechanism(context),
         *([data] if data.rows else []),
-        *masses_and_loads(context),
+        *_acting(context),
         *[Paragraph(context.in_its_language(text, context.rich(text)), style="note") for text in context.variant.remarks],
         *remarks(context),
     ]
+
+
+def _acting(context: PageContext) -> list[Part]:
+    """Return what has mass and what acts, of a file that names any."""
+    forces = context.variant.forces
+    if forces is None:
+        return []
+    from coursework.report.sections.masses_and_loads import masses_and_loads
+
+    return masses_and_loads(context, forces)
 
 
 def _bar(context: PageContext) -> list[Part]:
