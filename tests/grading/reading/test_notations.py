@@ -8,6 +8,7 @@ import coursework
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.key import key_of
 from coursework.grading.reading.equations.lines import read_lines
+from coursework.grading.reading.equations.signs import plain_signs
 from tests.grading.scenes import expected, variant_of
 
 PLAIN = """VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0
@@ -151,3 +152,11 @@ def test_a_line_nobody_can_read_is_a_question_while_equations_are_missing():
     assert marked(f"{PLAIN}\n{unread}").unread is None
     for prose in ("V1 = 4.5 m/s is given", "name = Ivanov", "h = 0.02"):
         assert marked(f"{three}\n{prose}").unread is None
+
+
+@pytest.mark.parametrize(
+    ("pasted", "typed"),
+    [("−‐‑‒–—―﹣", "-"), ("≡≈≅≃≐≑≔≝", "="), ("∗•∙⋅·●∘×✕✖⨯⸱・", "*"), ("⁄∕÷", "/"), ("〖⟦❨", "("), ("〗⟧❩", ")"), ("﹢", "+")],
+)
+def test_every_sign_that_programs_paste_is_that_of_a_keyboard(pasted: str, typed: str) -> None:
+    assert [plain_signs(f"w1{sign}w2") for sign in pasted] == [f"w1{typed}w2"] * len(pasted)

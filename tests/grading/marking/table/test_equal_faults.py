@@ -205,6 +205,15 @@ def test_exchanged_columns_are_named_both(numbers):
                     assert table.misconception.names == (names[first], names[second])
 
 
+@pytest.mark.parametrize("place", [1, 2])
+def test_exchanged_angles_are_named_with_one_of_them_a_turn_further(place):
+    desk = variants()[0]
+    table = desk.machine.table()[:, [0, 2, 1, *range(3, len(desk.key.names))]]
+    table[:, place] += 2 * np.pi
+    _, marked = desk.marked(table)
+    assert (marked.misconception.code, marked.misconception.names) == ("swapped_columns", ("phi2", "phi3"))
+
+
 def test_what_explains_as_much_is_told_in_sentences_of_its_own():
     desk = variants()[0]
     _, table = desk.marked(Machine(desk.variant, data={"V1": -desk.variant.values["V1"]}).table())

@@ -51,3 +51,17 @@ def test_a_row_that_is_left_out_gets_an_empty_one(monkeypatch, is_right_until, i
 def test_less_than_half_of_a_table_is_not_looked_at_closer(monkeypatch, right, is_put_back):
     """Of rows that are one late the last half is right, or a row less; before the slip they say nothing."""
     assert (made(monkeypatch, late=right) is not None) is is_put_back
+
+
+def test_of_two_rows_the_one_goes_that_is_less_right_where_it_stands(monkeypatch):
+    """Row 8 is half right as it stands and the next one wholly, one late: what was written twice is row 8."""
+    rights = {0: [1.0] * 7 + [0.5] + [0.0] * 12, -1: [0.0] * 7 + [0.2] + [1.0] * 12, 1: [0.0] * ROWS}
+    values = np.arange(float(ROWS))[:, None]
+    printed = SimpleNamespace(
+        key=SimpleNamespace(table=values), of_task=np.full(values.shape, fill_value=False),
+        student=SimpleNamespace(values=values, units=np.full((ROWS, 1), 0.1)),
+    )  # fmt: skip
+    monkeypatch.setattr(shifted, "_right", lambda printed, stands, by: np.array(rights[by]))
+    found = shifted.put_back(printed)
+    assert found is not None
+    assert found.values[:-1, 0].tolist() == [float(row) for row in range(ROWS) if row != 7]
