@@ -11,7 +11,6 @@ from coursework.report.formulas.typst_math import text
 from coursework.report.text.numbers import aligned
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Part, Runs, Table
-from coursework.report.text.text_runs import runs
 from coursework.variant.formula.tree import Formula, constant, spelled
 from coursework.variant.record.forces import MEASURED, Forces
 from coursework.words.templates import clean
@@ -30,7 +29,7 @@ def masses_and_loads(context: PageContext, forces: Forces) -> list[Part]:
     rows: list[list[Cell]] = [
         [
             context.lettered(of if of != before else "", data=False),
-            runs(meaning),
+            context.lettered(meaning, data=False),
             next(numbers) if isinstance(value, str) else value,
             context.unit(unit),
         ]
@@ -49,7 +48,7 @@ def _entries(context: PageContext, forces: Forces) -> Iterator[_Entry]:
         yield from _of(context, of, mass)
     for axis, part in zip("xy", forces.gravity or (), strict=False):
         if constant(part) != 0:
-            yield say("acting.gravity"), say("acting.along", axis=axis), part, "m/s^2"
+            yield say("acting.gravity"), say("acting.along", axis=context.lettering(axis)), part, "m/s^2"
     for load in forces.loads:
         yield from _of(context, say("acting.load", name=clean(load.name), link=clean(load.on)), load, at=load.at)
     for spring in forces.springs:
