@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 import coursework
 from coursework.variant.formula import units
 from coursework.variant.formula.alphabet import foreign_letter, spell
+from coursework.variant.formula.motion_units import UNITS
 from coursework.variant.reading.reader import parse_variant
 
 PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
@@ -147,7 +148,7 @@ def test_a_number_with_a_word_is_a_quantity_and_with_pi_a_formula(text, is_one):
 
 
 def test_every_unit_the_tool_knows_is_one_of_these_or_made_of_two():
-    for unit in set(units.UNITS) - {"1", "rpm"}:  # "1" names the unit of a number without one
+    for unit in set(UNITS) - {"1", "rpm"}:  # "1" names the unit of a number without one
         above, _, below = unit.partition("/")
         assert above in LENGTHS | ANGLES | TIMES | {"1": 1, "rev": 1, "r": 1, "U": 1, "об": 1}
         assert not below or below.removesuffix("^2") in TIMES
@@ -182,7 +183,7 @@ def test_no_unit_of_another_dimension_is_ever_offered(unit, wanted):
     with pytest.raises(units.UnitFault) as caught:
         units.read(f"2 {unit}", wanted)
     offered = re.findall(r'Did you mean "(.*?)"', str(caught.value))
-    assert all(units.UNITS[other][1] == wanted and ("/" in other) == ("/" in unit) for other in offered)
+    assert all(UNITS[other][1] == wanted and ("/" in other) == ("/" in unit) for other in offered)
 
 
 @given(st.integers(1, 10**6))

@@ -17,8 +17,8 @@ from coursework.mechanism.structure import read_structure
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.scene.quantities import known_quantities
 from coursework.variant.catalogue import entries, load
+from coursework.variant.formula.motion_units import UNITS
 from coursework.variant.formula.tree import FUNCTIONS
-from coursework.variant.formula.units import UNITS
 from coursework.variant.reading.models import json_schema
 from coursework.variant.record.roles import title
 from coursework.variant.record.vocabulary import EXACT, GROUP_SHAPES

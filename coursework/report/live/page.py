@@ -29,7 +29,7 @@ from coursework.scene.motion_results import given_constants
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
-from coursework.variant.formula.units import UNITS
+from coursework.variant.formula.motion_units import UNITS
 from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 

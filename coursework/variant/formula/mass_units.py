@@ -1,6 +1,6 @@
 """Units that hold a mass: of forces, torques, inertias, stiffnesses; read only in a file that names masses or forces.
 
-Enters: nothing.  Leaves: `UNITS` and `KINDS`, as those of `units.py`.
+Enters: nothing.  Leaves: `UNITS` and `KINDS`, as those of `motion_units.py`.
 Used by `units.py` and `exponents.py`, which import it when they meet one.
 """
 

@@ -13,8 +13,9 @@ from math import pi
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import CYRILLIC_FUNCTIONS, foreign_letter, spell
+from coursework.variant.formula.motion_units import UNITS
 from coursework.variant.formula.tree import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
-from coursework.variant.formula.units import MAX_NUMBER, UNITS
+from coursework.variant.formula.units import MAX_NUMBER
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 

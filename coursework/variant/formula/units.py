@@ -1,4 +1,4 @@
-"""Text such as "0.953 m" -> a number in SI and its kind; which units there are, and of what.
+"""Text such as "0.953 m" -> a number in SI and its kind, or what is said of a unit that is none.
 
 Enters: a value with its unit.  Leaves: `Quantity` (SI value, unit as written, SI unit).
 Used where a variant file is read and where numbers are written for a reader.
@@ -13,56 +13,10 @@ from fractions import Fraction
 from functools import lru_cache, partial
 
 from coursework.system.frozen import frozen
+from coursework.variant.formula.motion_units import KINDS, UNITS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
-_TURN = Fraction(math.pi)  # the double nearest to pi, as every later computation uses it
-
-# Unit -> its size in SI.  Sizes are exact, so that "953 mm" and "0.953 m" give the same double.
-_LATIN = {
-    "m": {"m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000),
-          "in": Fraction(254, 10_000), "ft": Fraction(3048, 10_000)},
-    "rad": {"rad": Fraction(1), "deg": _TURN / 180, "°": _TURN / 180, "grad": _TURN / 180},
-    "s": {"s": Fraction(1), "ms": Fraction(1, 1000), "min": Fraction(60)},
-    "turn": {"rev": 2 * _TURN, "r": 2 * _TURN, "U": 2 * _TURN},
-}  # fmt: skip
-_CYRILLIC = {
-    "m": {"м": Fraction(1), "см": Fraction(1, 100), "мм": Fraction(1, 1000)},
-    "rad": {"рад": Fraction(1), "град": _TURN / 180, "°": _TURN / 180},
-    "s": {"с": Fraction(1), "мс": Fraction(1, 1000), "мин": Fraction(60)},
-    "turn": {"об": 2 * _TURN},
-}
-
-
-def _all_units() -> dict[str, tuple[Fraction, str]]:
-    units = {"1": (Fraction(1), "1"), "rpm": (_TURN / 30, "1/s")}
-    for script in (_LATIN, _CYRILLIC):
-        times, turning = script["s"], {"1": Fraction(1)} | script["rad"] | script["turn"]
-        for si in ("m", "rad", "s"):
-            units |= {unit: (size, si) for unit, size in script[si].items()}
-        for time, seconds in times.items():
-            units |= {f"{unit}/{time}": (size / seconds, "m/s") for unit, size in script["m"].items()}
-            units |= {f"{unit}/{time}^2": (size / seconds**2, "m/s^2") for unit, size in script["m"].items()}
-            units |= {f"{unit}/{time}": (size / seconds, "1/s") for unit, size in turning.items()}
-        second, _, minute = times
-        units |= {f"{unit}/{second}^2": (size, "1/s^2") for unit, size in turning.items()}
-        # Machines count turns a minute; 1/s is the angular velocity of a task sheet.
-        units[f"1/{minute}"] = (_TURN / 30, "1/s")
-    return units
-
-
-UNITS = _all_units()
-# SI unit -> (length, time) exponents, and the units that advice shows, the SI unit first.
-KINDS: dict[str, tuple[tuple[int, int], str]] = {
-    "m": ((1, 0), "m, cm, mm"),
-    "rad": ((0, 0), "rad, deg"),
-    "s": ((0, 1), "s, ms, min"),
-    "1/s": ((0, -1), "rad/s, 1/s, deg/s, rpm"),
-    "m/s": ((1, -1), "m/s, cm/s, mm/s"),
-    "m/s^2": ((1, -2), "m/s^2, cm/s^2, mm/s^2"),
-    "1/s^2": ((0, -2), "rad/s^2, 1/s^2, deg/s^2"),
-    "1": ((0, 0), "1"),
-}
 MAX_NUMBER = 1e12  # far beyond anything a task sheet says in SI
 VALUE = re.compile(
     r"\s*(?P<number>[-+−]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*"

@@ -13,6 +13,7 @@ from functools import partial
 from typing import Literal
 
 from coursework.variant.formula import reader, units
+from coursework.variant.formula.motion_units import UNITS
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, part_of_pi
 from coursework.variant.reading.names import Names
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
@@ -100,11 +101,11 @@ class Parts:
     def unit(self, path: KeyPath, text: str) -> str:
         """Return the SI unit named by `text`, "" after a fault."""
         unit = units.plain_unit(text)
-        if unit not in units.UNITS:
+        if unit not in UNITS:
             self._unread.append((path, partial(units.unknown_unit, text)))
             self.broken.add(path)
             return ""
-        return units.UNITS[unit][1]
+        return UNITS[unit][1]
 
     def number(self, path: KeyPath, value: str | int | float, si: str) -> float:
         """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
@@ -251,7 +252,7 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
 def _split(text: str) -> tuple[Formula | None, str, str]:
     """Return a formula, its text and the unit behind it, "" without one; None for what is no formula."""
     found = _FORMULA_AND_UNIT.fullmatch(text)
-    formula, unit = (found[1], found[2]) if found and units.plain_unit(found[2]) in units.UNITS else (text, "")
+    formula, unit = (found[1], found[2]) if found and units.plain_unit(found[2]) in UNITS else (text, "")
     try:
         return reader.parse(formula, vectors=False), formula, unit
     except FormulaFault:
