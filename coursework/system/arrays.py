@@ -39,3 +39,13 @@ def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
     for place, value in enumerate(values):
         columns[..., place] = value
     return columns
+
+
+def neighbours(flags: Flags) -> Flags:
+    """Return where the rows of `flags` (n, …) above and below are set; beyond the first and the last one all are.
+
+    >>> neighbours(np.array([True, False, True, True]))
+    array([False,  True, False,  True])
+    """
+    edge = np.ones_like(flags[:1])
+    return np.asarray(np.concatenate([edge, flags[:-1]]) & np.concatenate([flags[1:], edge]))

@@ -16,7 +16,7 @@ from coursework.grading.marking.table.cells import MISSING, Cells
 from coursework.grading.marking.table.claims import shifted
 from coursework.grading.marking.table.untold import but, ramp, untold_steps
 from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, neighbours
 from coursework.system.frozen import frozen
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing, if not so many of the columns
@@ -198,8 +198,7 @@ def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
 
     A step beside which those of its coordinate are may be broken: one slip, or one cell put right, is no other motion.
     """
-    edge = np.ones_like(near[:1])
-    near = near | (np.concatenate([edge, near[:-1]]) & np.concatenate([near[1:], edge]))
+    near = near | neighbours(near)
     joined = (np.mean(near, axis=1) >= _MOST) & moves
     follows = np.zeros(len(q), dtype=bool)
     follows[1:] |= joined

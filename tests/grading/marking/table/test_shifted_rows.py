@@ -10,20 +10,24 @@ import pytest
 from coursework.grading.marking.table import shifted
 
 ROWS = 20
+NAMES = {0: "as_it_is", -1: "late", 1: "early"}
 
 
 def made(monkeypatch: pytest.MonkeyPatch, **right: range) -> list[float] | None:
     """Return the table of one column 0, 1, 2, … put back, where these rows are right as they stand, one late, one early."""
+    rights = {by: np.isin(np.arange(ROWS), list(right.get(name, ()))).astype(float) for by, name in NAMES.items()}
+    return put_back(monkeypatch, rights)
+
+
+def put_back(monkeypatch: pytest.MonkeyPatch, rights: dict[int, np.ndarray]) -> list[float] | None:
+    """Return that table put back, where so much of each row is right one or no row further on."""
     values = np.arange(float(ROWS))[:, None]
     printed = SimpleNamespace(
         key=SimpleNamespace(table=values),
         of_task=np.full(values.shape, fill_value=False),
         student=SimpleNamespace(values=values, units=np.full((ROWS, 1), 0.1)),
     )
-    names = {0: "as_it_is", -1: "late", 1: "early"}
-    monkeypatch.setattr(
-        shifted, "_right", lambda printed, stands, by: np.isin(np.arange(ROWS), list(right.get(names[by], ()))).astype(float)
-    )
+    monkeypatch.setattr(shifted, "_right", lambda printed, stands, by: rights[by])
     found = shifted.put_back(printed)
     return None if found is None else found.values[:, 0].tolist()
 
@@ -56,12 +60,5 @@ def test_less_than_half_of_a_table_is_not_looked_at_closer(monkeypatch, right, i
 def test_of_two_rows_the_one_goes_that_is_less_right_where_it_stands(monkeypatch):
     """Row 8 is half right as it stands and the next one wholly, one late: what was written twice is row 8."""
     rights = {0: [1.0] * 7 + [0.5] + [0.0] * 12, -1: [0.0] * 7 + [0.2] + [1.0] * 12, 1: [0.0] * ROWS}
-    values = np.arange(float(ROWS))[:, None]
-    printed = SimpleNamespace(
-        key=SimpleNamespace(table=values), of_task=np.full(values.shape, fill_value=False),
-        student=SimpleNamespace(values=values, units=np.full((ROWS, 1), 0.1)),
-    )  # fmt: skip
-    monkeypatch.setattr(shifted, "_right", lambda printed, stands, by: np.array(rights[by]))
-    found = shifted.put_back(printed)
-    assert found is not None
-    assert found.values[:-1, 0].tolist() == [float(row) for row in range(ROWS) if row != 7]
+    found = put_back(monkeypatch, {by: np.array(right) for by, right in rights.items()})
+    assert found is not None and found[:-1] == [float(row) for row in range(ROWS) if row != 7]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, neighbours
 
 # The march forward is made again with the velocities that its angles have.
 _PASSES = 2
@@ -69,8 +69,7 @@ def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velo
     """Return coordinates (n, m) and digits; what is `right`, and no step from above, is that step."""
     m, h = len(key.coordinates), key.stride
     q, units = student.values[:, :m].copy(), student.units.copy()
-    beside = np.ones_like(right[:1])
-    edge = right & ~(np.concatenate([beside, right[:-1]]) & np.concatenate([right[1:], beside]))
+    edge = right & ~neighbours(right)
     for place in range(m):
         column, digits, rates = q[:, place].tolist(), units[:, place].tolist(), units[:, m + place].tolist()
         last = 0
