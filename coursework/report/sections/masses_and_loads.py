@@ -6,6 +6,7 @@ Enters: a `PageContext`, `Forces`.  Leaves: a table, or nothing where they say n
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from coursework.report.formulas.typst_math import text
 from coursework.report.text.numbers import aligned
@@ -25,19 +26,18 @@ def masses_and_loads(context: PageContext, forces: Forces) -> list[Part]:
         return []
     values = [_value(context, how_much) for _, _, how_much, _ in listed]
     numbers = iter(aligned([value for value in values if isinstance(value, str)], context.numbers.mark))
-    told = ["", *(of for of, _, _, _ in listed)]  # whose it is stands before the first of several
+    rules = [place for place, (one, other) in enumerate(pairwise(listed)) if one[0] != other[0]]
     rows: list[list[Cell]] = [
         [
-            context.lettered(of if of != before else "", data=False),
+            context.lettered("" if place and place - 1 not in rules else of, data=False),  # before the first of several
             context.lettered(meaning, data=False),
             next(numbers) if isinstance(value, str) else value,
             context.unit(unit),
         ]
-        for before, (of, meaning, _, unit), value in zip(told, listed, values, strict=False)
+        for place, ((of, meaning, _, unit), value) in enumerate(zip(listed, values, strict=True))
     ]
-    rules = [place for place, (before, (of, *_)) in enumerate(zip(told, listed, strict=False)) if place and of != before]
     heads = [Column(context.say(f"acting.{key}"), words=key != "written") for key in ("of", "meaning", "written", "unit")]
-    return [Table(heads, rows, context.say("acting.table"), rules=[place - 1 for place in rules], id="acting")]
+    return [Table(heads, rows, context.say("acting.table"), rules=rules, id="acting")]
 
 
 def _entries(context: PageContext, forces: Forces) -> Iterator[_Entry]:

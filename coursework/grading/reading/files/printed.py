@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from itertools import chain, groupby, islice, takewhile
+from itertools import chain, groupby, islice
 
 from coursework.grading.reading.numbers import looks_numeric
 
@@ -63,11 +63,14 @@ def _unwrapped(lines: list[str]) -> list[str]:
     widths = [len(cells) if all(map(looks_numeric, cells)) else 0 for cells in (line.split() for line in lines)]
     first = next((at for at, width in enumerate(widths) if width), 0)
     end = next((at for at in range(first, len(widths)) if not widths[at]), len(widths))
-    most = widths[first] if widths else 0
-    shape = [*takewhile(most.__eq__, widths[first:end])]
-    shape = widths[first : first + len(shape) + 1]
-    many = (end - first) // len(shape) if shape else 0
-    if many < _FEWEST or shape[-1] >= most or widths[first:end] != many * shape:
+    last = next((at for at in range(first, end) if widths[at] != widths[first]), end)
+    shape = widths[first : last + 1]
+    if (
+        last == end
+        or shape[-1] > shape[0]
+        or (end - first) < _FEWEST * len(shape)
+        or widths[first:end] != (end - first) // len(shape) * shape
+    ):
         return lines
     above = first - len(shape)
     begin = above if above >= 0 and [len(line.split()) for line in lines[above:first]] == shape else first

@@ -13,10 +13,10 @@ from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import differ
-from coursework.grading.reading.student_work import Trouble
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME, Head, may_be
 from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
+from coursework.words.sentence import Sentence
 
 
 @frozen
@@ -37,7 +37,7 @@ class Places:
 
     places: dict[str, Place]
     repeated: tuple[str, ...]
-    asked: Trouble | None = None
+    asked: Sentence | None = None
 
 
 def find_columns(layout: Layout, grid: Grid) -> Places:
@@ -73,7 +73,7 @@ def _by_words(layout: Layout, rest: list[int], places: dict[str, Place]) -> dict
     return {name: Place(at, "header") for name, at in told if names.count(name) == 1}
 
 
-def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> tuple[dict[str, Place], Trouble | None]:
+def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> tuple[dict[str, Place], Sentence | None]:
     """Return the missing columns in the order of as many unread ones, and what is to be asked about their heads.
 
     Raises `Refused` where more are unread than are missing, or what stands in a column of the task is no number.
@@ -91,7 +91,7 @@ def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int
     question = doubtful("unread_heads", heads=texts, names=tuple(lacking))
     if len(heads) > len(lacking):
         raise question
-    return {name: Place(at, "position") for at, name in zip(unread, lacking, strict=True)}, question.trouble
+    return {name: Place(at, "position") for at, name in zip(unread, lacking, strict=True)}, question.trouble.text
 
 
 def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[dict[str, Place], set[int]]:

@@ -99,7 +99,7 @@ def _table(part: Part, grid: Grid) -> Table:
         own,
         origin.place,
         strange=sum(_filled(column) for column in read if _is_strange(column, layout)),
-        asked=places.asked.text if places.asked else None,
+        asked=places.asked,
     )
 
 
