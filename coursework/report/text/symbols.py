@@ -113,7 +113,7 @@ def parts_of_derivative(name: str) -> tuple[str, ...]:
 
 @lru_cache(maxsize=4096)
 def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
-    """Return the symbol of a name; "d" before one of `rates` (or before a Greek name) is the dot of a derivative.
+    """Return the symbol of a name; "d" before one of `rates` is the dot of a derivative.
 
     Where a language has letters for accelerations, "dw1" is ε₁ and "du3" is a₃.  Raises `ValueError` for text that is no name.
     """
@@ -124,7 +124,7 @@ def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
     if "." in name:
         point, _, part = name.partition(".")
         return Symbol(part[0], point + part[1:]) if len(part) > 1 else Symbol(part, point)
-    if name.startswith("d") and (name[1:] in rates.names or _GREEK_HEAD.fullmatch(name[1:])):
+    if name.startswith("d") and name[1:] in rates.names:
         inner = symbol(name[1:])
         if inner.letter == "ω" and rates.angular != _DOTTED_OMEGA:
             return Symbol(rates.angular, inner.subscript)

@@ -16,8 +16,8 @@ from coursework.words.templates import LONGEST, clean
     ("name", "text", "typst"),
     [
         ("phi1", "φ₁", "φ_1"), ("w3", "ω₃", "ω_3"), ("w", "ω", "ω"), ("omega_3", "ω₃", "ω_3"), ("VMx", "V_Mx", "V_(M x)"),
-        ("r1", "r₁", "r_1"), ("psi4", "ψ₄", "ψ_4"), ("alpha", "α", "α"), ("alpha0", "α₀", "α_0"), ("dw1", "ω̇₁", "dot(ω)_1"),
-        ("dphi2", "φ̇₂", "dot(φ)_2"), ("AB", "AB", "A B"), ("speed", "speed", '"speed"'), ("speed1", "speed₁", '"speed"_1'),
+        ("r1", "r₁", "r_1"), ("psi4", "ψ₄", "ψ_4"), ("alpha", "α", "α"), ("alpha0", "α₀", "α_0"), ("dw", "dw", '"dw"'),
+        ("dphi2", "dphi₂", '"dphi"_2'), ("AB", "AB", "A B"), ("speed", "speed", '"speed"'), ("speed1", "speed₁", '"speed"_1'),
         ("s_max", "s_max", 's_"max"'), ("a_b_c", "a_b_c", 'a_"b c"'), ("lift", "lift", '"lift"'), ("pin", "pin", '"pin"'),
         ("A.x", "x_A", "x_A"), ("B1.vy", "v_B1y", "v_(B 1 y)"), ("phi12", "φ₁₂", "φ_12"), ("phiA", "φ_A", "φ_A"), ("t", "t", "t"),
         ("us", "u_s", "u_s"), ("vq", "v_q", "v_q"), ("r_eta2", "r_η2", "r_(η 2)"), ("l_mu", "l_mu", 'l_"mu"'),
@@ -32,6 +32,8 @@ def test_an_acceleration_is_written_as_a_language_does() -> None:
     rates = Rates(frozenset({"w3", "u2", "w"}), "ε")
     assert [symbol(f"d{name}", rates).text for name in ("w3", "u2", "w")] == ["ε₃", "u̇₂", "ε"]
     assert symbol("du2", Rates(frozenset({"u2"}), linear="a")).text == "a₂"
+    dotted = [symbol(name, Rates(frozenset({"w1", "phi2"}))) for name in ("dw1", "dphi2", "dw2")]
+    assert [(one.text, one.typst) for one in dotted] == [("ω̇₁", "dot(ω)_1"), ("φ̇₂", "dot(φ)_2"), ("dw₂", '"dw"_2')]
     assert symbol("dw3", rates).typst == "ε_3" and symbol("w3", rates).text == "ω₃"
 
 

@@ -20,6 +20,7 @@ from coursework.commands.cli import main
 from coursework.report.formulas.display import marked
 from coursework.report.pages import build_model, render_html
 from coursework.report.text.parts import Display
+from coursework.variant.formula import mass_units, motion_units
 from coursework.words.sentences import load_phrases, say
 from tests.report.words_missing import languages, read
 
@@ -95,6 +96,13 @@ def report(name: str, language: str) -> str:
 @pytest.mark.parametrize("name", ["31", "example-2", "example-4", "shaper"])
 def test_no_unit_of_a_page_is_in_latin_letters(name: str, language: str) -> None:
     assert _LATIN_UNIT.findall(report(name, language)) == []
+
+
+@pytest.mark.parametrize("language", CYRILLIC)
+def test_every_unit_that_a_file_may_have_is_written_in_cyrillic(language: str) -> None:
+    words = load_phrases(language)
+    units = (*motion_units.UNITS, *mass_units.UNITS)
+    assert [unit for unit in units if re.search("[A-Za-z]", words.unit(unit))] == []
 
 
 @pytest.mark.parametrize("language", ["ru", "uk", "zh"])

@@ -132,7 +132,7 @@ def test_a_file_without_geometry_says_so_first():
     bare = head + rest if mark else V31
     assert "[closure]" not in bare
     run = solve(bare)
-    assert run.summary.startswith("Signs are not checked: the file has no geometry. The table is computed right: ")
+    assert run.summary.startswith("Signs are not checked: no geometry judges the equations. The table is computed right: ")
     assert verdicts(run)["AGREEMENT"] == "SKIP"
     for code in ("INITIAL", "RESIDUAL"):
         assert "this tests the arithmetic only" in found(run, code).sentence

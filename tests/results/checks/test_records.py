@@ -111,9 +111,9 @@ SUMMARIES = {
         "It is not close to the motion: largest error 136.0 % (w7, row 21).",
     ),
     "no geometry": (
-        [judged("STOP", "PASS"), judged("AGREEMENT", "SKIP", headline="Signs are not checked: the file has no geometry."),
+        [judged("STOP", "PASS"), judged("AGREEMENT", "SKIP", headline="Signs are not checked: no geometry judges the equations."),
          judged("ACCURACY", "SKIP")],
-        "Signs are not checked: the file has no geometry. The table is computed right: 1 of 1 checks of the computation. "
+        "Signs are not checked: no geometry judges the equations. The table is computed right: 1 of 1 checks of the computation. "
         "How close it is to the motion is not known.",
     ),
     "wrong": (
