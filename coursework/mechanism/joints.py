@@ -87,11 +87,27 @@ def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
         return Linkage(tuple(link.name for link in variant.links), tuple(_of_links(variant)))
     if not variant.groups:
         return None
-    in_groups = {name for group in variant.groups for name in group.coordinates}
-    beside = [c for c in variant.coordinates if c.name not in in_groups]
+    beside = _beside_groups(variant)
     if any(c.rate not in variant.known_rates for c in beside):
         return None
-    return chain_of_groups(variant, points)
+    chain = chain_of_groups(variant, points)
+    bases = (point for group in variant.groups for point in group.start_points)
+    is_whole = {c.name for c in beside} <= {*chain.coordinates.values()} and not any(
+        led_by_law(b, variant, points) for b in bases
+    )
+    return chain if is_whole else None
+
+
+def led_by_law(formula: Formula, variant: Variant, points: Mapping[str, Formula]) -> bool:
+    """Return whether a point moves by a law of time or of a coordinate alone, such as a follower: no body listed carries it."""
+    names = reached(formula.names(), points)
+    is_carried = not names.isdisjoint(c.name for c in variant.coordinates)
+    return not is_carried and not names.isdisjoint(("t", *(law.name for law in variant.functions)))
+
+
+def _beside_groups(variant: Variant) -> list[Coordinate]:
+    in_groups = {name for group in variant.groups for name in group.coordinates}
+    return [c for c in variant.coordinates if c.name not in in_groups]
 
 
 def _of_links(variant: Variant) -> Iterator[Joint]:
@@ -148,16 +164,24 @@ def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]
 
 
 def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
-    """Name the bodies 1, 2, … in the order of the chain; a coordinate beside the groups is a body of its own."""
+    """Name the bodies 1, 2, … in the order of the chain; a coordinate beside the groups is a body of its own.
+
+    A length that no point is placed by has none until it is met as that of a crank: what slides along that crank.
+    """
     numbers = map(str, itertools.count(1))
     carried: dict[str, str] = {}
     joints: list[Joint] = []
-    in_groups = {name for group in variant.groups for name in group.coordinates}
-    for coordinate in variant.coordinates:
-        if coordinate.name not in in_groups:
-            carried[coordinate.name] = next(numbers)
-            bodies, turns = (carried[coordinate.name], FRAME), coordinate.unit == "rad"
-            joints.append(Joint(REVOLUTE, bodies, None) if turns else _driven_slide(coordinate, variant, bodies))
+    lengths = set()
+    for coordinate in _beside_groups(variant):
+        moved = next((name for name, formula in variant.points if coordinate.name in formula.names()), "")
+        turns = coordinate.unit == "rad"
+        if not (turns or moved):
+            lengths.add(coordinate.name)
+            continue
+        base = _carrier(points[moved], carried, points) if moved else FRAME
+        carried[coordinate.name] = next(numbers)
+        bodies = (carried[coordinate.name], base)
+        joints.append(Joint(REVOLUTE, bodies, None) if turns else _driven_slide(moved, variant, bodies))
     for group in variant.groups:
         own = [next(numbers) for _ in group.coordinates]
         outer = [_carrier(formula, carried, points) for formula in group.start_points]
@@ -166,6 +190,10 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
         )
         for coordinate_name, index in reversed([*zip(group.coordinates, group_kind(group.kind).carries, strict=True)]):
             carried[coordinate_name] = own[index]
+        for name in sorted(lengths.intersection(group.lengths[0].names())) if group_kind(group.kind).driven else ():
+            carried[name] = next(numbers)
+            pin = named(group.meets) if group.meets else None
+            joints.append(Joint(PRISMATIC, (carried[name], own[0]), pin, named(group.coordinates[0])))
     holds: dict[str, list[str]] = {body: [] for body in carried.values()}
     for name, formula in points.items():
         if (body := _carrier(formula, carried, points)) != FRAME:
@@ -174,11 +202,10 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
     return Linkage(tuple(carried.values()), tuple(joints), coordinates, {body: tuple(names) for body, names in holds.items()})
 
 
-def _driven_slide(coordinate: Coordinate, variant: Variant, bodies: tuple[str, str]) -> Joint:
+def _driven_slide(moved: str, variant: Variant, bodies: tuple[str, str]) -> Joint:
     """Return what lets a point move with a length beside the groups: on the guide that the frame has through it."""
-    moved = next((name for name, formula in variant.points if coordinate.name in formula.names()), "")
     along = next((angle for through, angle in variant.frame.rails if through == named(moved)), None)
-    return Joint(PRISMATIC, bodies, named(moved) if moved else None, along)
+    return Joint(PRISMATIC, bodies, named(moved), along)
 
 
 def link_names(chain: Linkage, variant: Variant) -> dict[str, str]:

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 from coursework.drawing.outline.lengths import arm_base, unnamed_joints
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
-from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names, riders
+from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, led_by_law, link_names, riders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, number, terms
 from coursework.variant.record.entries import reached
@@ -94,7 +94,7 @@ class _Pencil:
             for body in joint.holders:
                 if body != FRAME and at:
                     corners[body].append(at)
-            if joint.pins and FRAME in joint.bodies and at:
+            if joint.pins and FRAME in joint.bodies and at and not led_by_law(named(at), self.variant, self.points):
                 self.hinges.append(at)
         for body, names in linkage.holds.items():
             for name in names:  # beside the point it is placed from, so that the arm given is the one drawn

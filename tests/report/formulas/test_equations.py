@@ -174,10 +174,11 @@ def test_points_are_set_as_vectors() -> None:
 
 
 def test_a_derivative_takes_a_dot_only_where_it_is_one() -> None:
-    assert typst_math.text(Formula("name", name="dw1")) == "ω̇₁"
+    w1 = Rates(frozenset({"w1"}))
+    assert typst_math.text(Formula("name", name="dw1"), w1) == "ω̇₁" and typst_math.text(Formula("name", name="dw1")) == "dw₁"
     assert typst_math.text(Formula("name", name="du"), Rates(frozenset({"u"}))) == "u̇"
     assert typst_math.text(Formula("name", name="du")) == "du"
-    assert typst_math.math(Formula("name", name="dw1")) == "dot(ω)_1"
+    assert typst_math.math(Formula("name", name="dw1"), w1) == "dot(ω)_1"
 
 
 def test_a_long_sum_continues_on_the_next_line() -> None:

@@ -121,3 +121,24 @@ def test_a_driven_slide_beside_the_groups_has_its_point_and_its_slider() -> None
     assert "sliding, P: C (0,4)" in pairs and "C (3,4)" in pairs
     outline = read_outline(run.scene.mechanism)
     assert outline is not None and [(block.link, block.at, block.open) for block in outline.blocks] == [("4", "C", False)]
+
+
+def test_a_crank_of_driven_length_carries_a_slider_that_its_rod_hangs_on() -> None:
+    """By hand: 1 turns about A, the slider 4 runs along it with the pin B; W = 3·4 − 2·5 = 2, two of them driven."""
+    longer = (
+        PRESS.replace('lengths = ["r1"]', 'lengths = ["s"]').replace('"(s, 0)"', '"(0.35, 0)"').replace('"0.35 m"', '"0.1 m"')
+    )
+    longer = longer.replace('hinges = ["A"]\nrails = [{ through = "C", angle = "0" }]', 'hinges = ["A", "C"]')
+    run = solved(longer, ("table",))
+    pairs = told(run)["Pairs"].replace("\u00a0", " ")
+    assert "sliding, P: B (1,4)" in pairs and "B (2,4)" in pairs and "A (0,1)" in pairs
+    assert "I(0,1), I(1,4) → II(2,3)" in told(run)["Groups"].replace("\u00a0", " ")
+
+
+def test_of_a_point_that_a_cam_lifts_no_body_is_known_and_no_pivot_drawn() -> None:
+    """C follows a law of the crank angle on a guide: it is no hinge of the frame, and a count would leave its link out."""
+    led = PRESS.replace('s = { start = "0.35 m", rate = "us" }\n', "").replace('us = "0.2*r1*n1*sin(n1*t)"\n', "")
+    led = led.replace('C = "(s, 0)"', 'C = "(lift, 0)"\n[functions]\nlift = "0.35 + 0.02*sin(phi1)"', 1)
+    mechanism = solved(led, ("table",)).scene.mechanism
+    outline = read_outline(mechanism)
+    assert mechanism.linkage is None and outline is not None and outline.hinges == ("A",)
