@@ -13,7 +13,7 @@ from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Bullets, Cell, Column, Part, Table
 from coursework.report.text.text_runs import numeral, runs
 from coursework.report.wording.closeness import evidence, largest_error_sentence, splits, unreturned
-from coursework.results.checks.close_to_motion.period import Split
+from coursework.results.checks.close_to_motion.period import Split, is_a_period
 from coursework.results.kinematics.turning_points import TurningPoint, stroke, turning_points
 from coursework.variant.record.variant import Coordinate
 
@@ -125,7 +125,7 @@ def _return(context: PageContext) -> list[str]:
         return [say("conclusion.misses", **values)]
     parts = {"scheme": _gap(context, most, most.scheme + most.roundoff), "period": _gap(context, most, most.period)}
     has_returned = abs(most.period) <= EVEN * abs(most.total)
-    key = "own" if has_returned else "moved" if variant.time.period is None else "parted"
+    key = "own" if has_returned else "parted" if is_a_period(context.run.results.evidence) else "moved"
     return [say(f"conclusion.{key}", **values, **parts, time=time, whole=context.quantity(variant.time.period or 0.0, "s"))]
 
 

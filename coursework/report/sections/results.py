@@ -17,11 +17,11 @@ from coursework.report.wording.closeness import (
     evidence,
     largest_error_sentence,
     largest_step_error,
+    rows_before_breaks,
     splits,
     unreturned,
 )
-from coursework.results.checks.close_to_motion.period import Split
-from coursework.results.checks.close_to_motion.several_periods import later
+from coursework.results.checks.close_to_motion.period import Split, is_a_period
 from coursework.scene.quantities import CHECKS
 
 ROWS = ("first", "last", "total")
@@ -63,7 +63,7 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
         "last": say("first_last.row", row=row + 1, time=context.quantity(float(motion.t[row]), "s")),
         "total": say("first_last.total"),
         "scheme": say("first_last.scheme"),
-        "period": say("first_last.period" if context.run.variant.time.period is not None else "first_last.motion"),
+        "period": say("first_last.period" if is_a_period(context.run.results.evidence) else "first_last.motion"),
     }
     parts = ROWS if context.run.tableau is None else ROWS + CAUSES
     decimals = {split.name: deserved_decimals(map(float, motion.column(split.name))) for split in found}
@@ -102,6 +102,7 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
         title = context.told(title_of(scheme))
         if scheme.order == 1:
             told.append(say("why.tangent", scheme=title[:1].upper() + title[1:], **values))
+            told += [say("why.broken")] if rows_before_breaks(evidence(context)) else []
             told.append(say("why.half"))
         else:
             told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
@@ -115,8 +116,8 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     """Return the sentence about a run that does not end with its period, for the coordinate that is moved most."""
     period, say = context.run.variant.time.period, context.words
     coordinates = [split for split in found if split.name in context.run.motion.coordinate_names]
-    # A gear train that is back after several periods only has its sentence among the checks.
-    if period is None or not coordinates or later(context.run.results.evidence) is not None:
+    # Of a motion that is not back after it the checks speak: after several periods, or never.
+    if period is None or not coordinates or not is_a_period(context.run.results.evidence):
         return []
     row = context.run.results.evidence.period_row or 0
     end = float(context.run.motion.t[row])

@@ -13,6 +13,7 @@ import numpy as np
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.text.page_context import PageContext
 from coursework.results.checks.close_to_motion.period import Split, mismatch
+from coursework.results.checks.close_to_motion.rows import off_row
 from coursework.results.checks.evidence import Evidence
 from coursework.system.frozen import frozen
 
@@ -64,6 +65,11 @@ class LocalError:
 def evidence(context: PageContext) -> Evidence:
     """Return rows of a scheme beside the exact ones."""
     return context.run.results.by_scheme.evidence
+
+
+def rows_before_breaks(judged: Evidence) -> list[int]:
+    """Return the rows (from 0) behind which the drive changes its formula before the next."""
+    return [int(time / judged.motion.step) for time in off_row(judged.variant, judged.motion.step)]
 
 
 def splits(context: PageContext) -> tuple[Split, ...]:
@@ -119,13 +125,17 @@ def _title(context: PageContext, own: bool) -> str:
 
 
 def largest_step_error(context: PageContext) -> LocalError | None:
-    """Return the step of Euler that leaves the exact curve most; None where no such curve is known over two rows."""
+    """Return the step of Euler that leaves the exact curve most; None where no such curve is known over two rows.
+
+    A step inside which the drive changes its formula is none: it leaves the curve by the old formula, not by its bend.
+    """
     exact = evidence(context).exact
     if exact is None or len(exact.t) < 2:
         return None
     worst: LocalError | None = None
     steps = np.diff(exact.t)
     judged = evidence(context)
+    bent = np.isin(np.arange(len(steps)), rows_before_breaks(judged), invert=True)
     best = 0.0
     for coordinate in context.run.variant.coordinates:
         if coordinate.name not in exact.names or coordinate.rate not in exact.names or coordinate.name not in judged.scale:
@@ -133,7 +143,7 @@ def largest_step_error(context: PageContext) -> LocalError | None:
         if coordinate.rate in context.run.variant.known_rates:
             continue
         q, rate = exact.column(coordinate.name), exact.column(coordinate.rate)
-        gaps = np.diff(q) - steps * rate[:-1]
+        gaps = np.where(bent, np.diff(q) - steps * rate[:-1], 0.0)
         row = int(np.argmax(np.abs(gaps)))
         share = abs(float(gaps[row])) / (1.0 if coordinate.unit == "rad" else judged.scale[coordinate.name])
         if share > best:

@@ -50,3 +50,22 @@ def test_a_heading_says_a_name_once(title: str) -> None:
 )
 def test_how_the_drift_is_drawn_back_is_told(way: dict[str, Any], told: str) -> None:
     assert told in said(coursework.solve("31", "euler", quantities=["table"], **way), "method")
+
+
+# Both cranks of the five-bar are back after 2 s; no row is there, the nearest 4 ms before.
+@pytest.mark.parametrize(("period", "is_one"), [("2 s", True), ("1.7 s", False)])
+def test_that_the_run_does_not_end_with_its_period_is_why_only_where_the_motion_has_it(period: str, is_one: bool) -> None:
+    text = FIVE_BAR.replace('period = "2 s"', f'period = "{period}"').replace('step = "0.05 s"', 'step = "0.0499 s"')
+    assert ("that alone is why" in said(solved(text, scheme="exact"), "results")) is is_one
+    rows = solved(text, scheme="euler")
+    assert ("part of the period" in said(rows, "results")) is is_one
+    told = str([part for one in model_of(rows).sections if one.name == "conclusion" for part in one.parts])
+    assert ("not being the period" in told, "has not come back" in told) == (is_one, not is_one)
+
+
+@pytest.mark.parametrize(("time", "inside"), [("0.42 s", True), ("0.4 s", False)])
+def test_a_step_inside_which_the_drive_changes_is_not_taken_for_the_bend_of_the_curve(time: str, inside: bool) -> None:
+    text = FIVE_BAR.replace('w4 = "n4"', f'w4 = {{ pieces = [["0 s", "n4"], ["{time}", "-3*n4"]] }}')
+    shown = said(solved(text, scheme="euler"), "results")
+    assert ("A step inside which the drive changes its formula is left out" in shown) is inside
+    assert "the time of row 9)" not in shown

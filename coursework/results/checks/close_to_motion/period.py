@@ -2,7 +2,7 @@
 
 Enters: `Evidence`.  Leaves: a `Finding` each, and `Split`, which the page shows.
 total = scheme error + (T is not a whole number of steps) + round-off, signed, per column.
-Used by `check.py`, `closeness.py` and `results.py`.
+Used by `check.py`, `closeness.py`, `conclusion.py` and `results.py`.
 """
 
 from __future__ import annotations
@@ -214,6 +214,11 @@ def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, f
     worst = max(names, key=lambda name: missed(evidence, then, name))
     share = missed(evidence, then, worst)
     return (worst, share, *ends(evidence, then, worst)) if share > RETURNS else None
+
+
+def is_a_period(evidence: Evidence) -> bool:
+    """Return whether the file states a period and the exact motion is not known to be elsewhere after it."""
+    return evidence.variant.time.period is not None and _strayed(evidence, list(evidence.names)) is None
 
 
 def _is_beyond(evidence: Evidence, name: str) -> bool:

@@ -1,6 +1,6 @@
 """STEP: rows enough for the drive, for every turn of a crank, one at each break of the drive, nothing hidden between two.
 
-Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py` and `closeness.py`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A gear train whose ratio is no whole number: back after several periods of its drive, or never.
 
 Enters: `Evidence` whose exact motion is not back after the stated period.  Leaves: `Later`, None where no gain explains that.
-Used by `period.py` and `results.py`.
+Used by `period.py`.
 """
 
 from __future__ import annotations
