@@ -174,3 +174,13 @@ def test_a_number_read_in_a_measure_that_has_no_unit_of_its_own_is_read_in_si():
     assert [(code, sentence) for code, _, sentence in told if "area" in sentence] == [
         ("NO-UNIT", "area = 2 has no unit, other data have one; it is read as 2 SI.")
     ]
+
+
+def test_a_drive_that_stands_nowhere_is_told_unless_it_is_zero():
+    assert remarks(("[drive] ", '[drive]\nVNx = "V1"\nVNy = "0"\n#')) == [
+        (
+            "IDLE",
+            line_of("[drive]") + 1,
+            "VNx of [drive] moves nothing: no coordinate has it as its rate, and no equation holds it.",
+        )
+    ]

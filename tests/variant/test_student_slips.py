@@ -19,6 +19,13 @@ SLIPS = [
     ("V*sin(p*t)", "V*sin(p*T)", {"V053": 'Did you mean "t"?'}),
     ("r1*w1*sin(phi1) = 0", "r1*dphi1*sin(phi1) = 0", {"V053": "The rate of phi1 is written w1."}),
     ('"2*pi/p"', '"2π/p"', {"V120": 'an operator is missing before "pi"'}),
+    ("r1*w1*sin(phi1) = 0", "r1*w1*sin(phi1 + 20°) = 0", {"V101": "angles in formulas are radians: 20*pi/180"}),
+    (
+        "r1*w1*sin(phi1) = 0",
+        "r1*w1*sin(phi1) = VAy",
+        {"V053": "It is the velocity of A along y: where it is given, write its law"},
+    ),
+    ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w1 + w2"', {"V078": "set it equal to w1 + w2 in a [[constraint]]"}),
     ("[given] ", "[givens] ", {"V011": 'Did you mean "given"?'}),
     ("step      =", "stpe      =", {"V013": 'Write step = "0.02 s".', "V011": 'Did you mean "step"?'}),
     ('end       = "1 s"\n', "", {"V013": 'the key "end" is missing'}),

@@ -85,7 +85,8 @@ def _tokens(text: str) -> list[_Token]:
         match = _TOKEN.match(plain, position)
         if not match:
             start = position + len(plain[position:]) - len(plain[position:].lstrip())
-            advice = say(f"fault.sign.{_ADVICE.get(plain[start], 'other')}")
+            before = tokens[-1].text if tokens and tokens[-1].kind == "number" else "30"
+            advice = say(f"fault.sign.{_ADVICE.get(plain[start], 'other')}", number=before)
             # Kept for later: what stands before it may be the greater fault.
             return [
                 *tokens,

@@ -7,6 +7,7 @@ Used by `whole_file.py`, and by `mechanism/mechanism.py` for kinds that only the
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.judging.broken import Broken
@@ -63,7 +64,9 @@ def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:
     most = shape.counts[key][-1]
     if not most:
         return say("fault.shape.take_out", key=key)
-    told = entries(shape, key, letters_of(shape, group), count + 1 if count < most else 1)
+    # A length is named by letters: that of the kind where the point has no name of its own.
+    letters = letters_of(shape, replace(group, meets=group.meets or shape.letters[-1]))
+    told = entries(shape, key, letters, count + 1 if count < most else 1)
     return say("fault.shape.missing" if count < most else "fault.shape.all", roles=told)
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 
 from coursework.variant.dimensions.exponents import LENGTH
 from coursework.variant.formula.motion_units import UNITS
@@ -42,6 +43,7 @@ def remarks_on(
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
         *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant),
+        *_idle(variant, dimensions),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -156,6 +158,19 @@ def _links_left_out(variant: Variant) -> Iterator[_Found]:
     missing = [rate for rate in turning if all(link.rate != rate for link in variant.links)]
     if variant.links and missing:
         yield "LINKS", ("links",), say("remark.links", rates=", ".join(missing))
+
+
+def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
+    """Yield the drives that move nothing: no rate, no velocity of the driven point, in no equation, point or law.
+
+    What is zero has no term in an equation.
+    """
+    formulas = chain((one for _, one in variant.formulas()), (one for place in dimensions.places for one in place.formulas))
+    read = {*variant.rates, *(link.rate for link in variant.links), *(name for one in formulas for name in one.names())}
+    read |= {f"V{variant.driven}{axis}" for axis in "xy"}
+    for law in variant.drive:
+        if law.name not in read and not (law.formula and known_value(law.formula, variant.values) == 0):
+            yield "IDLE", ("drive", law.name), say("remark.idle", name=law.name)
 
 
 def _written_lengths(variant: Variant) -> set[str]:

@@ -78,7 +78,16 @@ class Names:
         """Return every name that may stand for a velocity."""
         return [name for name, kind in self.kinds.items() if kind in {"rate", "unknown", "drive"}]
 
-    def rate_meant(self, name: str) -> tuple[str, str]:
+    def meant(self, name: str) -> str:
+        """Return what the form of an undeclared name says: the rate of a coordinate, a velocity of a point; "" for nothing."""
+        of, rate = self._rate_meant(name)
+        if rate:
+            return say("hint.rate", of=of, name=rate)
+        point, axis = name[1:-1], name[-1:]
+        is_velocity = name[:1] == "V" and axis in {"x", "y"} and self.kinds.get(point) == "point"
+        return say("hint.of_point", point=point, axis=axis) if is_velocity else ""
+
+    def _rate_meant(self, name: str) -> tuple[str, str]:
         """Return the coordinate and its rate that someone means who writes dphi1, of "dphi1/dt", or phi1dot; "" for none."""
         found = re.fullmatch(r"d_?(\w+?)(?:_?dt)?|(\w+?)_?dot", name)
         meant = self.canonical(found[1] or found[2]) if found else ""

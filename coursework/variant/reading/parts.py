@@ -184,8 +184,7 @@ class Parts:
                 # Looking for the closest name takes time; after so many faults nobody reads the advice.
                 few = len(self.faults) < _ADVISED
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
-                of, rate = self.names.rate_meant(tree.name)
-                advice = say("hint.rate", of=of, name=rate) if rate else closest(name, [*allowed, "t", "pi"])
+                advice = self.names.meant(tree.name) or closest(name, [*allowed, "t", "pi"])
                 advice = advice or say(f"fault.part.declare.{scope}")
                 self.undeclared(path, _SCOPES[scope], say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
         return tree if name == tree.name else Formula("name", (), name, tree.column)

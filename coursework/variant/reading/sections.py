@@ -143,7 +143,9 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
     roles = (("wheel", entry.wheel), ("contact", entry.contact))
     wheel, contact = (parts.known_point(("links", key, role), name) if name else None for role, name in roles)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
-        text = say("fault.V078", rate=entry.rate, hint=closest(entry.rate, parts.names.velocities))
+        is_name = entry.rate.isidentifier()
+        hint = closest(entry.rate, parts.names.velocities) if is_name else say("hint.one_name", formula=entry.rate)
+        text = say("fault.V078", rate=entry.rate, hint=hint)
         parts.undeclared(("links", key, "rate"), {"rate", "unknown", "drive"}, text)
     slides = None if entry.slides is None else str(entry.slides)
     if slides is not None and (slides == key or slides not in links):

@@ -61,6 +61,7 @@ def test_sentences_are_split_into_runs() -> None:
 
 def test_sentences_of_the_tool_are_printed_properly() -> None:
     assert printed("1.07e-05 rad, -0.5 m, 2*cos(x)") == "1.07·10⁻⁵ rad, −0.5 m, 2·cos\u202fx"
+    assert printed("sin(phi2 + k - psi2) is zero") == "sin(phi2 + k − psi2) is zero"
     assert printed("E.x - A.x - r2*cos(phi2), (-C.x)*sin(a + b)") == "x_E − x_A − r2·cos\u202fphi2, (−x_C)·sin(a + b)"
     assert printed("C.y drifts; B1.vx too; see v1.0, file A.txt") == "y_C drifts; v_B1x too; see v1.0, file A.txt"
 
