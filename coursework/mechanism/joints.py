@@ -181,7 +181,7 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
         base = _carrier(points[moved], carried, points) if moved else FRAME
         carried[coordinate.name] = next(numbers)
         bodies = (carried[coordinate.name], base)
-        joints.append(Joint(REVOLUTE, bodies, None) if turns else _driven_slide(moved, variant, bodies))
+        joints.append(_driven_turn(coordinate, variant, bodies) if turns else _driven_slide(moved, variant, bodies))
     for group in variant.groups:
         own = [next(numbers) for _ in group.coordinates]
         outer = [_carrier(formula, carried, points) for formula in group.start_points]
@@ -200,6 +200,13 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
             holds[body].append(name)
     coordinates = {body: coordinate for coordinate, body in carried.items()}
     return Linkage(tuple(carried.values()), tuple(joints), coordinates, {body: tuple(names) for body, names in holds.items()})
+
+
+def _driven_turn(coordinate: Coordinate, variant: Variant, bodies: tuple[str, str]) -> Joint:
+    """Return the pivot of what turns with an angle beside the groups: where its arm begins, or the guide that turns with it."""
+    arms = (formula.args[0] for _, formula in variant.points if formula.op == "+" and coordinate.name in formula.names())
+    guides = (g.through for group in variant.groups for g in group.guides if coordinate.name in g.angle.names())
+    return Joint(REVOLUTE, bodies, next((base for base in (*arms, *guides) if base.op == "name"), None))
 
 
 def _driven_slide(moved: str, variant: Variant, bodies: tuple[str, str]) -> Joint:

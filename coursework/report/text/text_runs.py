@@ -178,7 +178,13 @@ def with_letters(text: str, names: Iterable[str]) -> str:
         rf"(?![^\W{_RAISED_DIGITS}])(?![\u2009\u202f]|[('’–-]\S)",
     )
     behind += r"(?!(?<=[A-Z])\. ?[A-Z])"  # V. R. Pasika
-    return _sub(f"{before}({'|'.join(either)}){behind}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+    return _sub(f"{before}({'|'.join(either)}){behind}", _lettered, text)
+
+
+def _lettered(found: re.Match[str]) -> str:
+    """Return a bare letter marked as a symbol; w is the letter ω."""
+    text = symbol(found[1]).text
+    return f"{ITALIC[0]}{text}{ITALIC[1]}" if text.isascii() else text
 
 
 def numeral(text: str) -> str | list[Run]:

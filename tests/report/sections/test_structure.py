@@ -142,3 +142,39 @@ def test_of_a_point_that_a_cam_lifts_no_body_is_known_and_no_pivot_drawn() -> No
     mechanism = solved(led, ("table",)).scene.mechanism
     outline = read_outline(mechanism)
     assert mechanism.linkage is None and outline is not None and outline.hinges == ("A",)
+
+
+# A guide through A turned by a drive, another one pushed along by a second: a pin between both.
+PIN = """\
+[given]
+n = "1 rad/s"
+v = "0.1 m/s"
+[drive]
+w = "n"
+us = "v"
+[coordinates]
+psi = { start = "40 deg", rate = "w" }
+s = { start = "0.4 m", rate = "us" }
+si = { rate = "ui", unit = "m" }
+sj = { rate = "uj", unit = "m" }
+[time]
+step = "0.02 s"
+end = "0.2 s"
+[points]
+A = "(0, 0)"
+K = "(s, 0)"
+[[group]]
+kind = "PRP"
+guides = [{ through = "A", angle = "psi" }, { through = "K", angle = "90 deg" }]
+meets = "C"
+coordinates = ["si", "sj"]
+[frame]
+rails = [{ through = "K", angle = "0" }]
+"""
+
+
+def test_what_turns_with_a_guide_has_its_pivot_where_the_guide_begins() -> None:
+    run = solved(PIN, ("table", "plans"))
+    assert "A (0,1)" in told(run)["Pairs"].replace("\u00a0", " ")
+    page = html_text(page_of(model_of(run)))
+    assert "The bent arrow is the given ω." in page and "where two lines meet" in page and "No two known lines" not in page

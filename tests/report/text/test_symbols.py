@@ -81,6 +81,9 @@ def test_letters_of_the_data_are_symbols_in_a_sentence_and_units_and_words_are_n
     letters = ("s", "R", "a", "d", "phi1")
     told = runs(with_letters("a step of 0.4 s: s is off, 2 R and −R; Δ = R², R-S, rad/s, 1/R, d\u202fω/dt", letters))
     assert [run["v"] for run in told if "v" in run] == ["s", "R", "R", "R", "R", "ω"]
+    assert runs(with_letters("Given besides: w and v", ("w", "v"))) == [
+        {"t": "Given besides: "}, {"v": "ω", "s": ""}, {"t": " and "}, {"v": "v", "s": ""},
+    ]  # fmt: skip
     assert [run["s"] for run in runs(with_pairs("it is off in si, at us", ("si", "us", "it", "is"))) if "v" in run] == ["i", "s"]
 
 
