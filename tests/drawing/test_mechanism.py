@@ -216,3 +216,11 @@ def test_the_scale_of_an_enlargement_is_as_round_as_that_of_a_reduction():
     assert {"1:1", "1.5:1", "6:1", "8:1", "1:1.5", "1:8"} <= {*told}
     assert [scale for scale in told if not re.fullmatch(r"1:\d+(\.5)?|\d+(\.5)?:1", scale)] == []
     assert all(fine < coarse for fine, coarse in pairwise(SCALES))
+
+
+def test_a_link_whose_angle_is_counted_clockwise_is_drawn_once() -> None:
+    """Its rate is another name than that of the coordinate: the arm from O to A is link 1 all the same."""
+    variant = load("robot-arm")
+    first, second = variant.links
+    outline = read_outline(build(replace(variant, links=(replace(first, rate="W1"), second))))
+    assert outline is not None and [bar.link for bar in outline.bars] == ["1", "2"]

@@ -203,7 +203,7 @@ class _Ruler:
     def step(self, one: Found) -> None:
         """Read what one step of the plan gives: a velocity, the sliding beside it, and the links that now turn as known."""
         point, fixed = one.point, self.sketch.pose.fixed
-        if one.rule == "rolls":
+        if one.rule in {"rolls", "meshes"}:
             return
         self.image(one)
         under = one.lines[-1].link if one.rule == "slide" else ""

@@ -1,7 +1,8 @@
 """Where the ground of a mechanism is, the same on paper and on the screen: below a hinge, behind a rail, in a fixed circle.
 
 Enters: an `Outline` and places of its points (name -> x + iy in m) in one position.  Leaves: directions, sides, racks.
-Used by `painter.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `report/live/scenery.py` and `moving_picture.py`.
+Used by `painter.py`, `polygons.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `report/live/scenery.py` and
+`moving_picture.py`.
 """
 
 from __future__ import annotations
@@ -77,3 +78,10 @@ def racks(outline: Outline, places: Places) -> list[Rack]:
                 to_gear = places[wheel.centre] - places[wheel.contact]
                 found.append(Rack(links[0], rail, wheel.contact, 1 if dot(1j * along, to_gear) < 0 else -1))
     return found
+
+
+def touched(outline: Outline, places: Places, wheel: Wheel) -> list[str]:
+    """Return the moving links that a wheel touches: another wheel, what holds the contact, a rack."""
+    wheels = [one.link for one in outline.wheels if one.contact == wheel.contact and one is not wheel]
+    holders = [bar.link for bar in outline.bars if wheel.contact in bar.corners and bar.link != wheel.link]
+    return [*wheels, *holders, *(rack.link for rack in racks(outline, places) if rack.contact == wheel.contact)]

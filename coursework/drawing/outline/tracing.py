@@ -140,7 +140,8 @@ class _Pencil:
             if coordinate.rate in self.drawn_rates or coordinate.name in grouped or coordinate.unit != "rad":
                 continue
             corners = [end for base, tip in self.arms_of(coordinate.name) if tip not in contacts for end in (base, tip)]
-            if corners:
+            listed = any({*corners} <= {*bar.corners} for bar in self.bars)  # a link that is drawn, its angle counted otherwise
+            if corners and not listed:
                 number_of = re.search(r"\d+$", coordinate.rate)
                 taken = {bar.link for bar in self.bars}
                 called = number_of[0] if number_of and number_of[0] not in taken else coordinate.rate

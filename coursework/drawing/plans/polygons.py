@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from coursework.drawing.outline.ground import touched
 from coursework.drawing.outline.outline import Bar, Outline, Slot
 from coursework.drawing.plans.moving import Kinematics
 from coursework.drawing.plans.special_points import PARALLEL, Leg, special_name, special_points
@@ -68,7 +69,8 @@ class _Plan:
         """Draw on until every point has its image."""
         for name in given:
             self.paper.place(name, "given")
-        while self.turned() or self.carried() or self.rolled() or self.slid() or self.met() or self.special() or self.solved():
+        rules = (self.turned, self.carried, self.rolled, self.slid, self.met, self.special, self.solved)
+        while any(rule() for rule in rules) or self.rolled(at_last=True):
             pass
 
     # how images are found, the simplest way first
@@ -105,16 +107,19 @@ class _Plan:
                         return True
         return False
 
-    def rolled(self) -> bool:
-        """Place the contact of a wheel whose centre is known."""
+    def rolled(self, at_last: bool = False) -> bool:
+        """Place the contact of a wheel whose centre is known and, unless nothing else is left, the motion of what it touches."""
+        places = {name: complex(point.at[self.row]) for name, point in self.kinematics.points.items()}
         for wheel in self.outline.wheels:
-            if wheel.centre in self.images and wheel.contact not in self.images:
+            is_due = at_last or self.rests(wheel.contact) or any(map(self.settled, touched(self.outline, places, wheel)))
+            if is_due and wheel.centre in self.images and wheel.contact not in self.images:
                 bar = self.bar(wheel.link)
                 self.turning.add(bar.link)
                 contact = self.kinematics.carried(bar, wheel.centre, self.kinematics.points[wheel.contact].at)
                 self.kinematics.points[wheel.contact] = contact
                 self.paper.along_bar(bar, wheel.centre, wheel.contact)
-                self.paper.place(wheel.contact, "rolls", (Line("wheel", wheel.centre, wheel.link),))
+                rule = "rolls" if self.rests(wheel.contact) else "meshes"
+                self.paper.place(wheel.contact, rule, (Line("wheel", wheel.centre, wheel.link),))
                 return True
         return False
 

@@ -33,8 +33,9 @@ def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], scale:
         values |= _read(amount, scale, "size", "mm")
     else:
         values |= {"size": amount, "mm": amount / scale.unit}
-    if one.rule in {"given", "rolls", "solved"}:
-        return say(f"plans.{plan}.{one.rule}", **values)
+    if one.rule in {"given", "rolls", "meshes", "solved"}:
+        centre = lowered_name(one.lines[0].base) if one.lines else ""
+        return say(f"plans.{plan}.{one.rule}", centre=centre, **values)
     if one.rule == "special":
         values |= {"link": one.link, "legs": crossing(one)}
     under, rider = (point, one.rider) if one.rule == "slide" else (f"{point}'", point)
