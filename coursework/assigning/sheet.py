@@ -17,6 +17,7 @@ from coursework.report.formulas.svg import Drawn, draw
 from coursework.report.graphs.figures import scale_on_paper
 from coursework.report.text.parts import Runs
 from coursework.report.text.readable import least_width
+from coursework.report.text.symbols import GREEK, symbol
 from coursework.report.text.words import Words
 from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
@@ -154,10 +155,16 @@ def _files(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
     told = [words("sheet.files")]
     if rubric.weights["equations"]:
         variant, join = handout.variant, words("join.comma").join
-        names = [name for one in variant.coordinates[:1] for name in (one.name, one.rate)] or [*variant.sought[:1]]
+        names = exemplary(variant)
         shown = join(symbol_text(variant, name) for name in names)
         told.append(words("sheet.notation", typed=join(map(_typed, names)), set=shown))
     return told
+
+
+def exemplary(variant: Variant) -> tuple[str, ...]:
+    """Return a coordinate and its rate, those with the most Greek letters, to show how names are written."""
+    pairs = [(one.name, one.rate) for one in variant.coordinates] or [variant.sought[:1]]
+    return max(pairs, key=lambda pair: sum(symbol(name).letter in GREEK.values() for name in pair))
 
 
 def _typed(name: str) -> str:

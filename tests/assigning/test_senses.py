@@ -7,11 +7,13 @@ import cmath
 import html
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 import coursework
+from coursework.assigning.sheet import exemplary
 from tests.command import call
 from tests.grading.marking.machines import PULLED_BARS
 
@@ -134,6 +136,12 @@ def test_the_sheet_says_which_files_and_decimals(tmp_path):
     assert f"at least {line[4]} decimals" in page
     assert f"{line[5]} decimals are still marked, with a note; fewer count as not handed in." in page
     assert int(line[5]) < int(line[4])
+
+
+def test_names_are_shown_by_those_with_greek_letters():
+    variant = coursework.load("v107")
+    assert exemplary(variant) == ("phi2", "w2")
+    assert exemplary(replace(variant, coordinates=variant.coordinates[::-1])) == ("phi3", "w3")  # s, u has none
 
 
 def test_what_the_rubric_does_not_mark_a_person_does(tmp_path):
