@@ -163,7 +163,7 @@ def _files(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
 
 def exemplary(variant: Variant) -> tuple[str, ...]:
     """Return a coordinate and its rate, those with the most Greek letters, to show how names are written."""
-    pairs = [(one.name, one.rate) for one in variant.coordinates] or [variant.sought[:1]]
+    pairs: list[tuple[str, ...]] = [(one.name, one.rate) for one in variant.coordinates] or [variant.sought[:1]]
     return max(pairs, key=lambda pair: sum(symbol(name).letter in GREEK.values() for name in pair))
 
 

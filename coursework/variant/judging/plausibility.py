@@ -43,7 +43,7 @@ def remarks_on(
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
         *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant),
-        *_idle(variant, dimensions),
+        *_idle(variant, dimensions), *_empty_guides(variant),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -158,6 +158,14 @@ def _links_left_out(variant: Variant) -> Iterator[_Found]:
     missing = [rate for rate in turning if all(link.rate != rate for link in variant.links)]
     if variant.links and missing:
         yield "LINKS", ("links",), say("remark.links", rates=", ".join(missing))
+
+
+def _empty_guides(variant: Variant) -> Iterator[_Found]:
+    """Yield the guides through a point that no link of [links] has: what slides in a guide is the point that it goes through."""
+    held = {name for link in variant.links for name in (*link.points, link.wheel, link.contact)}
+    for place, (through, _) in enumerate(variant.frame.rails if variant.links else ()):
+        if through.op == "name" and through.name not in held:
+            yield "GUIDE", ("frame", "rails", place), say("remark.guide", point=through.name)
 
 
 def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
