@@ -26,6 +26,7 @@ SLIPS = [
         {"V053": "It is the velocity of A along y: where it is given, write its law"},
     ),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w1 + w2"', {"V078": "set it equal to w1 + w2 in a [[constraint]]"}),
+    ('"0.02 s"', '"1/50 rad"', {"V160": 'Write "0.02 s".'}),
     ("[given] ", "[givens] ", {"V011": 'Did you mean "given"?'}),
     ("step      =", "stpe      =", {"V013": 'Write step = "0.02 s".', "V011": 'Did you mean "step"?'}),
     ('end       = "1 s"\n', "", {"V013": 'the key "end" is missing'}),

@@ -160,12 +160,16 @@ def _fault(
         for name, others, gap in conflicts:
             key = "together" if len(others) > 1 else "one" if others else "nothing"
             sentences.append(say(f"equation.contradicts.{key}", name=name, others=tuple(others), gap=abs(gap)))
-        sentences.append(say("equation.drive_less", drive=driven) if len(drive) > 1 else say("equation.correct"))
+        if len(kept) < len(unknowns):  # without one of them, or with fewer drives, even more would be missing
+            sentences.append(say("equation.correct_one"))
+        else:
+            sentences.append(say("equation.drive_less", drive=driven) if len(drive) > 1 else say("equation.correct"))
     sentences += [say("equation.dependent", sentence=_same(pair)) for pair in sames]
     if len(kept) < len(unknowns):
         sentences.append(say("equation.missing", names=tuple(_undetermined(matrix, kept, unknowns))))
         sentences += _structure(equations, rows, owner)
-        sentences.append(say_count("equation.ways", len(unknowns) - len(kept), drives=len(drive)))
+        if not conflicts:
+            sentences.append(say_count("equation.ways", len(unknowns) - len(kept), drives=len(drive)))
         if idle := tuple(law.name for law in drive if not _moves(law.name, equations)):
             rate = equations.variant.coordinates[0].rate
             sentences.append(say("equation.idle", names=idle, rate=rate))

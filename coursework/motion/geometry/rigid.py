@@ -1,4 +1,4 @@
-"""Whether [links] and [frame] are what the points of a file do: links keep their shape, guides and circles lie where points run.
+"""Whether [links] and [frame] are what the points of a file do: links keep their shape, hinges rest, guides lie where points run.
 
 Enters: velocity equations and their closure.  Leaves: nothing.  Raises `InputError` naming each link, rail, circle.
 Used by `unseen_signs.py`.  No column of the table feels a guide across the way of its slider; drawing, plans and forces do.
@@ -39,7 +39,7 @@ def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
 
 def _require(equations: VelocityEquations, closure: Closure) -> None:
     contradictory = len(closure.names) > len(closure.free)  # more is held than can be: another fault, told by others
-    if contradictory or not (equations.variant.links or equations.variant.frame.rails):
+    if contradictory or not (equations.variant.links or equations.variant.frame.rails or equations.variant.frame.hinges):
         return
     if faults := _faults(equations, closure):
         # What the start leaves open is kept, and is no distance of a link: the same must be told of a closed one.
@@ -56,7 +56,7 @@ def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
     tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}
     growing = [positions[:, place] for place, one in enumerate(variant.coordinates) if one.unit == "m"]
     seen = _Seen(variant, times, tracks, growing, closure.scale)
-    return [*seen.of_links(), *seen.of_rails(), *seen.of_circles()]
+    return [*seen.of_links(), *seen.of_hinges(), *seen.of_rails(), *seen.of_circles()]
 
 
 @frozen
@@ -89,6 +89,14 @@ class _Seen:
             if lost is not None:
                 known = {"link": link.name, "point": points[lost], "bar": link.slides, **self._between(offs[lost][0])}
                 yield self._fault(("links", link.name), say("fault.V315", **known))
+
+    def of_hinges(self) -> Iterator[Fault]:
+        """Yield the hinges of the frame that move."""
+        for place, name in enumerate(self.variant.frame.hinges):
+            away = np.abs(self.tracks[name] - self.tracks[name][0])
+            if not self._keeps(away):
+                known = {"point": name, "away": float(np.max(away)), "time": float(self.times[int(np.argmax(away))])}
+                yield self._fault(("frame", "hinges", place), say("fault.V319", **known))
 
     def of_rails(self) -> Iterator[Fault]:
         """Yield the rails across the way of their point, and those that a wheel does not touch from the side."""

@@ -33,7 +33,7 @@ def faults_of_groups(variant: Variant, shapes: Mapping[str, Shape], broken: Brok
         if group.kind in shapes and not broken.has("group", number - 1, "kind")
         for fault in _own(number, group, shapes[group.kind], variant, broken)
     ]
-    return own + ([*_order(variant)] or [*_circles(variant)])
+    return own + [*_shared(variant, broken)] + ([*_order(variant)] or [*_circles(variant)])
 
 
 def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Broken) -> Iterator[Fault]:
@@ -57,6 +57,16 @@ def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Brok
         plus, minus = (mode_meaning(shape, mode, letters_of(shape, group)) for mode in (1, -1))
         place = say("place.group_of", number=number, names=", ".join(group.coordinates))
         yield Fault(say("fault.V307", kind=group.kind, plus=plus, minus=minus), variant.file, group.line, 0, place)
+
+
+def _shared(variant: Variant, broken: Broken) -> Iterator[Fault]:
+    """Yield the coordinates that stand in two groups: each turns or slides one link, on which others may have points."""
+    first: dict[str, int] = {}
+    for number, group in enumerate(variant.groups, start=1):
+        for name in () if broken.has("group", number - 1, "coordinates") else group.coordinates:
+            if (before := first.setdefault(name, number)) != number:
+                told = say("fault.V348", number=number, name=name, before=before)
+                yield Fault(told, variant.file, variant.line_of("group", number - 1, "coordinates") or group.line)
 
 
 def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:

@@ -154,7 +154,7 @@ class Parts:
         try:
             tree = reader.parse(text, vectors=scope in {"geometry", "force"})
         except FormulaFault as fault:
-            advice = _without_unit(text)
+            advice = _without_unit(text, "s" if path[0] == "time" else "")
             self.say(path, advice or fault.message, 0 if advice else fault.column)
             return ZERO
         tree = self._resolve(path, tree, scope)
@@ -223,9 +223,10 @@ def _readers(source: Source) -> tuple[Callable[[str | int | float, str], units.Q
     return units.read_mass, units.is_mass_quantity
 
 
-def _without_unit(text: str) -> Sentence | None:
+def _without_unit(text: str, wanted: str = "") -> Sentence | None:
     """Return what is said of a formula with a unit behind it, such as "1/90 s"; None for any other text.
 
+    Advised is that unit, or `wanted` (an SI unit) where it measures something else.
     The unit of "phi1 + 90 deg" is that of the number, which would measure something else without it.
     """
     tree, formula, unit = _split(text)
@@ -234,6 +235,7 @@ def _without_unit(text: str) -> Sentence | None:
     value = _value(tree)
     if value is None and _ENDS_IN_NUMBER.search(formula) and units.size_of(unit) != 1:
         return None
+    unit = unit if wanted in {"", UNITS[unit][1]} else wanted
     advised = formula if value is None else f"{value:.9g} {unit}"
     return say("fault.V160", found=text[:60], advised=advised)
 

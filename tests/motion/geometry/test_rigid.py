@@ -100,9 +100,10 @@ def test_a_circle_that_no_wheel_rolls_on_may_be_drawn_beside():
         (TRAMMEL, ('through = "B", angle = "90 deg"', 'through = "E", angle = "90 deg"'), "V316 .*E leaves that line"),
         (of("epicyclic"), ('radius = "R0"', 'radius = "1.01*R0"'), "V317 .*radius of 0.1.* contact P is 0.1"),
         (of("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
+        (of("31"), ('hinges = ["D"]', 'hinges = ["D", "A"]'), "V319 .*A moves: at t = .*Take it out of hinges"),
         (of("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
     ],
-    ids=["link", "rail", "curved", "circle", "contact on a rail", "contact in a ring"],
+    ids=["link", "rail", "curved", "circle", "contact on a rail", "moving hinge", "contact in a ring"],
 )
 def test_a_link_or_frame_that_contradicts_the_points_is_told(text, slip, told):
     with pytest.raises(coursework.InputError, match=told):
