@@ -130,7 +130,7 @@ def drive_meanings(variant: Variant) -> Iterator[tuple[str, str]]:
     for law, formula in formulas:
         turned = formula.args[0] if formula.op == "neg" else formula
         if turned.op == "name" and law in of_one_piece:  # in pieces it is the speed for a while
-            yield turned.name, say("datum.speed", name=law)
+            yield turned.name, say("datum.speed", name=law if turned is formula else f"−{law}")
     for _, formula in formulas:
         for wave in _waves(formula):
             if _swings(wave):

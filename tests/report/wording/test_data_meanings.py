@@ -59,7 +59,7 @@ def test_no_datum_of_the_catalogue_is_without_a_meaning():
             },
         ),
         ({"VMx": "V1*cos(beta)", "VMy": "V1*sin(beta)"}, {"V1": "constant VM", "beta": "direction of VM"}),
-        ({"VMx": "-V1", "VMy": "0"}, {"V1": "constant VMx"}),
+        ({"VMx": "-V1", "VMy": "0"}, {"V1": "constant −VMx"}),
         ({"VMx": '{ pieces = [["0 s", "0"], ["0.5 s", "-V1"]] }', "VMy": "0"}, {}),  # it is constant for a while only
         ({"VMx": "V1*sin(beta)", "VMy": "V1*cos(beta)"}, {}),  # beta may be anything here
     ],
