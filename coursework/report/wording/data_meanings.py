@@ -63,12 +63,14 @@ def ends_kept(mechanism: Mechanism, names: Iterable[str]) -> dict[str, str]:
 
 
 def _placed(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
-    """Yield the coordinates of the points that the file puts somewhere."""
+    """Yield the coordinates of the points that the file puts somewhere, from the origin or from another point."""
     for point, formula in mechanism.points:
-        if formula.op == "pair":
-            for axis, part in zip("xy", formula.args, strict=True):
-                if part.op == "name":
-                    yield part.name, say(f"datum.{axis}", point=clean(point))
+        parts = [*terms(formula)]
+        base = parts[0].name if [part.op for part in parts] == ["name", "pair"] and formula.op == "+" else ""
+        for axis, part in zip("xy", parts[-1].args if base or formula.op == "pair" else (), strict=False):
+            if part.op == "name":
+                key = f"datum.{axis}_from" if base else f"datum.{axis}"
+                yield part.name, say(key, point=clean(point), base=clean(base))
 
 
 def _guided(variant: Variant) -> Iterator[tuple[str, str]]:

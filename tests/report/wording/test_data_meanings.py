@@ -73,3 +73,11 @@ def test_a_sine_without_time_is_no_wave(law: dict[str, str], told: dict[str, str
     )
     variant = coursework.parse_variant(text)
     assert dict(drive_meanings(variant)) == told
+
+
+def test_a_point_may_be_placed_from_another():
+    text = coursework.load("31").path.read_text(encoding="utf-8")
+    moved = text.replace('D = "(0, 0)"', 'K = "(0, 0)"\nD = "K + (xD, yD)"').replace("[drive] ", "[drive] #")
+    moved = moved.replace('alpha = "4.35 rad"', 'alpha = "4.35 rad"\nxD = "0 m"\nyD = "0.1 m"')
+    told = meanings(coursework.solve(coursework.parse_variant(moved), quantities=["table"]).scene.mechanism)
+    assert (told["xD"], told["yD"]) == ("abscissa of D from K", "ordinate of D from K")
