@@ -18,7 +18,7 @@ from coursework.report.formulas.display import display, marked_text
 from coursework.report.text.numbers import MINUS, first_of
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part, Runs
-from coursework.report.text.text_runs import runs
+from coursework.report.text.text_runs import printed, runs
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.words.sentences import say
 
@@ -126,7 +126,7 @@ def _vanishing(context: PageContext, block: Block, delta: str, determinant: Form
     text = marked_text(text, context.numbers.mark)
     if block.meaning == say("determinant.never"):
         return context.lettered(context.words("derivation.never", determinant=text))
-    meaning = context.told(block.meaning).rstrip(".")
+    meaning = printed(context.told(block.meaning)).rstrip(".")
     return context.lettered(context.words("derivation.vanishes", determinant=text, meaning=meaning))
 
 
@@ -136,7 +136,7 @@ def _numeric(context: PageContext, block: Block) -> Part:
         sentence = context.words("derivation.numeric", count=block.size, **named)
     else:
         sentence = context.words.count("derivation.long", block.size, **named)
-    meaning = context.told(block.meaning).rstrip(".")
+    meaning = printed(context.told(block.meaning)).rstrip(".")
     if meaning and block.meaning != say("determinant.never"):
         sentence = context.words.sentences([sentence, context.words("derivation.numeric_vanishes", meaning=meaning)])
     return Paragraph(context.lettered(sentence))
