@@ -79,6 +79,9 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return _distance(tree.name, variant)
     angles = [name for name in tree.names() if units.get(name) == "rad"]
     if tree.op == "call" and tree.name in {"sin", "cos"} and not _counted_alike(angles, tree.args[0], variant):
+        if len(angles) == 1 and tree.args[0].op == "name" and (other := _counted_from(angles[0], variant)):
+            key = "determinant.across" if tree.name == "cos" else "determinant.one_line"
+            return say(key, first=_link(other, variant), second=_link(angles[0], variant))
         return say("determinant.zero", formula=spelled(tree))
     if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 2 and _is_difference(tree.args[0]):
         first, second = (_link(name, variant) for name in angles)
@@ -105,6 +108,13 @@ def _counted_alike(angles: list[str], argument: Formula, variant: Variant) -> bo
         return True
     axes = [_axes(angle, variant) for angle in angles]
     return bool(set.intersection(*axes)) if len(axes) == 2 else all(_FROM_X in found for found in axes)
+
+
+def _counted_from(angle: str, variant: Variant) -> str:
+    """Return the angle of the link from which another one is counted: phi1 for L @ (phi1 + phi2); "" where it is from none."""
+    found = re.fullmatch(rf"(\w+) [+-] {_FROM_X}|{_FROM_X} \+ (\w+)", " or ".join(_axes(angle, variant)))
+    other = found[1] or found[2] if found else ""
+    return other if any(c.name == other for c in variant.coordinates) and _FROM_X in _axes(other, variant) else ""
 
 
 def _axes(angle: str, variant: Variant) -> set[str]:
@@ -138,9 +148,19 @@ def _is_difference(tree: Formula) -> bool:
 
 def _link(angle: str, variant: Variant, keys: tuple[str, str] = _NAMED) -> str:
     rate = next((c.rate for c in variant.coordinates if c.name == angle), "")
-    names = [link.name for link in variant.links if link.rate == rate] or _bodies(angle, variant)
+    names = [link.name for link in variant.links if link.rate == rate] or _bodies(angle, variant) or _held(angle, variant)
     named, at_angle = keys
     return say(named, name=names[0]) if names else say(at_angle, angle=angle)
+
+
+def _held(angle: str, variant: Variant) -> list[str]:
+    """Return the links that hold both ends of an arm placed by an angle, A and B of B = A + L @ angle."""
+    arms = [
+        {formula.args[0].name, point}
+        for point, formula in variant.points
+        if formula.op == "+" and [arg.op for arg in formula.args] == ["name", "@"] and angle in formula.args[1].args[1].names()
+    ]
+    return [link.name for ends in arms for link in variant.links if ends <= {*link.points}]
 
 
 def _bodies(angle: str, variant: Variant) -> list[str]:

@@ -189,3 +189,50 @@ def test_what_the_numbers_are_parts_of_is_said_where_they_first_stand(real: Modu
     assert "5 of 5 checks of the computation" in five_bar.summary
     assert re.search(r"% of 0.49 rad \(phi2, row \d+\)", five_bar.summary)
     assert "a column's scale: its range in the exact motion" in told(real, five_bar, "control")
+
+
+# An arm whose second angle is counted from its first link, and one whose links have rates of their own.
+ARM = """\
+[given]
+a = "0.4 m"
+b = "0.3 m"
+v = "0.1 m/s"
+[drive]
+VMx = "v"
+VMy = "v"
+[coordinates]
+phi1 = { start = "0.5 rad", rate = "w1" }
+phi2 = { start = "1 rad", rate = "w2" }
+[unknowns]
+W2 = "1/s"
+[time]
+step = "0.1 s"
+end = "0.2 s"
+[[constraint]]
+equation = "W2 = w1 + w2"
+[[constraint]]
+equation = "VMx = -a*w1*sin(phi1) - b*W2*sin(phi1 + phi2)"
+[[constraint]]
+equation = "VMy = a*w1*cos(phi1) + b*W2*cos(phi1 + phi2)"
+[points]
+O = "(0, 0)"
+A = "O + a @ phi1"
+M = "A + b @ (phi1 + phi2)"
+[links]
+1 = { points = ["O", "A"], rate = "w1" }
+2 = { points = ["A", "M"], rate = "W2" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("sign", "factor", "told"),
+    [
+        ("+", "sin(phi2)", "link 1 and link 2 lie on one line (stretched or folded)"),
+        ("-", "sin(phi2)", "link 1 and link 2 lie on one line (stretched or folded)"),
+        ("+", "cos(phi2)", "link 1 and link 2 stand at a right angle to each other"),
+        ("+ a/b +", "sin(phi2)", "sin(phi2) is zero"),
+    ],
+)
+def test_an_angle_counted_from_another_link_tells_how_both_lie(sign: str, factor: str, told: str) -> None:
+    variant = parse_variant(ARM.replace("phi1 + phi2", f"phi1 {sign} phi2"))
+    assert meaning(parse_formula(factor), variant, ()) == told
