@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from coursework.results.checks.close_to_motion import several_periods
+from tests.report.own import FIVE_BAR
 from tests.results.checks.independent import judge
 from tests.results.checks.scenes import evidence_of, finding, found, solve
 from tests.results.checks.verdicts import contradictions
@@ -120,6 +121,13 @@ def test_part_of_a_turn_of_the_drive_is_no_period(period):
     position = judged(wheel("0.7", period, turns=4))[0]
     assert position.verdict == "FAIL"
     assert "Check the period" in position.sentence
+
+
+@pytest.mark.parametrize(("period", "again"), [("1 s", "Check the period. After 2 times as long, 2 s, it does."), ("0.9 s", "")])
+def test_a_period_of_one_crank_is_told_with_that_of_both(period, again):
+    """Two cranks at 60 and 30 rpm: a turn of the first is half of what brings both back, 0.9 s no part of it."""
+    position = judged(FIVE_BAR.replace('period = "2 s"', f'period = "{period}"'))[0]
+    assert position.verdict == "FAIL" and position.sentence.endswith(again or "Check the period.")
 
 
 def test_a_drive_that_changes_its_speed_is_waited_for_too():

@@ -35,6 +35,8 @@ from coursework.words.sentences import joined, say
 
 # Where the exact motion alone is this part of the limit beside its start, a finer step does not bring the row inside it.
 NEARLY = 0.9
+# Part of the scale by which a motion that is back after several periods may miss its start: five digits of the period.
+AGAIN = 1e-4
 
 
 @frozen
@@ -179,8 +181,22 @@ def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
             return skipped(evidence.say("check.PERIOD.never", period=evidence.period, most=MOST))
         end = float(evidence.motion.t[-1])
         return skipped(evidence.say("check.PERIOD.later_end", after=_periods(evidence, back), time=back.time, end=end))
-    strayed = _strayed(evidence, names)
-    return _not_back(evidence, *strayed) if strayed is not None else None
+    if (strayed := _strayed(evidence, names)) is None or (found := _not_back(evidence, *strayed)) is None:
+        return None
+    number = evidence.once(f"back after a multiple of {evidence.period!r}", lambda: _multiple(evidence))
+    told = evidence.say("check.PERIOD.multiple", number=number, time=number * evidence.period) if number else ""
+    return replace(found, sentence=joined([found.sentence, told]))
+
+
+def _multiple(evidence: Evidence) -> int:
+    """Return after how many of the stated periods, inside the run, the exact motion is back; 0 after none.
+
+    That is so where two cranks turn at 3 : 5 and the turn of one is stated.
+    """
+    most = min(MOST, int(float(evidence.motion.t[-1]) / evidence.period * (1 + NEAR_PERIOD)))
+    rows = ((number, after(evidence, number * evidence.period)) for number in range(2, most + 1))
+    back = (k for k, row in rows if row is not None and all(missed(evidence, row, name) <= AGAIN for name in evidence.names))
+    return next(back, 0)
 
 
 def _drive_strayed(evidence: Evidence) -> Finding | None:
