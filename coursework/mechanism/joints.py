@@ -149,17 +149,20 @@ def _is_block(link: Link) -> bool:
 
 def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]) -> Iterator[Joint]:
     """Yield the contacts of wheels, each once; a wheel on a pivot of the frame touches another wheel, what holds the point, or
-    the rack.
+    the rack.  Where a pivot or a carrier keeps the wheel in its place, the contact only lets both roll alike.
     """
     met: set[str] = set()
     for link in variant.links:
         if not link.contact or link.name in met:
             continue
         on_pivot = link.wheel in variant.frame.hinges
-        wheels = [other.name for other in variant.links if other.contact == link.contact and other is not link]
+        beside = [other for other in variant.links if other.contact == link.contact and other is not link]
+        wheels = [other.name for other in beside]
+        middles = {*(other.wheel for other in beside), *(c.name for c, _ in variant.frame.circles if c.op == "name")}
+        carriers = [one for one in variant.links if link.wheel in one.points and not middles.isdisjoint(one.points)]
         touched = [*wheels, *(body for body in holds.get(link.contact, ()) if body != link.name), *(racks if on_pivot else ())]
         met.update(wheels)
-        kind = MESHING if on_pivot and touched else ROLLING
+        kind = MESHING if (on_pivot and touched) or carriers else ROLLING
         yield Joint(kind, (link.name, touched[0] if touched else FRAME), named(link.contact))
 
 

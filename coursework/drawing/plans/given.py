@@ -23,16 +23,20 @@ DrivenLengths = Mapping[tuple[str, str], str]
 
 
 def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
-    """Return the points with a given velocity, and those that only driven coordinates move, one of them along a guide.
+    """Return the points with a given velocity, and those that only driven coordinates move, one along a guide or by a law.
 
     A point that a driven angle moves is no such point: it is carried by its crank.
     """
     formulas = dict(outline.points)
     coordinates = {c.name: c for c in variant.coordinates}
+    laws = {law.name: {law.of, *(name for one in law.formulas for name in one.names())} for law in variant.functions}
 
     def pushed(name: str) -> bool:
-        moving = [coordinates[one] for one in coordinates.keys() & reached([name], formulas)]
-        return any(c.unit == "m" for c in moving) and all(c.rate in variant.known_rates for c in moving)
+        names = {*reached([name], formulas)}
+        led = [laws[one] for one in laws.keys() & names]
+        moving = [coordinates[one] for one in coordinates.keys() & names.union(*led)]
+        along = any(c.unit == "m" for c in moving) or bool(led)
+        return along and all(c.rate in variant.known_rates for c in moving)
 
     drawn = dict.fromkeys(name for bar in outline.bars for name in bar.corners)
     return tuple(dict.fromkeys((*outline.driven, *(name for name in drawn if name in formulas and pushed(name)))))

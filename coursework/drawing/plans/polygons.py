@@ -69,8 +69,8 @@ class _Plan:
         """Draw on until every point has its image."""
         for name in given:
             self.paper.place(name, "given")
-        rules = (self.turned, self.carried, self.rolled, self.slid, self.met, self.special, self.solved)
-        while any(rule() for rule in rules) or self.rolled(at_last=True):
+        rules = (self.turned, self.carried, self.rolled, self.slid, self.met, self.special)
+        while any(rule() for rule in rules) or self.rolled(at_last=True) or self.solved():
             pass
 
     # how images are found, the simplest way first

@@ -139,8 +139,11 @@ def test_of_a_point_that_a_cam_lifts_no_body_is_known_and_no_pivot_drawn() -> No
     """C follows a law of the crank angle on a guide: it is no hinge of the frame, and a count would leave its link out."""
     led = PRESS.replace('s = { start = "0.35 m", rate = "us" }\n', "").replace('us = "0.2*r1*n1*sin(n1*t)"\n', "")
     led = led.replace('C = "(s, 0)"', 'C = "(lift, 0)"\n[functions]\nlift = "0.35 + 0.02*sin(phi1)"', 1)
-    mechanism = solved(led, ("table",)).scene.mechanism
+    run = solved(led, ("table", "plans"))
+    mechanism = run.scene.mechanism
     outline = read_outline(mechanism)
+    page = html_text(page_of(model_of(run)))
+    assert re.search(r"VC = [\d.]+ m/s is given", page) and "No two known lines" not in page
     assert mechanism.linkage is None and outline is not None and outline.hinges == ("A",)
 
 
