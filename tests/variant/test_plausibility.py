@@ -190,4 +190,10 @@ def test_a_guide_through_a_point_that_no_link_has_is_told():
     begin = line_of("rails")
     told = "no link has the point D2, so nothing slides in the guide through it. Write the point that slides there."
     other = ('through = "P"', 'through = "D2"'), ('D = "(0, 0)"', 'D = "(0, 0)"\nD2 = "D + (r1, 0)"')
-    assert remarks(*other) == [("GUIDE", begin + 1, told)] and remarks() == []
+    assert ("GUIDE", begin + 1, told) in remarks(*other) and remarks() == []
+
+
+def test_a_wheel_of_which_it_is_not_shown_what_it_rolls_on_is_told():
+    told = remarks(('rails  = [ { through = "P", angle = "0" } ]', ""))
+    assert [(code, line) for code, line, _ in told] == [("CONTACT", line_of("4 = { wheel"))]
+    assert "nothing is listed that wheel 4 touches at P" in told[0][2]

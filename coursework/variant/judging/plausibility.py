@@ -43,7 +43,7 @@ def remarks_on(
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
         *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant),
-        *_idle(variant, dimensions), *_empty_guides(variant),
+        *_idle(variant, dimensions), *_empty_guides(variant), *_untouched(variant),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -166,6 +166,16 @@ def _empty_guides(variant: Variant) -> Iterator[_Found]:
     for place, (through, _) in enumerate(variant.frame.rails if variant.links else ()):
         if through.op == "name" and through.name not in held:
             yield "GUIDE", ("frame", "rails", place), say("remark.guide", point=through.name)
+
+
+def _untouched(variant: Variant) -> Iterator[_Found]:
+    """Yield the wheels of which the file does not show what they roll on: a rail, a circle, a rack, or what has the contact."""
+    rails = {through.name for through, _ in variant.frame.rails if through.op == "name"}
+    racks = any(len(link.points) == 1 and not (link.rate or link.wheel) for link in variant.links)
+    for link in () if variant.frame.circles or racks else variant.links:
+        others = (name for one in variant.links if one is not link for name in (*one.points, one.contact))
+        if link.contact and link.contact not in {*rails, *others}:
+            yield "CONTACT", ("links", link.name), say("remark.contact", link=link.name, point=link.contact)
 
 
 def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
