@@ -20,7 +20,7 @@ from coursework.motion.geometry.open_loops import with_closed_loops
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, evaluate, named, signed
-from coursework.variant.record.entries import Link
+from coursework.variant.record.entries import Link, reached
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -39,13 +39,22 @@ def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
 
 def _require(equations: VelocityEquations, closure: Closure) -> None:
     contradictory = len(closure.names) > len(closure.free)  # more is held than can be: another fault, told by others
-    if contradictory or not (equations.variant.links or equations.variant.frame.rails or equations.variant.frame.hinges):
+    variant = equations.variant
+    if contradictory or not (
+        variant.links or variant.frame.rails or any(_may_move(name, variant) for name in variant.frame.hinges)
+    ):
         return
     if faults := _faults(equations, closure):
         # What the start leaves open is kept, and is no distance of a link: the same must be told of a closed one.
         near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
         if near is not None and _faults(equations, near):
             raise InputError(faults)
+
+
+def _may_move(point: str, variant: Variant) -> bool:
+    """Return whether a point is placed by more than data, or met by a group."""
+    places = dict(variant.points)
+    return point not in places or not {*reached([point], places)} <= {point, *places, *variant.values, "pi"}
 
 
 def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
