@@ -21,9 +21,10 @@ from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.accuracy.methods import left_out, trials
 from coursework.results.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
-from coursework.results.accuracy.sentences import sentences_of, unsettled
+from coursework.results.accuracy.sentences import ROUNDINGS, sentences_of, unsettled
 from coursework.results.accuracy.timing import QUICK_REPEAT, REPEATS, seconds, timed_once
 from coursework.results.accuracy.trace import orders_of
+from coursework.results.checks.close_to_motion.rows import AT_ROW
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
@@ -51,7 +52,8 @@ def make_study(
     if not is_same:
         reference = other
     # No error can be measured that is smaller than what two references differ by.
-    floor = max(64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference)))), agreement if is_same else 0.0)
+    size = max(1.0, float(np.max(np.abs(reference))))
+    floor = max(ROUNDINGS * float(np.finfo(float).eps) * size, agreement if is_same else 0.0)
     fine = {0: reference} | ({1: reference} if problem.pace == 1 else {})
     rows: list[StudyRow] = []
     for trial in trials(problem, bounds):
@@ -84,10 +86,16 @@ def make_study(
     if agreement:  # where there is no closure, the reference is such a run itself
         key = "study.reference" if is_same else "study.own_reference"
         label = say(key, label=label, gap=gap, agreement=agreement)
-    told = (*sentences_of(rows, orders, end_orders, own_row, floor), *unsettled(rows, floor))
+    told = (*sentences_of(rows, orders, end_orders, own_row, floor), *unsettled(rows, floor, broken=_is_broken(problem, rows)))
     where = machine() if timed else {}
     rest = left_out(problem, bounds)
     return AccuracyStudy(tuple(rows), orders, own, floor, label, told, tuple(overhead), timed, where, rest)
+
+
+def _is_broken(problem: Problem, rows: Sequence[StudyRow]) -> bool:
+    """Return whether a break of the drive lies inside a step of the finest run, and so of every one."""
+    step = problem.rows * problem.step / max(int(row.steps_or_tolerance) for row in rows if row.steps_or_tolerance.isdigit())
+    return any(abs(time / step - round(time / step)) > AT_ROW * (1 + time / step) for time in problem.rates.breaks)
 
 
 def _without_runs(why: str, exact: Motion, timed: bool) -> AccuracyStudy:

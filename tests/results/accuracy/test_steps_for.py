@@ -61,6 +61,9 @@ def test_errors_that_do_not_fall_yet_have_no_order_and_no_better_scheme():
     assert not any("To be as good" in one or "times less" in one for one in told)
     assert str(unsettled(missed, 1e-15)[0]).endswith("too coarse for an order; local slopes: explicit Euler: none.")
     assert unsettled([row(DEFAULT_SCHEME, count, 1e-16) for count in COUNTS], 1e-15) == ()  # round-off is as good as it gets
+    grown = [row(DEFAULT_SCHEME, count, 1e-12 * (3 if count == COUNTS[-1] else 1)) for count in COUNTS]
+    assert unsettled(grown, 1e-13) == () and unsettled(grown, 1e-15) != ()  # 64 round-offs of a step, as many as there are steps
+    assert str(unsettled(missed, 1e-15, broken=True)[0]).startswith("The drive changes its formula inside a step of every run")
 
 
 def test_a_run_that_did_not_end_has_empty_cells():
