@@ -114,7 +114,8 @@ def _return(context: PageContext) -> list[str]:
     row = context.run.results.evidence.period_row or 0
     driven = variant.given_coordinates
     time = context.quantity(float(context.run.motion.t[row]), "s")
-    own = [split for split in left if split.name in coordinates and split.name not in driven]
+    moved = [split for split in left if split.name in coordinates]
+    own = [split for split in moved if split.name not in driven] or moved
     if not own:
         key = "conclusion.positions" if left else "conclusion.repeats"
         return [say(key, row=row + 1, time=time)]

@@ -69,3 +69,15 @@ def test_a_step_inside_which_the_drive_changes_is_not_taken_for_the_bend_of_the_
     shown = said(solved(text, scheme="euler"), "results")
     assert ("A step inside which the drive changes its formula is left out" in shown) is inside
     assert "the time of row 9)" not in shown
+
+
+def test_where_drives_place_every_coordinate_a_row_repeats_the_first_only_if_they_do() -> None:
+    """An arm that turns and grows: after a turn it points the same way and is longer."""
+    arm = (
+        '[drive]\nw = "2"\nu = "0.1"\n[coordinates]\nphi = { start = "0 deg", rate = "w" }\ns = { start = "0.1 m", rate = "u" }\n'
+        '[unknowns]\nvx = "m/s"\n[time]\nstep = "pi/40"\nend = "pi"\n'
+        '[[constraint]]\nequation = "vx = u*cos(phi) - s*w*sin(phi)"\n[ask]\nquantities = ["table", "checks"]\n'
+    )
+    run = solved(arm)
+    told = str([part for one in model_of(run).sections if one.name == "conclusion" for part in one.parts])
+    assert "which has not come back" in told and "repeats row 1" not in told
