@@ -27,6 +27,8 @@ SLIPS = [
     ),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w1 + w2"', {"V078": "set it equal to w1 + w2 in a [[constraint]]"}),
     ('"0.02 s"', '"1/50 rad"', {"V160": 'Write "0.02 s".'}),
+    ('["A", "M"]', '["A", "A"]', {"V157": "A stands twice in this list."}),
+    ('hinges = ["O"]', 'hinges = ["O", "O"]', {"V157": "O stands twice in this list."}),
     ("[given] ", "[givens] ", {"V011": 'Did you mean "given"?'}),
     ("step      =", "stpe      =", {"V013": 'Write step = "0.02 s".', "V011": 'Did you mean "step"?'}),
     ('end       = "1 s"\n', "", {"V013": 'the key "end" is missing'}),

@@ -99,7 +99,7 @@ def _later(group: Group, met: set[str], known: set[str], variant: Variant) -> st
     coordinates, points = {c.name for c in variant.coordinates}, dict(variant.points)
     later = {other.meets for other in variant.groups}
     needed = reached([name for formula in group.formulas for name in formula.names()], points)
-    late = (name for name in needed if name not in points and name not in met)
+    late = (name for name in needed if name not in points and name not in met and name != group.meets)  # that is a circle
     return next((name for name in late if (name in coordinates and name not in known) or name in later), "")
 
 
@@ -115,4 +115,5 @@ def _circles(variant: Variant) -> Iterator[Fault]:
     except CycleError as error:
         circle = error.args[1][::-1]
         told = say("fault.V345" if len(circle) > 2 else "fault.V346", circle=" → ".join(circle))
-        yield Fault(told, variant.file, variant.nearest_line("points", circle[0]))
+        met = {group.meets: group.line for group in variant.groups}
+        yield Fault(told, variant.file, met.get(circle[0]) or variant.nearest_line("points", circle[0]))

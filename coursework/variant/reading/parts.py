@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from functools import partial
 from typing import Literal
 
@@ -58,6 +58,12 @@ class Parts:
         """Keep a fault."""
         self.broken.add(path)
         self.faults.append(self.source.fault(path, message, column))
+
+    def once(self, path: KeyPath, names: Sequence[str]) -> None:
+        """Keep a fault for each name that a list of points has twice."""
+        for place, name in enumerate(names):
+            if name in names[:place]:
+                self.say((*path, place), say("fault.V157", name=name))
 
     def undeclared(self, path: KeyPath, kinds: Collection[str], message: Sentence, column: int = 0) -> None:
         """Keep a fault about a name of some kinds that is not declared, unless another fault may have hidden its declaration."""

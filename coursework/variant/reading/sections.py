@@ -107,6 +107,7 @@ def read_quote(place: int, entry: schema.Quote, columns: list[str], time: Time, 
 def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:
     """Return one group of a chain, or its crank."""
     path = ("group", index)
+    parts.once((*path, "from"), entry.start_points)
 
     listed: list[tuple[KeyPath, schema.Guide]] = [((*path, "guide"), entry.guide)] if entry.guide else []
     listed += [((*path, "guides", i), guide) for i, guide in enumerate(entry.guides)]
@@ -140,6 +141,7 @@ def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:
 def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> Link:
     """Return one rigid body."""
     points = tuple(parts.known_point(("links", key, "points", place), point) for place, point in enumerate(entry.points))
+    parts.once(("links", key, "points"), points)
     roles = (("wheel", entry.wheel), ("contact", entry.contact))
     wheel, contact = (parts.known_point(("links", key, role), name) if name else None for role, name in roles)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
@@ -158,6 +160,7 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
 def read_frame(entry: schema.Frame, parts: Parts) -> Frame:
     """Return the fixed link."""
     hinges = tuple(parts.known_point(("frame", "hinges", place), point) for place, point in enumerate(entry.hinges))
+    parts.once(("frame", "hinges"), hinges)
 
     def pairs(section: str, entries: Sequence[object], place: str, size: str, si: str) -> tuple[tuple[Formula, Formula], ...]:
         return tuple(
