@@ -119,7 +119,9 @@ export function dataIn(box, view) {
     const { slider, field, unit, row } = /** @type {NonNullable<ReturnType<typeof rows.get>>} */ (rows.get(datum.name));
     Object.assign(/** @type {object} */ (rows.get(datum.name)), { datum });
     const label = /** @type {HTMLElement} */ (row.firstElementChild);
-    label.textContent = datum.symbol || datum.name;
+    // "x_D": no capital letter stands lower by itself.
+    const [letter = "", low] = (datum.symbol || datum.name).split(/_(.*)/);
+    label.replaceChildren(letter, ...(low ? [make("sub", {}, low)] : []));
     label.title = row.title = datum.title;
     slider.setAttribute("aria-label", say("slider", { name: datum.symbol || datum.name }));
     unit.textContent = datum.unit;
