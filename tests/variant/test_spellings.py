@@ -93,10 +93,11 @@ TURN = 2 * math.pi
 # Units of task sheets, written down here once more: text -> value in SI and SI unit.
 LENGTHS = {"m": 1, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048, "м": 1, "см": 0.01, "мм": 0.001}
 ANGLES = {"rad": 1, "deg": TURN / 360, "°": TURN / 360, "grad": TURN / 360, "рад": 1, "град": TURN / 360}
-TIMES = {"s": 1, "ms": 0.001, "min": 60, "с": 1, "мс": 0.001, "мин": 60}
+TIMES = {"s": 1, "ms": 0.001, "min": 60, "с": 1, "мс": 0.001, "мин": 60, "хв": 60}
 TURNING = {
     "rad/s": 1, "1/s": 1, "deg/s": TURN / 360, "°/s": TURN / 360, "rpm": TURN / 60, "1/min": TURN / 60, "rev/s": TURN,
     "rev/min": TURN / 60, "рад/с": 1, "1/с": 1, "град/с": TURN / 360, "об/мин": TURN / 60, "об/с": TURN, "1/мин": TURN / 60,
+    "об/хв": TURN / 60, "1/хв": TURN / 60,
     "grad/s": TURN / 360, "rad/min": 1 / 60, "r/min": TURN / 60, "r/s": TURN, "U/min": TURN / 60,
 }  # fmt: skip
 SPEEDS = {

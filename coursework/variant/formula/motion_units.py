@@ -22,7 +22,7 @@ _LATIN = {
 _CYRILLIC = {
     "m": {"м": Fraction(1), "см": Fraction(1, 100), "мм": Fraction(1, 1000)},
     "rad": {"рад": Fraction(1), "град": _TURN / 180, "°": _TURN / 180},
-    "s": {"с": Fraction(1), "мс": Fraction(1, 1000), "мин": Fraction(60)},
+    "s": {"с": Fraction(1), "мс": Fraction(1, 1000), "мин": Fraction(60), "хв": Fraction(60)},
     "turn": {"об": 2 * _TURN},
 }
 
@@ -37,10 +37,10 @@ def _all_units() -> dict[str, tuple[Fraction, str]]:
             units |= {f"{unit}/{time}": (size / seconds, "m/s") for unit, size in script["m"].items()}
             units |= {f"{unit}/{time}^2": (size / seconds**2, "m/s^2") for unit, size in script["m"].items()}
             units |= {f"{unit}/{time}": (size / seconds, "1/s") for unit, size in turning.items()}
-        second, _, minute = times
+        second, _, *minutes = times
         units |= {f"{unit}/{second}^2": (size, "1/s^2") for unit, size in turning.items()}
         # Machines count turns a minute; 1/s is the angular velocity of a task sheet.
-        units[f"1/{minute}"] = (_TURN / 30, "1/s")
+        units |= {f"1/{minute}": (_TURN / 30, "1/s") for minute in minutes}
     return units
 
 
