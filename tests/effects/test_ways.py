@@ -133,6 +133,16 @@ def test_power_is_the_change_of_the_energy_where_rows_are_close_enough():
     assert {one.code: one.verdict for one in check_forces(of("example-1-forces"), None)}["POWER"] == "COARSE"
 
 
+@pytest.mark.parametrize("parts", [1, 4])
+def test_power_is_not_read_off_rows_across_a_break_of_the_drive(parts):
+    """The run-up ends in row 41 and the acceleration of the crank with it: no step makes that a slope of the energy."""
+    engine = massed(coursework.load("engine-start"))
+    finer = replace(engine, time=replace(engine.time, step=0.01 / parts))
+    found = analysis(scene_of(finer, Settings(scheme="euler")), exact=True)
+    power = next(one for one in check_forces(found, found) if one.code == "POWER")
+    assert abs(power.row - 1 - 40 * parts) >= 2 and (power.verdict == "PASS") == (parts == 4)
+
+
 def test_a_redundant_support_gives_what_is_unique_and_nothing_else():
     wanted = json.loads((REFERENCE / "hard_forces.json").read_text(encoding="utf-8"))["redundant crank"]
     found = of_text(PARALLEL)

@@ -12,6 +12,8 @@ from coursework.effects.effects import Action, add_wrench
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
+from coursework.motion.geometry.drive import breaks
+from coursework.results.checks.close_to_motion.rows import AT_ROW
 from coursework.results.checks.result import Check, Finding, Verdict, floored, skipped
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
@@ -105,6 +107,8 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     if not scale:
         return skipped(say("check.forces.none"))
     off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are coarser by far
+    for time in breaks(of.equations.variant):  # a change of formula bends the energy: five rows across it give no slope of it
+        off[np.abs(t[2:-2] - time) < 2 * step * (1 - AT_ROW)] = 0.0
     row, value = int(np.argmax(off)) + 3, float(off.max())
     return _graded("POWER", value, POWER_SHARE, "COARSE", row, value=value)
 
