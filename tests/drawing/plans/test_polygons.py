@@ -287,23 +287,3 @@ def test_vectors_are_as_long_on_paper_as_the_scale_says(tmp_path: Path) -> None:
     way = complex(reference["x"], -reference["y"]) / reference["scale"]
     shaft = way * (1 - 2.4 / abs(way))
     assert any(abs(complex(line.x, line.y) * mm - shaft) < 0.05 for line, _ in lines)
-
-
-def test_a_gear_moves_at_its_contact_as_its_rack_and_is_drawn_after_it() -> None:
-    """By hand: Q of the gear has the speed of the rack c, and the acceleration of it beside the square of w4 times R."""
-    drawn = drawings_of("v112")
-    velocity, acceleration = (drawn[f"{plan}-plan"].steps for plan in ("velocity", "acceleration"))
-    (place,) = (k for k, step in enumerate(velocity) if step.startswith("At Q the wheel has the velocity of what it touches"))
-    assert velocity[place - 1].startswith("c lies where two lines meet") and not any("at rest" in step for step in velocity)
-    assert acceleration[place].startswith("Along the common tangent the point Q of the wheel has the acceleration of what it")
-    row = run_of("v112").of(run_plans()).row
-    found = {key[1:]: z for key, z in vectors("v112", row).items() if key[0] == "table" and key[2] == "absolute"}
-    rack, contact = (found["velocity", "absolute", "pole", name] for name in "CQ")
-    assert contact == pytest.approx(rack, abs=1e-12)
-    gap = found["acceleration", "absolute", "pole", "Q"] - found["acceleration", "absolute", "pole", "C"]
-    radius = 0.225  # of the pitch circle
-    assert abs(gap) == pytest.approx(abs(contact) ** 2 / radius, rel=1e-9)
-
-
-def test_a_wheel_on_what_rests_has_its_contact_at_the_pole() -> None:
-    assert any(step.startswith("The contact P of the wheel is at rest") for step in drawings_of("31")["velocity-plan"].steps)
