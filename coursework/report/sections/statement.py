@@ -137,7 +137,8 @@ def _held(context: PageContext) -> list[str]:
             else:
                 told.append(say("statement.wheel", **wheel))
         if link.slides:
-            told.append(say("statement.sleeve", link=clean(link.name), bar=clean(link.slides)))
+            key = "sleeve" if {*link.points} & {*variant.frame.hinges} else "slides"  # on a pivot, or along a link that moves
+            told.append(say(f"statement.{key}", link=clean(link.name), bar=clean(link.slides)))
     contacts = {link.contact for link in variant.links}
     riders = [_rider(context.run.scene.mechanism, t) for t, _ in variant.frame.rails]
     guided = [clean(name) for name in dict.fromkeys(riders) if name and name not in contacts]

@@ -20,6 +20,7 @@ from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases, say
 from tests.hard.test_change_points import past_the_pivot
+from tests.report.own import BOOM
 from tests.report.wording.test_sought import CRANK
 from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER
 from tests.solved import solved
@@ -108,7 +109,7 @@ def unusual(real: ModuleType) -> list[Any]:
         real.timed(), *real.oddities(), claimed(real), solve(parse_variant(FIVE_BAR)),
         *(solve(name, scheme, end=end, quantities=["table", "checks"]) for name, scheme, end in behind()),
         solve(parse_variant(past_the_pivot(0.001, 0.02)), quantities=["table", "checks"]),
-        solve(parse_variant(CRANK), quantities=["table"]),
+        solve(parse_variant(CRANK), quantities=["table"]), solve(parse_variant(BOOM), quantities=["table"]),
     ]  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from coursework.equations.reduction.meaning import meaning
 from coursework.variant.formula.reader import parse as parse_formula
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.test_change_points import past_the_pivot
-from tests.report.own import STEPHENSON
+from tests.report.own import BOOM, STEPHENSON
 from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, SLIDER
 
 EVERYTHING = ["table", "plots", "checks", "analogs", "invariants"]
@@ -236,3 +236,10 @@ M = "A + b @ (phi1 + phi2)"
 def test_an_angle_counted_from_another_link_tells_how_both_lie(sign: str, factor: str, told: str) -> None:
     variant = parse_variant(ARM.replace("phi1 + phi2", f"phi1 {sign} phi2"))
     assert meaning(parse_formula(factor), variant, ()) == told
+
+
+def test_what_slides_along_a_link_that_moves_is_no_sleeve_on_a_pivot(real: ModuleType) -> None:
+    assert "Link 3 slides along link 2." in told(real, solved(BOOM, "table"), "statement")
+    assert "Sleeve 4 carries the bar 3, which slides in it." in told(
+        real, coursework.solve("v107", quantities=["table"]), "statement"
+    )
