@@ -81,3 +81,10 @@ def test_where_drives_place_every_coordinate_a_row_repeats_the_first_only_if_the
     run = solved(arm)
     told = str([part for one in model_of(run).sections if one.name == "conclusion" for part in one.parts])
     assert "which has not come back" in told and "repeats row 1" not in told
+
+
+def test_a_break_inside_a_step_has_no_limit_that_it_keeps() -> None:
+    """Of rows a turn at least twenty are wanted; of the part of a step after a break none is enough."""
+    text = FIVE_BAR.replace('w4 = "n4"', 'w4 = { pieces = [["0 s", "n4"], ["0.42 s", "-3*n4"]] }')
+    step = next(one for one in solved(text, scheme="euler").checks if one.code == "STEP")
+    assert (step.verdict, round(step.value, 6), step.limit) == ("COARSE", 0.6, None)

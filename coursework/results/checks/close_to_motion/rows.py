@@ -44,7 +44,7 @@ def enough(evidence: Evidence) -> Finding:
         late = float(row + 1 - time / step)
         sentence = evidence.say("check.STEP.break", time=time, row=row + 1, next=row + 2, late=late, breaks=listed)
         return Finding(
-            "COARSE", sentence, late, 0.0, evidence.say("unit.of_a_step"), None, row + 1, cured=parts_at_breaks(evidence) > 0
+            "COARSE", sentence, late, None, evidence.say("unit.of_a_step"), None, row + 1, cured=parts_at_breaks(evidence) > 0
         )
     if (hidden := evidence.once(f"hidden at {step!r} s", lambda: between_rows(evidence.equations, step))) is not None:
         name, time, share = hidden
