@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
-from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, StudentTable, Way
+from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, StudentTable, Way, as_printed, near
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
-# So many cells must agree on what another was when they were made; what is so in half of the rows was never otherwise.
+# So many cells must agree on what another was when they were made; what is so in more rows was never otherwise,
+# but for cells that are the task's.
 _AGREE, _FEW = 2, 0.5
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
@@ -35,7 +36,10 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     if (guess := as_it_was(key, was, untold, own)) is not None:
         yield guess
     rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
-    if not rows.any() or rows.mean() > _FEW:
+    if rows.mean() > _FEW:
+        other = other & near(was.values, key.table, as_printed(key, was.units))
+        rows &= other.any(axis=1)
+    if not rows.any():
         return
     yield _by_next_row(key, was, other)
     for values in _agreed(key, was, own, wrong, other & rows[:, None]):
