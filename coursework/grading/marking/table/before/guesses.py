@@ -33,21 +33,20 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     were `other`, as most of them and the row above have it, with or without what follows from it; or all its coordinates that
     were, as the next row has them.
     """
-    if (guess := as_it_was(key, was, untold, own)) is not None:
-        yield guess
     rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
     if rows.mean() > _FEW:
         other = other & near(was.values, key.table, as_printed(key, was.units))
         rows &= other.any(axis=1)
-    if not rows.any():
-        return
-    yield _by_next_row(key, was, other)
-    for values in _agreed(key, was, own, wrong, other & rows[:, None]):
-        told = np.isfinite(values)
-        guess = replace(was, values=np.where(told, values, was.values))
-        yield guess
-        if (guess := with_later(key, guess, other, told)) is not None:
+    if rows.any():
+        yield _by_next_row(key, was, other)
+        for values in _agreed(key, was, own, wrong, other & rows[:, None]):
+            told = np.isfinite(values)
+            guess = replace(was, values=np.where(told, values, was.values))
             yield guess
+            if (guess := with_later(key, guess, other, told)) is not None:
+                yield guess
+    if (guess := as_it_was(key, was, untold, own)) is not None:
+        yield guess
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
