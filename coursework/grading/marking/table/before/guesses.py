@@ -17,8 +17,8 @@ from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, 
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
-# So many cells must agree on what another was when they were made; what is so in more rows was never otherwise,
-# but for cells that are the task's.
+# So many cells must agree on what another was when they were made.  What is so in more of the rows than this was never otherwise:
+# where so many are wrong it is cells that are the task's, of columns where few are.
 _AGREE, _FEW = 2, 0.5
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 5, 1e-6
@@ -35,7 +35,8 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     """
     rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
     if rows.mean() > _FEW:
-        other = other & near(was.values, key.table, as_printed(key, was.units))
+        of_task = near(was.values, key.table, as_printed(key, was.units))
+        other = other & of_task & (of_task.mean(axis=0) <= _FEW)
         rows &= other.any(axis=1)
     if rows.any():
         yield _by_next_row(key, was, other)
