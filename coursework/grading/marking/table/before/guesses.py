@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
 from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, StudentTable, Way, as_printed, near
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
@@ -85,6 +86,8 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
 
     with np.errstate(all="ignore"):
         for last in range(_ROUNDS + 1):
+            if last == _ROUNDS:
+                x = x - np.where(_is_open(key, place, by), whole_turns(x - key.table[row, place]), 0.0)
             found = makes(x)
             slopes, off = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE, beside - found
             if last < _ROUNDS:
@@ -115,11 +118,16 @@ def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> 
     middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
     middle = np.where(np.isfinite(middle), middle, printed[row, place])
     below = np.where((place < m) & np.isfinite(printed[after, place]), printed[after, place], middle)
-    angles = [index for index, name in enumerate(key.coordinates) if key.variant.unit_of(name) == "rad"]
-    turned = np.flatnonzero(np.isin(place, angles) & (by < 2 * len(key.velocities)))  # steps tell it from anywhere
+    turned = np.flatnonzero(_is_open(key, place, by))
     around = 2 * np.pi / _AROUND * np.arange(1, _AROUND)
     begun = np.concatenate([middle, below, *(middle[turned] + part for part in around)])
     return begun, np.concatenate([np.tile(np.arange(len(row)), 2), np.tile(turned, _AROUND - 1)])
+
+
+def _is_open(key: Key, place: Places, by: Places) -> Flags:
+    """Return where a cell is told but for whole turns: an angle by a velocity; steps tell it from anywhere."""
+    angles = [index for index, name in enumerate(key.coordinates) if key.variant.unit_of(name) == "rad"]
+    return np.isin(place, angles) & (by < 2 * len(key.velocities))
 
 
 def _open_by(key: Key, way: Way, printed: Array) -> Array:
