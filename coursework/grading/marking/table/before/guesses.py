@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
-from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, StudentTable, Way, as_printed, near
+from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, OwnWays, Places, StudentTable, Way, as_printed, near
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
@@ -131,11 +131,13 @@ def _is_open(key: Key, place: Places, by: Places) -> Flags:
 
 
 def _open_by(key: Key, way: Way, printed: Array) -> Array:
-    """Return the tolerances of a way for what is printed: digits of angles leave larger velocities the more open."""
+    """Return the tolerances of a way for what is printed: digits of angles leave larger velocities the more open, slack too."""
+    least = LEAST * key.usual_ranges
+    here, found = np.fmax(np.abs(printed), least), np.fmax(np.abs(way.expected), least)
     with np.errstate(divide="ignore", invalid="ignore"):
-        larger = np.abs(printed) / np.maximum(np.abs(way.expected), LEAST * key.usual_ranges)
-    larger[:, : len(key.coordinates)] = 1.0
-    return np.asarray(way.tolerance * np.fmax(1.0, larger))
+        open_by = np.where(here > found, way.tolerance * here / found, way.tolerance - SLACK * (found - here))
+    open_by[:, : len(key.coordinates)] = way.tolerance[:, : len(key.coordinates)]
+    return np.asarray(open_by)
 
 
 def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, half: Array) -> list[Array]:
