@@ -22,7 +22,7 @@ Counts = NDArray[np.intp]
 # where so many are wrong it is cells that are the task's, of columns where few are.
 _AGREE, _FEW = 2, 0.5
 # How often what a cell was is mended until they do, with slopes over so small a part.
-_ROUNDS, _DIFFERENCE = 5, 1e-6
+_ROUNDS, _DIFFERENCE = 8, 1e-6
 # From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
 _AROUND, _TRIED = 8, 3
 
