@@ -179,7 +179,8 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
         near |= _near_steps(key, cells.before, rows)
     steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
     steps |= marks[1:, :m] == KEY
-    excused = ~(near | steps) & (marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
+    put = marks[:-1] == KEY
+    excused = ~(near | steps) & (put[:, :m] | put[:, m : 2 * m])  # put right, the step from it as it was
     steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
     follows = np.zeros(len(cells.marks), dtype=bool)
