@@ -30,7 +30,7 @@ _AROUND, _TRIED = 8, 3
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
     """Yield what rows may have been where `wrong` cells are made from them.
 
-    What is `untold` may be as the rows above make it.  Where several wrong cells are made from a row, it is one of the cells that
+    What is `untold` may be as the rows above make it, or one coordinate of it.  Where several wrong cells are made from a row, it is one of the cells that
     were `other`, as most of them and the row above have it, with or without what follows from it; or all its coordinates that
     were, as the next row has them.
     """
@@ -47,8 +47,11 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
             yield guess
             if (guess := with_later(key, guess, other, told)) is not None:
                 yield guess
-    if (guess := as_it_was(key, was, untold, own)) is not None:
-        yield guess
+    for columns in (slice(None), *(slice(place, place + 1) for place in range(len(key.coordinates)))):
+        alone = np.zeros_like(untold)
+        alone[:, columns] = untold[:, columns]
+        if (guess := as_it_was(key, was, alone, own)) is not None:
+            yield guess
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
