@@ -30,9 +30,9 @@ _AROUND, _TRIED = 8, 3
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
     """Yield what rows may have been where `wrong` cells are made from them.
 
-    What is `untold` may be as the rows above make it, or one coordinate of it.  Where several wrong cells are made from a row, it is one of the cells that
-    were `other`, as most of them and the row above have it, with or without what follows from it; or all its coordinates that
-    were, as the next row has them.
+    What is `untold` may be as the rows above make it, or one coordinate of it.  Where several wrong cells are made from a row,
+    it is one of the cells that were `other`, as most of them and the row above have it, with or without what follows from it; or
+    all its coordinates that were, as the next row has them.
     """
     rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
     if rows.mean() > _FEW:
