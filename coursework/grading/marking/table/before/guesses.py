@@ -34,23 +34,25 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     it is one of the cells that were `other`, as most of them and the row above have it, with or without what follows from it; or
     all its coordinates that were, as the next row has them.
     """
-    rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
+    m = len(key.coordinates)
+    rows, columns = beside_makers(wrong, m).sum(axis=1) >= _AGREE, [slice(None), *(slice(place, place + 1) for place in range(m))]
     if rows.mean() > _FEW:
         of_task = near(was.values, key.table, as_printed(key, was.units))
-        other = other & of_task & (of_task.mean(axis=0) <= _FEW)
+        other = other & of_task & (of_task.mean(axis=0) <= _FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
         rows &= other.any(axis=1)
+        columns = columns[:1]
     if rows.any():
         yield _by_next_row(key, was, other)
         for values in _agreed(key, was, own, wrong, other & rows[:, None]):
             told = np.isfinite(values)
-            guess = replace(was, values=np.where(told, values, was.values))
-            yield guess
-            if (guess := with_later(key, guess, other, told)) is not None:
+            alone = replace(was, values=np.where(told, values, was.values))
+            yield alone
+            if (guess := with_later(key, alone, other, told)) is not None:
                 yield guess
-    for columns in (slice(None), *(slice(place, place + 1) for place in range(len(key.coordinates)))):
-        alone = np.zeros_like(untold)
-        alone[:, columns] = untold[:, columns]
-        if (guess := as_it_was(key, was, alone, own)) is not None:
+    for some in columns:
+        free = np.zeros_like(untold)
+        free[:, some] = untold[:, some]
+        if (guess := as_it_was(key, was, free, own)) is not None:
             yield guess
 
 
