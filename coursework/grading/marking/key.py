@@ -231,10 +231,11 @@ class Key:
 
 @dataclass(frozen=True, eq=False)
 class MisreadKey(Key):
-    """The key of a table that was made with other velocities `made_with` (t, q), and steps `part` of the task's."""
+    """The key of a table that was made with other velocities `made_with` (t, q), and steps `part` of those of the `task`."""
 
     made_with: Callable[[Array, Array], Array] | None = None
     part: float = 1.0
+    task: Key | None = None
 
     def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
         """Return the velocities (n, r) that the table was made with."""
@@ -249,6 +250,11 @@ class MisreadKey(Key):
     def blocks(self) -> tuple[tuple[str, ...], ...]:
         """Return one block: which velocities come first is the task's only."""
         return (self.velocities,)
+
+    @cached_property
+    def coarsest(self) -> Array:
+        """Return which digits count as shown: the task asks for them, whatever the table was made with."""
+        return super().coarsest if self.task is None else self.task.coarsest
 
 
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:

@@ -97,6 +97,27 @@ def signed(place):
     return table(printed=printed)
 
 
+def row_above():
+    """w3 computed with time and angles of the row before; w1, w2 and w4 are solved from it, as they are its multiples."""
+    q, rows, above = np.array(START, dtype=float), [], None
+    for k in range(ROWS):
+        right = velocities(k * H, q)
+        w = right if above is None else right * above / right[2]
+        above = right[2]
+        rows.append(np.concatenate([q, w]))
+        q = q + H * w[:3]
+    return np.array(rows)
+
+
+def steps_of_rows_before():
+    """Each step made with the velocities of the row before the one that it starts from, the first with its own."""
+    q, rows = np.array(START, dtype=float), []
+    for k in range(ROWS):
+        rows.append(np.concatenate([q, velocities(k * H, q)]))
+        q = q + H * rows[max(k - 1, 0)][3:6]
+    return np.array(rows)
+
+
 MISCONCEPTIONS = {
     "heun": lambda: table(heun),
     "midpoint": lambda: table(midpoint),
@@ -105,11 +126,13 @@ MISCONCEPTIONS = {
     "time_behind": lambda: table(printed=lambda t, q: velocities(t - H, q)),
     "step_ahead": lambda: table(lambda t, q: H * slopes(t + H, q)),
     "step_behind": lambda: table(lambda t, q: H * slopes(t - H, q)),
+    "row_before": steps_of_rows_before,
     "omega_late": late,
     "other_step": lambda: table(lambda t, q: 2 * H * slopes(t, q)),
     "degree_mode": lambda: table(printed=lambda t, q: velocities(t, q, degrees=True)),
     "sign_drive": lambda: table(printed=lambda t, q: velocities(t, q, turned=-1.0)),
     "sign_w1": lambda: signed(0),
+    "row_above_w3": row_above,
     "datum_r2": lambda: table(printed=lambda t, q: velocities(t, q, r2=2 * DATA["r2"])),
     "datum_V1": lambda: table(printed=lambda t, q: velocities(t, q, V1=10 * DATA["V1"])),
     "swap_r1_r2": lambda: table(printed=lambda t, q: velocities(t, q, r1=DATA["r2"], r2=DATA["r1"])),

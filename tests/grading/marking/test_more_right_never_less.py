@@ -15,6 +15,7 @@ from coursework.grading.marking.table.ways import KEY, own_ways
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import Formula, spelled
+from tests.grading.marking import students
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_equal_faults import sign_faults, variants
 
@@ -196,6 +197,16 @@ def test_the_tolerance_of_usual_print_is_that_of_its_digits_whatever_is_spoiled(
         table[chance.integers(len(table), size=count), chance.integers(table.shape[1], size=count)] += 0.4
         floors.add(own_ways(desk.key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4))).coarse)
     assert len(floors) == 1
+
+
+@pytest.mark.parametrize("method", ["heun", "rk4"])
+def test_an_angle_put_right_in_the_table_of_another_method_takes_nothing_of_what_was_made_from_it(method):
+    desk, table = variants()[0], students.MISCONCEPTIONS[method]()
+    before, _ = earned(desk, table)
+    for cell in [(5, 2), (10, 1), (17, 2), (21, 0), (21, 2)]:
+        better = table.copy()
+        better[cell] = desk.key.table[cell]
+        assert earned(desk, better)[0].share >= before.share - 1e-9, cell
 
 
 def lines(desk, wrong):

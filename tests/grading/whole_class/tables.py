@@ -84,6 +84,18 @@ def _signed(machine, place):
     return printed
 
 
+def _of_the_row_above(machine, place):
+    above = []
+
+    def printed(t, q):
+        w = machine.velocities(t, q)
+        above.append(w[place])
+        w[place] = above[max(len(above) - 2, 0)]
+        return w
+
+    return printed
+
+
 def faults(machine: Machine) -> Iterator[tuple[str, Make]]:
     """Give what makes tables with one misconception each."""
     variant, h, m = machine.variant, machine.h, machine.m
@@ -107,6 +119,7 @@ def faults(machine: Machine) -> Iterator[tuple[str, Make]]:
     yield "sign_drive", Machine(variant, drive_sign=-1.0).table
     for place in (place for place, name in enumerate(names[m:]) if name in variant.sought):
         yield f"sign_{names[m + place]}", lambda place=place: machine.table(printed=_signed(machine, place))
+        yield f"row_above_{names[m + place]}", lambda place=place: machine.table(printed=_of_the_row_above(machine, place))
     lengths = [given for given in variant.given if given.si == "m"]
     for given in lengths[:2]:
         yield f"datum_{given.name}", Machine(variant, data={given.name: 2 * given.value}).table

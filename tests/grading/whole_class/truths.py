@@ -49,6 +49,8 @@ def said_cause(code: str) -> str:
     """Return the key under which a misconception is told to its student."""
     if code in CODES:
         return CODES[code]
+    if code.startswith("row_above_"):
+        return "row_above"
     stem = code.partition("_")[0]
     return stem if stem in ("sign", "start", "equation", "datum", "swap", "origin") and code != "sign_drive" else code
 

@@ -11,7 +11,7 @@ from coursework.words.sentences import load_phrases, say
 from coursework.words.templates import clean
 
 # Codes that end in the name of what they are about.
-_NAMED = ("rounded_omega", "confusion", "equation", "variant", "origin", "start", "datum", "swap", "sign")
+_NAMED = ("rounded_omega", "confusion", "equation", "variant", "origin", "start", "datum", "swap", "sign", "row_above")
 _WHOLE = ("sign_drive",)
 
 

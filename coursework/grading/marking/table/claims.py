@@ -27,8 +27,8 @@ _NEARLY, _NEAR = 0.4, 60.0
 class Claim:
     """What a hypothesis says: `expected` (n, m + r), NaN where it is silent; `tolerance` alike.
 
-    `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
-    about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
+    A column of which it says nothing is left to Euler's rules.  `student` is the table it speaks about where it is not the one
+    handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
     `names` are the columns, starts or equations that it speaks of; `part` is that of the task's step which was made; `table`
     makes the whole table as the hypothesis has it, with steps of Euler from `velocities_at` where that is there; `family` makes
     the claim about another table; `is_read_off` where its number is the table's own: what else explains as much is meant then.
@@ -37,7 +37,6 @@ class Claim:
     code: str
     expected: Array
     tolerance: Array
-    euler: str = ""
     student: StudentTable | None = None
     is_whole: bool = False
     names: tuple[str, ...] = ()
@@ -177,7 +176,6 @@ class TableUnderTest:
         names: tuple[str, ...] = (),
     ) -> Claim:
         """Return a claim; what a hypothesis does not change is left to Euler."""
-        left = "steps" if step is None else "velocities" if velocities is None else ""
         q, q_tolerance = step or (None, None)
         w, w_tolerance = velocities or (None, None)
-        return Claim(code, self.whole(q, w), self.whole(q_tolerance, w_tolerance), left, names=names)
+        return Claim(code, self.whole(q, w), self.whole(q_tolerance, w_tolerance), names=names)

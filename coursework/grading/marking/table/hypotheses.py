@@ -196,7 +196,7 @@ def _parts(printed: TableUnderTest) -> list[float]:
 
 
 def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Claim]:
-    """Velocities of moved angles, one wrong sign, a drive with the other sign, of degrees; codes `apart` are not tried."""
+    """Velocities of moved angles, misread drives but those `apart`, one velocity with the other sign or of the row above."""
     key, h, m = printed.key, printed.key.step, printed.m
     solved: list[int] = []
     moved = printed.true_velocities[0].copy()
@@ -217,10 +217,11 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
     if len(key.blocks) > 1:
         yield printed.claim("new_phi", None, printed.velocities(moved, spread))
     found, tolerance = printed.true_velocities
-    for place, name in enumerate(key.velocities):
-        sign = np.where(np.arange(m + len(key.velocities)) == m + place, -1.0, 1.0)
-        claim = printed.claim(f"sign_{name}", None, (found * sign[m:], tolerance))
-        yield replace(claim, table=partial(np.multiply, key.table, sign))
     for code in MISREAD:
         if code not in apart and (velocities := key.misread(code)):
             yield from printed.velocity_claim(code, velocities)
+    for place, name in enumerate(key.velocities):
+        alone = np.where(np.arange(m + len(key.velocities)) == m + place, 1.0, np.nan)
+        claim = printed.claim(f"sign_{name}", None, (-found * alone[m:], tolerance))
+        yield replace(claim, table=partial(np.multiply, key.table, np.where(np.isnan(alone), 1.0, -1.0)))
+        yield printed.claim(f"row_above_{name}", None, (shifted(found, 1) * alone[m:], shifted(tolerance, 1)))

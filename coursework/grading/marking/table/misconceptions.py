@@ -195,7 +195,7 @@ def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
 
     A cell that is the task's was the claim's before it was put right, and what follows from that costs nothing.
     """
-    own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part)
+    own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part, task=key)
     table = claim.table() if claim.table else None
     made = mark_cells(own, cells.student, table)
     right = ~made.wrong & ~made.missing
@@ -221,7 +221,7 @@ def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
     before = TableUnderTest(key, replace(cells.student, values=was))
     found = [near(values, one.expected, one.tolerance) for one in claim.family(before) if one.code == claim.code]
     best = max(found, key=np.count_nonzero, default=none)
-    if claim.euler == "steps":
+    if np.isnan(claim.expected[:, : before.m]).all():
         units = before.w_units[:, : before.m]
         best[:, : before.m] |= near(values[:, : before.m], *before.steps(key.step * before.w, key.step * units))
     return best | whole
@@ -273,7 +273,6 @@ def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Fla
 
     `explained` and `spoken` are Euler's.
     """
-    m = len(key.coordinates)
     if claim.student is not None:
         put_right = mark_cells(key, claim.student)
         follows, speaks = euler_cells(key, put_right)
@@ -281,9 +280,8 @@ def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Fla
     holds = near(cells.student.values, claim.expected, claim.tolerance)
     says = np.isfinite(claim.expected) & spoken
     holds &= says
-    for part, columns in (("steps", slice(0, m)), ("velocities", slice(m, None))):
-        if claim.euler == part:
-            says[:, columns], holds[:, columns] = spoken[:, columns], explained[:, columns]
+    of_euler = np.isnan(claim.expected).all(axis=0)
+    says[:, of_euler], holds[:, of_euler] = spoken[:, of_euler], explained[:, of_euler]
     return cells, holds, says
 
 

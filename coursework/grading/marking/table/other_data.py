@@ -161,4 +161,4 @@ def _turns(key: Key, place: int, values: Array) -> float:
 def _as_euler(code: str, student: StudentTable, names: tuple[str, ...] = ()) -> Claim:
     """Return the claim that a table put right is Euler's."""
     blank = np.full(student.values.shape, np.nan)
-    return Claim(code, blank, blank, "all", student, is_whole=True, names=names)
+    return Claim(code, blank, blank, student, is_whole=True, names=names)

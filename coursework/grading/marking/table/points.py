@@ -15,7 +15,7 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import MISSING, Cells
 from coursework.grading.marking.table.claims import shifted
 from coursework.grading.marking.table.untold import but, ramp, untold_steps
-from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places
+from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places, StudentTable
 from coursework.system.arrays import Array, Flags, neighbours
 from coursework.system.frozen import frozen
 
@@ -173,8 +173,25 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
     of them counts (0 to 1), the less the fewer rows follow.
     """
     m, rows = len(key.coordinates), handed_in(cells)
-    q, w, units = cells.student.values[rows, :m], cells.student.values[rows, m : 2 * m], cells.student.units[rows]
-    h, marks = np.diff(key.t[rows])[:, None], cells.marks[rows]
+    q, marks = cells.student.values[rows, :m], cells.marks[rows]
+    near = _near_steps(key, cells.student, rows)
+    if cells.before is not None:
+        near |= _near_steps(key, cells.before, rows)
+    steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
+    steps |= marks[1:, :m] == KEY
+    put = marks[:-1] == KEY
+    excused = ~(near | steps) & (put[:, :m] | put[:, m : 2 * m])  # put right, the step from it as it was
+    steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
+    moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
+    follows = np.zeros(len(cells.marks), dtype=bool)
+    follows[rows], motion = _following(q, near | steps, moves)
+    return follows, motion
+
+
+def _near_steps(key: Key, table: StudentTable, rows: Places) -> Flags:
+    """Return which ways (n - 1, m) from row to row lie between what both velocities make of a step, with some to spare."""
+    m, h = len(key.coordinates), np.diff(key.t[rows])[:, None]
+    q, w, units = table.values[rows, :m], table.values[rows, m : 2 * m], table.units[rows]
     with np.errstate(invalid="ignore"):
         largest = np.max(h / 2 * np.abs(np.diff(key.table[rows, m : 2 * m], axis=0)), axis=0, initial=0.0)
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
@@ -183,14 +200,7 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
         for t in (key.t[rows[1:]], 2 * key.t[rows[:-1]] - key.t[rows[1:]]):  # with the velocity of a neighbour's time, or row
             near |= np.abs(np.diff(q, axis=0) - h * key.velocities_at(t, q[:-1])[:, :m]) <= spare
         near |= np.abs(np.diff(q, axis=0) - h * shifted(w, 1)[:-1]) <= spare
-    steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
-    steps |= marks[1:, :m] == KEY
-    excused = ~(near | steps) & (marks[:-1, m : 2 * m] == KEY)  # a velocity put right, its step as it was
-    steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
-    moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
-    follows = np.zeros(len(cells.marks), dtype=bool)
-    follows[rows], motion = _following(q, near | steps, moves)
-    return follows, motion
+    return np.asarray(near)
 
 
 def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:

@@ -75,8 +75,11 @@ def _side(text: str, spellings: Spellings, closely: bool) -> str:
 
 
 def is_name(word: str, spellings: Spellings) -> bool:
-    """Return whether a word is a name of the variant, a function, or glued together from such."""
-    return all(token.kind == "function" or token.text in spellings.known for token in _spelled("name", word, spellings))
+    """Return whether a word is a name of the variant, a function, or glued from such: "Am" begins a sentence, not a*m."""
+    pieces = _spelled("name", word, spellings)
+    if word.istitle() and len(pieces) > 1 and all(piece.kind == "name" for piece in pieces):
+        return "".join(piece.text for piece in pieces) == word
+    return all(piece.kind == "function" or piece.text in spellings.known for piece in pieces)
 
 
 def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:

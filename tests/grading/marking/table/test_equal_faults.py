@@ -219,6 +219,7 @@ def test_what_explains_as_much_is_told_in_sentences_of_its_own():
     _, table = desk.marked(Machine(desk.variant, data={"V1": -desk.variant.values["V1"]}).table())
     told = [reason.text for reason in table_reasons(desk.key, table, 1.0, 30.0, 60.0) if "as well be" in reason.text]
     assert told == [
+        "It could as well be: w3 has the other sign.",
         "It could as well be: the datum V1 has another value than the task's.",
         "It could as well be: one slip in the equation 11.",
     ]

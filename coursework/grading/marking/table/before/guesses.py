@@ -13,14 +13,16 @@ from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
-from coursework.grading.marking.table.ways import HALF, LEAST, OwnWays, Places, StudentTable, Way
+from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, OwnWays, Places, StudentTable, Way, as_printed, near
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
-# So many cells must agree on what another was when they were made; what is so in half of the rows was never otherwise.
+# So many cells must agree on what another was when they were made.  What is so in more of the rows than this was never otherwise:
+# where so many are wrong it is cells that are the task's, of columns where few are.
 _AGREE, _FEW = 2, 0.5
 # How often what a cell was is mended until they do, with slopes over so small a part.
-_ROUNDS, _DIFFERENCE = 5, 1e-6
+_ROUNDS, _DIFFERENCE = 8, 1e-6
 # From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
 _AROUND, _TRIED = 8, 3
 
@@ -28,21 +30,29 @@ _AROUND, _TRIED = 8, 3
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
     """Yield what rows may have been where `wrong` cells are made from them.
 
-    What is `untold` may be as the rows above make it.  Where several wrong cells are made from a row, it is one of the cells that
-    were `other`, as most of them and the row above have it, with or without what follows from it; or all its coordinates that
-    were, as the next row has them.
+    What is `untold` may be as the rows above make it, or one coordinate of it.  Where several wrong cells are made from a row,
+    it is one of the cells that were `other`, as most of them and the row above have it, with or without what follows from it; or
+    all its coordinates that were, as the next row has them.
     """
-    if (guess := as_it_was(key, was, untold, own)) is not None:
-        yield guess
-    rows = beside_makers(wrong, len(key.coordinates)).sum(axis=1) >= _AGREE
-    if not rows.any() or rows.mean() > _FEW:
-        return
-    yield _by_next_row(key, was, other)
-    for values in _agreed(key, was, own, wrong, other & rows[:, None]):
-        told = np.isfinite(values)
-        guess = replace(was, values=np.where(told, values, was.values))
-        yield guess
-        if (guess := with_later(key, guess, other, told)) is not None:
+    m = len(key.coordinates)
+    rows, columns = beside_makers(wrong, m).sum(axis=1) >= _AGREE, [slice(None), *(slice(place, place + 1) for place in range(m))]
+    if rows.mean() > _FEW:
+        of_task = near(was.values, key.table, as_printed(key, was.units))
+        other = other & of_task & (of_task.mean(axis=0) <= _FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
+        rows &= other.any(axis=1)
+        columns = columns[:1]
+    if rows.any():
+        yield _by_next_row(key, was, other)
+        for values in _agreed(key, was, own, wrong, other & rows[:, None]):
+            told = np.isfinite(values)
+            alone = replace(was, values=np.where(told, values, was.values))
+            yield alone
+            if (guess := with_later(key, alone, other, told)) is not None:
+                yield guess
+    for some in columns:
+        free = np.zeros_like(untold)
+        free[:, some] = untold[:, some]
+        if (guess := as_it_was(key, was, free, own)) is not None:
             yield guess
 
 
@@ -81,6 +91,8 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
 
     with np.errstate(all="ignore"):
         for last in range(_ROUNDS + 1):
+            if last == _ROUNDS:
+                x = x - np.where(_is_open(key, place, by), whole_turns(x - key.table[row, place]), 0.0)
             found = makes(x)
             slopes, off = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE, beside - found
             if last < _ROUNDS:
@@ -111,19 +123,26 @@ def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> 
     middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
     middle = np.where(np.isfinite(middle), middle, printed[row, place])
     below = np.where((place < m) & np.isfinite(printed[after, place]), printed[after, place], middle)
-    angles = [index for index, name in enumerate(key.coordinates) if key.variant.unit_of(name) == "rad"]
-    turned = np.flatnonzero(np.isin(place, angles) & (by < 2 * len(key.velocities)))  # steps tell it from anywhere
+    turned = np.flatnonzero(_is_open(key, place, by))
     around = 2 * np.pi / _AROUND * np.arange(1, _AROUND)
     begun = np.concatenate([middle, below, *(middle[turned] + part for part in around)])
     return begun, np.concatenate([np.tile(np.arange(len(row)), 2), np.tile(turned, _AROUND - 1)])
 
 
+def _is_open(key: Key, place: Places, by: Places) -> Flags:
+    """Return where a cell is told but for whole turns: an angle by a velocity; steps tell it from anywhere."""
+    angles = [index for index, name in enumerate(key.coordinates) if key.variant.unit_of(name) == "rad"]
+    return np.isin(place, angles) & (by < 2 * len(key.velocities))
+
+
 def _open_by(key: Key, way: Way, printed: Array) -> Array:
-    """Return the tolerances of a way for what is printed: digits of angles leave larger velocities the more open."""
+    """Return the tolerances of a way for what is printed: digits of angles leave larger velocities the more open, slack too."""
+    least = LEAST * key.usual_ranges
+    here, found = np.fmax(np.abs(printed), least), np.fmax(np.abs(way.expected), least)
     with np.errstate(divide="ignore", invalid="ignore"):
-        larger = np.abs(printed) / np.maximum(np.abs(way.expected), LEAST * key.usual_ranges)
-    larger[:, : len(key.coordinates)] = 1.0
-    return np.asarray(way.tolerance * np.fmax(1.0, larger))
+        open_by = np.where(here > found, way.tolerance * here / found, way.tolerance - SLACK * (found - here))
+    open_by[:, : len(key.coordinates)] = way.tolerance[:, : len(key.coordinates)]
+    return np.asarray(open_by)
 
 
 def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, half: Array) -> list[Array]:

@@ -47,7 +47,8 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     """
     m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
     was, told = student, np.zeros_like(wrong)
-    looked = _Looked(key, student, wrong & ~put, wrong | put, ~wrong & ~put, own, told, student)
+    sure = ~wrong & ~put & np.isfinite(student.values)
+    looked = _Looked(key, student, wrong & ~put, wrong | put, sure, own, told, student)
     for _ in range(_PASSES):
         last, own = looked.followed(was, right & ~told.any(axis=1, keepdims=True))
         was, now = looked.guessed(last, own, told)
@@ -124,11 +125,14 @@ class _Looked:
                 if not _touched(beside_makers(left, m), guess, base):
                     continue
                 found = self.worth(guess, self.made_by(guess))
-                rows, best = np.asarray(found > best)[:, None], np.maximum(best, found)
+                rows = found > best
                 if rows.any():
-                    now = now | (rows & _other(guess, base))
-                    values, units = (np.where(rows, *both) for both in ((guess.values, was.values), (guess.units, was.units)))
-                    was = replace(was, values=values, units=units)
+                    # What is gained beside rows as the guess has them may be nothing beside those that stay.
+                    joined = _joined(rows, guess, was)
+                    rows &= self.worth(joined, self.made_by(joined)) >= found
+                    best = np.where(rows, found, best)
+                    now = now | (rows[:, None] & _other(guess, base))
+                    was = _joined(rows, guess, was)
         return was, now
 
 
@@ -144,6 +148,12 @@ def _silent(moved: Flags, gains: Flags) -> Flags:
 def _slips(table: StudentTable, printed: StudentTable, ways: OwnWays) -> Counts:
     """Return how many cells of each row (n,) are other than they are printed, and do not follow from those before either."""
     return np.asarray((_other(table, printed) & ~ways.holds(table.values)).sum(axis=1))
+
+
+def _joined(rows: Flags, guess: StudentTable, was: StudentTable) -> StudentTable:
+    """Return a table with some rows (n,) of a guess."""
+    values, units = (np.where(rows[:, None], *both) for both in ((guess.values, was.values), (guess.units, was.units)))
+    return replace(was, values=values, units=units)
 
 
 def _other(table: StudentTable, than: StudentTable) -> Flags:
