@@ -167,6 +167,7 @@ def test_a_roster_keeps_its_columns_and_tells_its_faults() -> None:
     assert [(student.id, student.variant, student.more) for student in students] == [
         ("ann", "31", {"group": "A"}), ("ivan", "v101", {"group": "B"}), ("бр", "31", {"group": "B"}),
     ]  # fmt: skip
+    assert read_roster(ROSTER.replace("ivan", ",,,,\nivan").encode(), "roster.csv")[2].line == 5  # a line of commas is nobody
     with pytest.raises(InputError) as told:
         read_roster((ROSTER + "Ann,x,,31,\n,nobody,,31,\n").encode(), "roster.csv")
     assert [(fault.line, fault.message.partition(".")[0]) for fault in told.value.faults] == [

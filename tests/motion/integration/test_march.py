@@ -19,7 +19,7 @@ def both(run, scheme, step, end, start=None, guarded=()):
     """Return the motion by generated rows and the one by single steps (a correction that corrects nothing)."""
     rates, start = run.scene.rates, start or run.scene.start
     made = March(rates, scheme_of(scheme), step, guarded=guarded)
-    return [replace(made, correction=correction).until(start, end) for correction in (None, Correction())]
+    return [replace(made, correction=correction).until(start, end) for correction in (None, Correction(None, 0))]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
