@@ -216,3 +216,22 @@ def test_the_scale_of_an_enlargement_is_as_round_as_that_of_a_reduction():
     assert {"1:1", "1.5:1", "6:1", "8:1", "1:1.5", "1:8"} <= {*told}
     assert [scale for scale in told if not re.fullmatch(r"1:\d+(\.5)?|\d+(\.5)?:1", scale)] == []
     assert all(fine < coarse for fine, coarse in pairwise(SCALES))
+
+
+@pytest.mark.parametrize(("name", "joints", "points"), [("31", "DABC", "MP"), ("robot-arm", "DA", "M")])
+def test_a_joint_is_a_ring_and_a_mere_point_a_dot(name: str, joints: str, points: str) -> None:
+    """P of variant 31 is where the wheel touches, M the end of a link."""
+    drawn = re.findall(r'<circle [^>]*fill="(\w+)"[^>]* data-joint="(\w+)"', drawing_of(name).svg)
+    assert sorted(at for fill, at in drawn if fill == "white") == sorted(joints)
+    assert sorted(at for fill, at in drawn if fill == "black") == sorted(points)
+
+
+@pytest.mark.parametrize("highest", [90.5, 90.4])
+def test_a_sheet_that_is_covered_grows_by_the_place_of_its_axes_where_it_may(highest: float) -> None:
+    sheet = Sheet(100.0, 80.0, (0.0, 0.0, 100.0, 80.0))
+    for y in range(0, 81, 2):
+        sheet.line(complex(0, y), complex(100, y), "", heavy=True)
+    sheet.axes(highest=highest)
+    assert (sheet.height, sheet.field) == (
+        (90.5, (0.0, 0.0, 100.0, 90.5)) if highest == 90.5 else (80.0, (0.0, 0.0, 100.0, 80.0))
+    )
