@@ -69,6 +69,8 @@ def test_a_line_may_carry_another_that_is_true_on_the_motion_only():
     found = marks([f"{right} + {closure}*{w} = 0" for w in variant.sought])
     assert {mark.verdict for mark in found.marks} <= {"right", "closure"}
     assert found.independent == 1
+    beside = marks([f"{right} = 0", *(f"{right} + {closure}*{w} = 0" for w in variant.sought)])
+    assert {mark.verdict for mark in beside.marks} == {"right", "closure"} and beside.independent == 1
     assert marks([f"{closure}*{w} = 0" for w in variant.sought]).independent == 0
 
 
