@@ -26,8 +26,8 @@ def places(root: ElementTree.Element) -> Iterator[tuple[float, float]]:
     for node in root.iter():
         if node is root or id(node) in aside:
             continue
-        yield from ((float(node.get(x, "")), float(node.get(y, ""))) for x, y in (("x1", "y1"), ("x2", "y2"), ("cx", "cy"), ("x", "y"))
-                    if node.get(x) is not None)  # fmt: skip
+        named = [(x, y) for x, y in (("x1", "y1"), ("x2", "y2"), ("cx", "cy"), ("x", "y")) if node.get(x) is not None]
+        yield from ((float(node.get(x, "")), float(node.get(y, ""))) for x, y in named)
         if node.tag == f"{SVG}path":
             parse_path(node.get("d", ""), pen := ControlBoundsPen(None))
             left, top, right, bottom = pen.bounds
