@@ -34,12 +34,12 @@ BOUND = SimpleNamespace(point="C", name="v")
 @pytest.mark.parametrize(("unknowns", "name", "said", "told"), [
     ((), "w2", {}, "Say in [points] and [closure] how phi2 is held; then the geometry gives w2."),
     ([("w2", "1/s")], "w2", {}, 'w2 = { unit = "1/s", of = "link 2" }, if w2 is the rate of link 2.'),
-    ([("w21", "1/s")], "w21", {}, 'w21 = { unit = "1/s", of = "link 2", relative = "1" }, if w21 is the rate of link 2 against link 1.'),
+    ([("w21", "1/s")], "w21", {}, 'w21 = { unit = "1/s", of = "link 2", relative = "1" }, if w21 is the rate of link 2 against'),
     ([("w41", "1/s")], "w41", {}, 'such as w41 = { unit = "1/s", of = "link 41" }; in [links] that link has two'),
     ([("w7", "1/s")], "w7", {}, 'such as w7 = { unit = "1/s", of = "link 7" }; in [links] that link has two'),
     ([("om", "1/s")], "om", {}, 'such as om = { unit = "1/s", of = "link 4" }; in [links] that link has two'),
     ([("u", "m/s")], "u", {}, 'such as u = { unit = "m/s", of = "P", along = "0 deg" }.'),
-    ([("u", "m/s")], "u", {"frame": rail("C", "pi/2")}, 'of = "C", along = "90 deg" }, if u is the velocity of C along its guide.'),
+    ([("u", "m/s")], "u", {"frame": rail("C", "pi/2")}, 'of = "C", along = "90 deg" }, if u is the velocity of C along'),
     ([("u", "m/s")], "u", {"frame": rail("C", "beta")}, 'of = "C", along = "beta" }, if u is the velocity of C along its guide.'),
     ([("u", "m/s")], "u", {"holds": [parse("C.y", vectors=True)]}, 'of = "C", along = "0 deg" }, if u is the velocity of C'),
     ([("u", "m/s")], "u", {"holds": [parse("C.x", vectors=True)]}, 'of = "C", along = "90 deg" }, if u is the velocity of C'),
@@ -48,7 +48,7 @@ BOUND = SimpleNamespace(point="C", name="v")
     ([("u", "m/s")], "u", {"slides": True, "frame": rail("C", "0")}, 'of = "C", along = "0 deg" }, if u is'),
     ([("vP", "m/s")], "vP", {"slides": True, "frame": rail("C", "0")}, 'of = "P", along = "phi3", relative = "3" }, if vP is'),
     ([("u", "m/s")], "u", {"slides": True, "frame": rail("C", "0"), "bindings": [BOUND]}, 'of = "P", along = "phi3"'),
-    ([("u", "m/s")], "u", {"frame": rail("C", "0"), "bindings": [BOUND]}, 'such as u = { unit = "m/s", of = "P", along = "0 deg" }.'),
+    ([("u", "m/s")], "u", {"frame": rail("C", "0"), "bindings": [BOUND]}, 'such as u = { unit = "m/s", of = "P", along = "0 deg"'),
     ([("vC", "m/s")], "vC", {"frame": rail("C", "0"), "bindings": [BOUND]}, 'of = "C", along = "0 deg" }, if vC is'),
 ])  # fmt: skip
 def test_what_is_proposed(unknowns, name, said, told):

@@ -74,6 +74,15 @@ def test_a_line_may_carry_another_that_is_true_on_the_motion_only():
     assert marks([f"{closure}*{w} = 0" for w in variant.sought]).independent == 0
 
 
+@pytest.mark.parametrize(("texts", "different"), [
+    (["A = 0"], 1), (["A = w1", "A = w1"], 2), (["sin(A) = w1", "w1 = 2*w2", "2*w1 = 4*w2"], 2), (["w1 = 2*w2", "w1 = 3*w2"], 2),
+])  # fmt: skip
+def test_a_point_where_a_velocity_must_stand_is_wrong_and_says_nothing_that_another_line_repeats(texts, different):
+    found = marks(texts)
+    assert {mark.verdict for mark in found.marks} == {"wrong"}
+    assert (found.independent, found.share, found.different) == (0, 0.0, different)
+
+
 def test_random_lines_of_no_worth_earn_nothing():
     chance = np.random.default_rng(5)
     sought, names = ("w1", "w2", "w3", "w4"), ("phi1", "phi2", "phi3", "r1", "r2", "r3", "t")
