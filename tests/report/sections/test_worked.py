@@ -19,6 +19,7 @@ from coursework.variant.formula.tree import evaluate
 from tests.effects.massed import text_of
 from tests.report.made import model_of
 from tests.report.own import BOOM, FIVE_BAR, SHAPER
+from tests.solved import solved as catalogued
 
 ROW = 4
 H = 1e-4
@@ -142,3 +143,11 @@ def test_analogs_and_invariants_follow_from_their_formulas() -> None:
 
 def test_what_is_too_long_to_read_is_left_out() -> None:
     assert equations(coursework.solve(coursework.load("prp"), quantities=("table", "accelerations")), "accelerations") == []
+
+
+def test_determinants_have_the_number_of_their_block() -> None:
+    """Variant 31 is solved for w3, for w4, then for w1 and w2 together: the third block is the one with a determinant of two."""
+    shown = [line.partition(" = ")[0] for line in equations(catalogued("31"), "solution")]
+    assert [name for name in shown if name.startswith("Δ")] == ["Δ₃", "Δ₃₁", "Δ₃₂"]
+    alone = [line.partition(" = ")[0] for line in equations(catalogued("example-1"), "solution")]
+    assert [name for name in alone if name.startswith("Δ")] == ["Δ", "Δ₁", "Δ₂"]  # one block has no number

@@ -1,7 +1,8 @@
-"""Nothing of a drawing lies beyond its edge, where no page and no file would show it."""
+"""Nothing of a drawing lies beyond its edge, where no page and no file would show it; and its caption names what is drawn."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from xml.etree import ElementTree
 
@@ -9,6 +10,7 @@ import pytest
 from fontTools.pens.boundsPen import ControlBoundsPen
 from fontTools.svgLib.path import parse_path
 
+from coursework.report.text.parts import Figure
 from coursework.takeaway.figures.drawings import pictures_of
 from tests.report.made import model_of
 from tests.solved import solved
@@ -40,3 +42,18 @@ def test_a_drawing_lies_on_its_sheet(name: str) -> None:
         found = [*places(ElementTree.fromstring(picture.svg))]
         beyond = [(x, y) for x, y in found if not (-PEN <= x <= picture.width + PEN and -PEN <= y <= picture.height + PEN)]
         assert found and not beyond, title
+
+
+@pytest.mark.parametrize("name", ["31", "31-forces", "example-1-forces"])
+def test_a_caption_names_the_row_that_is_drawn(name: str) -> None:
+    """That of the file's check where forces or centres are drawn; with a time, the one that the row has."""
+    run = solved(name)
+    found = [part for section in model_of(run).sections for part in section.parts if isinstance(part, Figure) and part.id]
+    for figure in found:
+        caption = "".join(piece.get("t", piece.get("v", "")) for piece in figure.caption)
+        rows, others = (set(re.findall(r"[Rr]ow (\d+)", text)) for text in (caption, figure.alt))
+        assert rows == others or not others, figure.id
+        assert figure.id in {"mechanism", "tangent"} or rows <= {str(run.variant.time.row_of_check)}, figure.id
+        times = {float(time) for time in re.findall(r"t = (\d+(?:\.\d+)?)", caption)}
+        assert times <= {float(f"{run.motion.t[int(row) - 1]:.6g}") for row in rows}, figure.id
+    assert len(found) >= 3
