@@ -42,3 +42,11 @@ def test_a_row_may_begin_further_right(before: str, first: list[str]) -> None:
     cells = "".join(f"<w:tc><w:p>{run(text)}</w:p></w:tc>" for text in "ab")
     (table,) = read(f"<w:tbl><w:tr><w:trPr>{before}</w:trPr>{cells}</w:tr></w:tbl>").tables
     assert [[cell.text for cell in row] for row in table.rows] == [first]
+
+
+def test_a_formula_within_a_formula_ends_with_the_outer_one() -> None:
+    """Words behind the inner one are still of the formula."""
+    inside = "<m:oMath><m:r><m:t>a=</m:t></m:r><m:oMath><m:r><m:t>b</m:t></m:r></m:oMath><m:r><m:t>+c</m:t></m:r></m:oMath>"
+    spaces = 'xmlns:m="http://schemas.openxmlformats.org/officeDocument/2006/math"'
+    (line,) = read(f"<w:p {spaces}>{inside}</w:p>").lines
+    assert "".join(line.text.split()) == "a=b+c"
