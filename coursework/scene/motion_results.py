@@ -128,12 +128,6 @@ class MotionResults:
 
         return check_forces(self.forces, self.exact_forces)
 
-    @property
-    def marched(self) -> bool:
-        """Whether a scheme made the rows and went as far as the mechanism goes."""
-        motion = self.motion
-        return motion.scheme in SCHEMES and (motion.stop is None or motion.stop is self.scene.stop)
-
     @computed("motion", "stop", "rates", "reduction", "start", "search")
     def extended_precision(self) -> Array | None:
         """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
@@ -142,7 +136,8 @@ class MotionResults:
         motion, scene = self.motion, self.scene
         small = len(motion.t) <= MOST_EXTENDED and all(block.size <= 2 for block in scene.reduction.blocks)
         corrected = scene.settings.project or scene.settings.gain
-        if not (small and has_extended()) or scene.search.passages or motion.stop is not None or corrected or not self.marched:
+        ended = scene.search.passages or motion.stop is not None
+        if not (small and has_extended()) or ended or corrected or motion.scheme not in SCHEMES:
             return None
         return np.asarray(march_in(np.longdouble, scene.rates, motion.scheme, scene.begin, motion.step, len(motion.t) - 1))
 

@@ -9,11 +9,16 @@ import math
 import re
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import coursework
+from coursework.assigning.senses import QUARTERS, _arms, _way
 from coursework.assigning.sheet import exemplary
+from coursework.report.text.words import load_words
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import signed
 from tests.command import call
 from tests.grading.marking.machines import PULLED_BARS
 
@@ -176,3 +181,28 @@ def test_a_sheet_of_equations_alone_says_nothing_of_signs_above(tmp_path):
     assert rows_of(page)[0] == ["φ1, ω1", "angle, its rate", "ask your teacher"]
     assert "measured from" not in page
     assert "those above" not in page
+
+
+@pytest.mark.parametrize(("angle", "way"), [
+    ("0", "right"), ("pi/2", "up"), ("pi", "left"), ("-pi/2", "down"), ("3*pi/2", "down"), ("2*pi", "right"), ("5*pi/2", "up"),
+    ("pi/6", "30°"), ("-pi/4", "-45°"), ("pi/2 + 2e-9", "90°"), ("pi/2 + 5e-10", "up"), ("beta", "β"),
+])  # fmt: skip
+def test_a_direction_is_that_of_an_axis_or_at_an_angle(angle, way):
+    variant, words = coursework.load("31"), load_words("en")
+    told = _way(variant, tuple(signed(parse(angle))), words, "sheet.sense")
+    key = ("sheet.sense.at", {"angle": way}) if way not in QUARTERS else (f"sheet.sense.{way}", {})
+    assert told.replace("−", "-") == words(key[0], **key[1]).replace("−", "-")
+
+
+@pytest.mark.parametrize(("place", "base", "way"), [
+    ("K + s @ beta", "K", "β"), ("K - s @ 0", "K", "left"), ("K + (s, 0)", "K", "right"), ("K + (0, s)", "K", "up"),
+    ("K - (s, 0)", "K", "left"), ("K - (0, s)", "K", "down"), ("(s, 1)", "", "right"), ("(0, s)", "", "up"),
+])  # fmt: skip
+def test_a_length_is_laid_off_from_a_point_in_a_direction(place, base, way):
+    """As the point is written: along an angle, or along an axis, and the other way behind a minus."""
+    mechanism = SimpleNamespace(points=[("K", parse("(1, 2)", vectors=True)), ("S", parse(place, vectors=True))], constraints=[])
+    variant, words = coursework.load("31"), load_words("en")
+    ((found, parts),) = _arms(mechanism, "s")
+    told = _way(variant, parts, words, "sheet.sense")
+    key = ("sheet.sense.at", {"angle": way}) if way not in QUARTERS else (f"sheet.sense.{way}", {})
+    assert (found, told) == (base, words(key[0], **key[1]))

@@ -46,9 +46,10 @@ def test_the_first_contradiction_is_told_with_the_students_own_numbers_alone(tmp
     assert "Row 8: phi2 does not follow from your own row 7 and its w2" in found.output
     printed = {text.replace(",", ".") for text in re.findall(r"-?\d+,\d+", csv(table).decode())}
     row = next(line for line in found.output.splitlines() if "Row 8" in line)
-    numbers = re.findall(r"-?\d+\.\d{3,}", row.partition(":")[2].partition(" = ")[0])
-    assert numbers
-    assert {f"{float(number):.4f}" for number in numbers} <= printed
+    before, speed = table[6, 1], table[6, 4]  # phi2 stands second, w2 behind three angles and w1
+    numbers = [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?", row.partition("its w2:")[2])]
+    assert numbers == pytest.approx([before, 0.02, speed, before + 0.02 * speed, table[7, 1]], abs=1e-4)
+    assert {f"{numbers[place]:.4f}" for place in (0, 2, 4)} <= printed
 
 
 def test_wrong_velocities_are_not_betrayed(tmp_path: Path) -> None:

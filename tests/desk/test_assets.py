@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from coursework.desk.answering import bench
 from coursework.desk.job import Policy
 from coursework.report.output import formats
 from coursework.report.output.formats import formats_for
@@ -118,3 +119,18 @@ def test_a_desk_for_others_names_a_browser_without_meaning(reports):
         assert "set-cookie" not in client.get("/our/").headers  # it has one now
         client.cookies.clear()
         assert first not in client.get("/our/").headers["set-cookie"]
+
+
+@pytest.mark.parametrize(("others", "accepted", "more", "packed"), [
+    (True, "gzip, br", 0, True), (True, "gzip", 1, False), (True, "identity", 0, False), (False, "gzip", 0, False),
+])  # fmt: skip
+def test_long_answers_are_packed_for_who_is_far_and_says_he_can_unpack_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, others: bool, accepted: str, more: int, packed: bool
+) -> None:
+    asked = {"text": TEXT, "name": "31"}
+    with desk(None if others else tmp_path) as client:
+        plain = client.post("/api/check", json=asked, headers={"Accept-Encoding": "identity"})
+        monkeypatch.setattr(bench, "PACKED_FROM", len(plain.content) + more)
+        answer = client.post("/api/check", json=asked, headers={"Accept-Encoding": accepted})
+    assert answer.headers.get("content-encoding") == ("gzip" if packed else None)
+    assert answer.content == plain.content

@@ -154,3 +154,20 @@ def test_beside_a_folder_whose_tables_may_change_nothing_is_kept(made):
             await begun
 
     ended(ask())
+
+
+def test_what_is_quiet_is_ended_again_and_again_until_the_desk_closes(made, monkeypatch):
+    one, pool = made
+    rested: list[float] = []
+    pool.rest = rested.append
+    monkeypatch.setattr(renderers, "PACE", 0.0)
+
+    async def some():
+        resting = asyncio.ensure_future(one.rest())
+        while len(rested) < 3:
+            await asyncio.sleep(0)
+            assert not resting.done()
+        resting.cancel()
+
+    asyncio.run(asyncio.wait_for(some(), 20))
+    assert set(rested) == {renderers.QUIET}

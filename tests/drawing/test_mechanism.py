@@ -16,6 +16,7 @@ from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.board import SCALES
+from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import Sheet
 from coursework.drawing.paper.symbols import ratio
@@ -224,3 +225,37 @@ def test_a_link_whose_angle_is_counted_clockwise_is_drawn_once() -> None:
     first, second = variant.links
     outline = read_outline(build(replace(variant, links=(replace(first, rate="W1"), second))))
     assert outline is not None and [bar.link for bar in outline.bars] == ["1", "2"]
+
+
+@pytest.mark.parametrize(("name", "joints", "points"), [("31", "DABC", "MP"), ("robot-arm", "DA", "M")])
+def test_a_joint_is_a_ring_and_a_mere_point_a_dot(name: str, joints: str, points: str) -> None:
+    """P of variant 31 is where the wheel touches, M the end of a link."""
+    drawn = re.findall(r'<circle [^>]*fill="(\w+)"[^>]* data-joint="(\w+)"', drawing_of(name).svg)
+    assert sorted(at for fill, at in drawn if fill == "white") == sorted(joints)
+    assert sorted(at for fill, at in drawn if fill == "black") == sorted(points)
+
+
+@pytest.mark.parametrize("highest", [90.5, 90.4])
+def test_a_sheet_that_is_covered_grows_by_the_place_of_its_axes_where_it_may(highest: float) -> None:
+    sheet = Sheet(100.0, 80.0, (0.0, 0.0, 100.0, 80.0))
+    for y in range(0, 81, 2):
+        sheet.line(complex(0, y), complex(100, y), "", heavy=True)
+    sheet.axes(highest=highest)
+    assert (sheet.height, sheet.field) == (
+        (90.5, (0.0, 0.0, 100.0, 90.5)) if highest == 90.5 else (80.0, (0.0, 0.0, 100.0, 80.0))
+    )
+
+
+@pytest.mark.parametrize("above", [5, -5])
+@pytest.mark.parametrize("way", [1, 1j, -1])
+def test_a_rack_is_drawn_beyond_its_contact_on_the_side_away_from_its_gear(above: int, way: complex) -> None:
+    drawn: list[list[complex]] = []
+    places, gear = {"K": 0j, "P": 10 * way, "C": (10 + above * 1j) * way}, SimpleNamespace(centre="C", contact="P")
+    painter = SimpleNamespace(
+        at=places, outline=SimpleNamespace(wheels=[gear]),
+        sheet=SimpleNamespace(path=lambda points, look, closed: drawn.append(list(points))),
+    )  # fmt: skip
+    Painter.rack(painter, SimpleNamespace(corners=("K",)), "P")  # type: ignore[arg-type]
+    ((begin, end, beyond, beside),) = drawn
+    assert (begin, end) == (0, pytest.approx(22 * way))
+    assert (beside / way).imag * above < 0 and beyond - end == pytest.approx(beside - begin)

@@ -145,6 +145,15 @@ def test_energy_and_error_are_told_with_the_step_that_would_do():
     assert driven["ENERGY"].verdict == "PASS" and driven["ENERGY"].value < 1e-5
 
 
+def test_two_rows_are_enough_to_tell_how_close_the_motion_is():
+    """From rest Euler's first step carries the acceleration of the start."""
+    run = coursework.solve("falling-arm", "euler", end="10 ms")
+    exact = coursework.solve("falling-arm", "exact", end="10 ms")
+    (told,) = [one for one in run.results.checks if one.code == "MOTION"]
+    off = max(abs(run.motion.column(w)[1] / exact.motion.column(w)[1] - 1) for w in run.motion.velocity_names)
+    assert (told.verdict, told.row, told.value) == ("PASS", 2, pytest.approx(off, rel=1e-6))
+
+
 @pytest.mark.parametrize(("share", "stable", "told"), [
     (0.5, "PASS", "a step of about 0.0005 s would do"), (0.51, "PASS", "tells no step"), (0.4, "COARSE", ""),
 ])  # fmt: skip

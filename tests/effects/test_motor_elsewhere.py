@@ -1,10 +1,12 @@
 """A motor on a link that is not free, and one between two links: each acts where it is, so every link balances by itself."""
 
 import numpy as np
+import pytest
 
 import coursework
 from tests.effects.massed import of_text, text_of
 from tests.report.real import parts
+from tests.solved import solved
 
 CHANGES = (
     ('[drive]\nw1 = "w0"\n', ""), ('period = "2*pi/w0"\n', ""), ('Q1 = { on = "3", torque = "-60 N*m" }', ""),
@@ -47,3 +49,46 @@ def test_the_page_prints_no_round_off_for_what_is_nothing():
     compared = next(one for one in parts(run, "forces") if one.get("id") == "forces-compare")
     name, _, computed, _, _, apart = compared["rows"][-1]
     assert (name, computed, apart) == ("M", "0", "–")
+
+
+WHEEL = """format = 1
+title = "A wheel that a torque of the time turns"
+[given]
+r = "0.1 m"
+J = "0.5 kg*m^2"
+M0 = "3 N*m"
+p = "7 rad/s"
+[coordinates]
+phi = { start = "0.2 rad", rate = "w" }
+[time]
+step = "0.05 s"
+end = "0.5 s"
+[points]
+O = "(0, 0)"
+A = "O + r @ phi"
+[links]
+1 = { points = ["O", "A"], rate = "w" }
+[frame]
+hinges = ["O"]
+[masses]
+1 = { mass = "2 kg", inertia = "J", centre = "O" }
+[motor]
+rates = ["w"]
+1 = { torque = "M0*cos(p*t)" }
+[ask]
+quantities = ["table"]
+"""
+
+
+def test_a_torque_of_the_time_turns_a_wheel_as_its_integrals_say():
+    """J dw/dt = M0 cos pt from rest: w = M0/(J p) sin pt, phi = phi(0) + M0/(J p^2) (1 - cos pt)."""
+    motion = coursework.solve(coursework.parse_variant(WHEEL), "exact").motion
+    assert motion.column("w") == pytest.approx(3 / (0.5 * 7) * np.sin(7 * motion.t), abs=1e-10)
+    assert motion.column("phi") == pytest.approx(0.2 + 3 / (0.5 * 49) * (1 - np.cos(7 * motion.t)), abs=1e-10)
+
+
+def test_the_determinants_of_a_motion_under_forces_are_those_of_its_blocks():
+    """A slider-crank: r2 cos(theta2) for the rod, the unit that the speed of the slider has for the other one."""
+    motion = solved("example-2-motor").motion
+    assert motion.determinants[:, 0] == pytest.approx(1.2 * np.cos(motion.column("theta2")), rel=1e-12)
+    assert motion.determinants.shape[1] == 2 and set(np.abs(motion.determinants[:, 1])) == {1.0}

@@ -105,6 +105,8 @@ def test_polygons_are_listed_with_those_of_velocities():
     kinds = {line.split(",")[3] for line in text[1:]}
     assert kinds == {"velocity", "acceleration", "force"}
     assert sum(",force,force," in line for line in text) == 37 * (9 + 4)
+    times = {(int(row), float(t)) for row, t, *_ in (line.split(",") for line in text[1:])}
+    assert sorted(times) == [(row + 1, pytest.approx(float(t), abs=1e-6)) for row, t in enumerate(run.motion.t)]
 
 
 def test_the_pins_of_more_than_two_links_are_listed_in_words():

@@ -3,6 +3,7 @@
 import itertools
 import math
 import re
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -187,6 +188,16 @@ def test_h27_a_ripple_on_a_larger_motion_is_followed(formula, swing, scheme):
     assert verdicts["ACCURACY"] == "COARSE" or off <= 0.05
     with pytest.raises(InputError, match=r"^C021"):
         _ = coursework.solve(parse_variant(driven_four_bar(replace(law, drive="n*sin(k*t)"), scheme=scheme))).motion
+
+
+@pytest.mark.parametrize(("share", "is_refused"), [(0.019, False), (0.0215, True)])
+def test_a_ripple_is_one_up_to_a_fiftieth_of_the_way(share, is_refused):
+    """What it may turn within two rows, its height times step/pi, beside the whole turn of n*end; the step is 0.01 of the end."""
+    given = {"n": "3 rad/s", "a": f"{share * 3 * 100 * math.pi / 2!r} rad/s", "k": "400 1/s"}
+    law = Law("ripple", "n + a*sin(k*t)", given, lambda t: t)
+    variant = parse_variant(driven_four_bar(law))
+    with pytest.raises(InputError, match=r"^C021") if is_refused else nullcontext():
+        _ = coursework.solve(variant, quantities=("table",)).motion
 
 
 def test_a_ripple_that_cannot_be_followed_is_told_first():

@@ -142,3 +142,10 @@ BY_RECORD = [
 def test_no_other_file_names_a_quantity(name):
     naming = {path.relative_to(PACKAGE).as_posix() for path in files() if name in strings(path)}
     assert naming <= {"scene/quantities.py", "scene/motion_results.py"}
+
+
+def test_a_run_without_pages_makes_only_what_files_of_numbers_or_the_record_hold():
+    """Graphs, drawings and listings are on pages alone; the cost of accuracy has a command of its own."""
+    everything = [one.name for one in QUANTITIES]
+    drawn = {"plots", "accuracy", "trajectories", "hodographs", "listing", "flowchart"}
+    assert {one.name for one in QUANTITIES if one.only_pages} == drawn and drawn < set(everything)

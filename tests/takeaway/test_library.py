@@ -26,6 +26,7 @@ WRONG = [
     (lambda: coursework.solve("31").scene.march(0.01, "nope"), "no scheme"),
     (lambda: coursework.solve("31").exact.at(0.481), "outside the motion"),
     (lambda: coursework.solve("31").exact.at(-0.001), "outside the motion"),
+    (lambda: coursework.solve("31").exact.at(0.48 * (1 + 1.1e-9)), "outside the motion"),
     (lambda: coursework.load("31").with_data({"R1": 1.0}), 'mean "r1"'),
     (lambda: coursework.load("31").unit_of("nope"), "no column"),
     (lambda: coursework.load("31").with_data({"r1": -0.953}), "above zero"),
@@ -138,6 +139,7 @@ def test_between_rows_the_exact_motion_is_that_of_a_finer_table():
     np.testing.assert_allclose(found.coordinates, finer.exact.coordinates[rows], rtol=0, atol=1e-11)
     np.testing.assert_allclose(found.points["B"].position, finer.exact.points["B"].position.iloc[rows], rtol=0, atol=1e-11)
     assert run.exact.at(0.1).column("w3").shape == (1,)
+    assert run.exact.at(0.48 * (1 + 0.9e-9)).rows.tolist() == run.exact.at(0.48).rows.tolist()  # that row, but for round-off
 
 
 def test_points_are_frames_by_point_and_quantity():

@@ -265,3 +265,25 @@ def test_the_line_of_what_is_not_there_is_that_of_what_it_would_stand_in():
     for path, line in ((("given", "r"), 2), (("given", "x"), 1), (("points", "A"), 1), ((), 1), (("time", "period"), 9)):
         assert variant.nearest_line(*path) == line
     assert (variant.line_of("time", "end"), variant.line_of("time", "period")) == (11, 0)
+
+
+@pytest.mark.parametrize(("before", "after", "told"), [
+    ('[coordinates]\nq = { start = "0 rad", rate = "w" }\n', "[coordinates]\n", "a section of at least 1 line"),
+    ('w = "1"', "w = { pieces = [] }", "a list of at least 1"),
+    ('w = "1"', 'w = { pieces = [["0 s", "1", "2"]] }', "drive.w.pieces.1"),
+    ("[time]", '[ask]\nquantities = [""]\n[time]', "a text of at least 1 letter"),
+    ("[time]", '[[group]]\nkind = "crank"\ncoordinates = []\n[time]', "a list of at least 1"),
+    ("[time]", '[[group]]\nkind = "crank"\ncoordinates = ["a", "b", "c"]\n[time]', "a list of at most 2"),
+    ("[time]", '[forces]\ns = { spring = ["A"] }\n[time]', "a list of at least 2"),
+    ("[time]", '[forces]\ns = { spring = ["A", "B", "C"] }\n[time]', "a list of at most 2"),
+    ("[given]", f'title = "{"x" * 301}"\n[given]', "a text of at most 300 letters"),
+])  # fmt: skip
+def test_too_long_and_too_short_is_told_with_what_may_stand_there(before, after, told):
+    assert before in PLAIN
+    assert told in refused(PLAIN.replace(before, after))
+
+
+@pytest.mark.parametrize("name", ["q", "guide", "rails", "time"])
+def test_the_keys_that_are_known_are_those_of_the_table_however_it_is_called(name):
+    said = refused(PLAIN.replace('q = { start = "0 rad"', f'{name} = {{ near = "0 rad"').replace("sin(q)", "1"))
+    assert "Known: rate, start, unit." in said

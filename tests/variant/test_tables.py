@@ -44,7 +44,7 @@ def law(tmp_path):
     [
         "\n".join(["phi1,r", *ROWS]).encode(),
         "\n".join(ROWS).encode(),
-        "\n".join(["phi1,r", *ROWS[:6], " ", *ROWS[6:], ""]).encode(),
+        "\n".join(["phi1,r", *ROWS[:2], " ", "", *ROWS[2:6], ",", *ROWS[6:], ""]).encode(),
         b"\xef\xbb\xbf" + "\r\n".join(["angle,length", *ROWS, "", ",,", ""]).encode(),
         "\n".join(["phi1 (rad),r [m]", *(" , ".join(row.split(",")) for row in ROWS)]).encode(),
         "\n".join(["phi1,r", *(",".join(f'"{cell}"' for cell in row.split(",")) for row in ROWS)]).encode(),

@@ -135,7 +135,7 @@ def stiffness(e: Evidence) -> tuple[float, float]:
             by_rates, by_places = _slopes(dynamics, t, q, v)
         damped = max(damped, float(-np.linalg.eigvals(by_rates).real.min()))
         swinging = max(swinging, float(-np.linalg.eigvals(by_places).real.min()))
-    return damped, math.sqrt(max(swinging, 0.0))
+    return damped, math.sqrt(swinging)
 
 
 def _slopes(dynamics: EquationsOfMotion, t: float, q: list[float], v: list[float]) -> tuple[Array, Array]:

@@ -49,6 +49,7 @@ _resolved: WeakKeyDictionary[VelocityEquations, dict[float, Resolution]] = WeakK
 _NEAR, _BEYOND = 1e-6, 1e4
 # An oscillation that turns by less than this part of all is a ripple; at most so many times and rows tell.
 _RIPPLE, _MOST_LOOKS = 0.02, 10_000
+_OF_STRETCH = np.array([0.1, 0.3, 0.5, 0.7, 0.9])
 
 
 def breaks(variant: Variant) -> tuple[float, ...]:
@@ -232,7 +233,8 @@ def _is_ripple(equations: VelocityEquations, step: float) -> bool:
         return False
     edges = resolution(equations).edges
     edges = edges[:: len(edges) // _MOST_LOOKS + 1]
-    height = np.ptp(drive_values(equations, names, (edges[1:] + edges[:-1]) / 2), axis=0)
+    looks = edges[:-1, None] + np.diff(edges)[:, None] * _OF_STRETCH  # one a stretch would meet a swing at one phase always
+    height = np.ptp(drive_values(equations, names, looks.ravel()), axis=0)
     return bool(np.all(height * step / np.pi <= _RIPPLE * turned))
 
 

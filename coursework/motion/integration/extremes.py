@@ -32,7 +32,7 @@ def extremes(exact: Motion, rates: Rates, accelerations: Callable[[Motion], Arra
     found: dict[str, Range] = {}
     for column, name in enumerate(exact.names):
         values, slope = samples.rows[:, column], slopes[:, column]
-        ends = [float(values[0]), float(values[-1])]
+        ends = []
         for seen in (int(np.argmin(values)), int(np.argmax(values))):
             ends.append(float(values[seen]))
             if 0 < seen < len(values) - 1:
@@ -54,5 +54,5 @@ def _flat(t: Array, slopes: Array) -> float:
     if under < 0:
         return float(middle)
     far = -(linear + math.copysign(math.sqrt(under), linear)) / 2  # no difference of two that are alike
-    near = [top / bottom for top, bottom in ((far, square), (here, far)) if abs(top) <= abs(bottom) and bottom]
-    return float(middle + unit * min(near, key=abs, default=0.0))
+    roots = [top / bottom for top, bottom in ((far, square), (here, far)) if bottom]
+    return float(middle + unit * min((root for root in roots if back <= root <= 1), key=abs, default=0.0))

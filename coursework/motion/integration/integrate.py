@@ -38,10 +38,10 @@ TOO_LARGE = "step too large"
 
 @frozen
 class Correction:
-    """What keeps the positions closed: `newton` corrections a step, or Baumgarte's `gain` (1/s); none by default."""
+    """What keeps the positions closed: `newton` corrections a step, or Baumgarte's `gain` (1/s)."""
 
-    closure: Closure | None = None
-    newton: int = 0
+    closure: Closure | None
+    newton: int
     gain: float = 0.0
 
     def corrected(self, targets: tuple[Array, Array], row: Row, step: float, moved: Array) -> Array:

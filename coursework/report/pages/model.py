@@ -19,7 +19,6 @@ from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.report.text.words import Words, load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
-from coursework.words.sentences import ENGLISH
 from coursework.words.templates import clean
 
 LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
@@ -46,9 +45,9 @@ class ReportModel:
     copied: str
     enlarge: str
     sections: tuple[Section, ...]
-    live: LivePart | None = None
-    scripts: bool = False
-    title_language: str = ENGLISH  # that of the title; "" where the file says it in one that nobody knows
+    live: LivePart | None
+    scripts: bool
+    title_language: str  # that of the title; "" where the file says it in one that nobody knows
 
     def plain(self) -> dict[str, Any]:
         """Return the model as dicts, lists and strings: what JSON holds and what a golden file compares."""

@@ -290,3 +290,11 @@ def test_a_motion_that_stops_before_the_row_has_no_check() -> None:
     phase = replace(variant, given=tuple(replace(g, value=0.02) if g.name == "alpha" else g for g in variant.given))
     assert solve(at_row(phase, 7), quantities=["graph_check"]).graph_check is None  # the dead point is at 0.1169 s, row 6.8
     assert solve(at_row(phase, 4), quantities=["graph_check"]).graph_check is not None
+
+
+def test_a_velocity_is_read_from_the_pole_and_a_relative_one_between_two_images() -> None:
+    read = {one.name: one.length for name in ("v107", "example-4", "prp") for one in check_of(name).readings if one.images}
+    pole = "p_v\u00a0"
+    wanted = {"V_A": f"{pole}a", "V_AB": "ba", "V_B": f"{pole}b", "V_O′": f"{pole}o′", "V_O′M": "mo′", "V_E": f"{pole}e"}
+    wanted |= {"V_BB′": "b′b", "V_CC′": "c′c"}
+    assert {name: read[name] for name in wanted} == wanted

@@ -10,7 +10,7 @@ from coursework.equations.reduction.independent import _judge_dropped, _kept, _l
 def test_a_row_of_which_a_billionth_is_left_depends_on_those_before(part, kept):
     """Of (1, 1 + x) beside (1, 1) there is x/2 of its length left; a column of other unit changes nothing."""
     rows = np.array([[1.0, 1.0], [1.0, 1.0 + part]])
-    assert _kept(rows) == _kept(rows * [1.0, 1e6]) == kept
+    assert _kept(rows) == _kept(rows * [1.0, 1e6]) == _kept(rows * [1e-9, 1e-12]) == kept
     assert _kept(np.array([[0.0, 0.0], *rows])) == [one + 1 for one in kept]
 
 

@@ -172,7 +172,12 @@ def test_canvas_says_who_is_late(tmp_path):
             (tmp_path / "in" / f"{name}_{file}").write_bytes((tmp_path / "made" / file).read_bytes())
     rubric = tmp_path / "rubric.toml"
     rubric.write_text(RUBRIC, encoding="utf-8")
-    assert grade(tmp_path / "in", tmp_path / "out", "--rubric", rubric).exit_code == 0
+    export = tmp_path / "export.csv"
+    lines = ["Student,ID,Coursework (555)", "    Points Possible,,100", '"Bob, Ray",102,', '"Lee, Ann",101,EX', '"No, One",103,7']
+    export.write_text("\n".join(lines), encoding="utf-8")
+    assert grade(tmp_path / "in", tmp_path / "out", "--rubric", rubric, "--canvas", export).exit_code == 0
+    filled = (tmp_path / "out" / "canvas.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert filled == [*lines[:2], '"Bob, Ray",102,100', *lines[3:]]  # who is excused, and who has handed in nothing, stay
     found = submissions(tmp_path / "out")
     assert (found["101"]["late"], found["101"]["score"]) == ({"minutes": None, "lost": 10.0}, 90)
     assert (found["102"]["late"], found["102"]["score"], found["102"]["notes"]) == (None, 100, [])

@@ -176,6 +176,8 @@ def test_what_is_named_was_changed(seen, handed_in):
             assert place[0] == min(row for row, _ in truth.wrong), student
         elif truth.wrong is not None:
             assert not told["first_wrong"], student
+        marked = re.search(r'<tr><th scope="row">(\d+)<td>(?:(?!<tr>).)*? id="first"', seen[student].raw, re.DOTALL)
+        assert (marked and marked[1]) == (cell and cell[1]), student  # the cell that "show it" leads to
         if cell:
             assert f"Row {cell[1]}: " in told["sentence"]
             assert cell[2] in told["sentence"]

@@ -157,6 +157,14 @@ def test_a_column_that_would_become_a_new_assignment_is_refused() -> None:
     twice = CANVAS.replace("Quiz (556)", "Again (556)").replace(",100,10,", ",100,100,")
     with pytest.raises(InputError, match=r"export[.]csv:1 .*several assignments have 100 points"):
         read_gradebook(twice.encode(), "export.csv", 100)
+    half = twice.replace(",A,80.0,,", ",A,,,").replace(",A,EX,8,", ",A,,8,")
+    assert read_gradebook(half.encode(), "export.csv", 100).column == 5  # of two the one that is empty
+
+
+def test_a_canvas_export_with_two_columns_of_names() -> None:
+    export = "LastName,FirstName,ID,Coursework (555)\n    Points Possible,,,100\nLee,Ann,101,\nBob,Ray,102,\n"
+    book = read_gradebook(export.encode(), "export.csv", 100)
+    assert [book.record_of((), name) for name in ("Ann Lee", "Lee, Ann", "Lee Ann", "Ray Bob", "Ann Bob")] == [2, 2, 2, 3, None]
 
 
 ROSTER = "id,name,email,variant,group\nann,Ann Lee,ANN@x.edu,31,A\nivan,Ivan Franko,,v101,B\nбр,Іван Бр,b@x.edu,31,B\n"
@@ -167,6 +175,7 @@ def test_a_roster_keeps_its_columns_and_tells_its_faults() -> None:
     assert [(student.id, student.variant, student.more) for student in students] == [
         ("ann", "31", {"group": "A"}), ("ivan", "v101", {"group": "B"}), ("бр", "31", {"group": "B"}),
     ]  # fmt: skip
+    assert read_roster(ROSTER.replace("ivan", ",,,,\nivan").encode(), "roster.csv")[2].line == 5  # a line of commas is nobody
     with pytest.raises(InputError) as told:
         read_roster((ROSTER + "Ann,x,,31,\n,nobody,,31,\n").encode(), "roster.csv")
     assert [(fault.line, fault.message.partition(".")[0]) for fault in told.value.faults] == [

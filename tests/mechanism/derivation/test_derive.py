@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -12,7 +13,7 @@ from coursework.mechanism.derivation.constants import named_angles
 from coursework.mechanism.derivation.contours import contours_of
 from coursework.mechanism.derivation.derive import Derivation, derive
 from coursework.mechanism.derivation.segments import point_graph
-from coursework.variant.formula.reader import parse
+from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import spelled
 from tests.report.real import changed
 
@@ -113,3 +114,18 @@ def test_constant_angles_get_names_that_are_free() -> None:
     assert [name for name, _ in named.angles] == ["beta_1", "beta_2"]
     assert spelled(named.put_in(formulas[1])) == "sin(phi - beta_1) + beta_2"
     assert named.put_in(formulas[2]) == formulas[2]
+
+
+def test_contours_are_those_of_every_closure_wherever_it_stands() -> None:
+    """Between equations that are written; A + r @ f = B and B + s @ g = A close, the others do not."""
+
+    def one(name: str, text: str) -> SimpleNamespace:
+        left, right = parse_equation(text, vectors=True)
+        return SimpleNamespace(name=name, is_closure=" @ " in text, left=left, right=right)
+
+    mechanism = SimpleNamespace(
+        variant=SimpleNamespace(coordinates=[SimpleNamespace(name="f"), SimpleNamespace(name="g")]),
+        points=[("A", parse("(0, 0)", vectors=True)), ("B", parse("(b, 0)", vectors=True))],
+        constraints=[one("1", "u = r*w"), one("2", "A + r @ f = B"), one("3", "w = u"), one("4", "B + s @ g = A")],
+    )
+    assert [contour.name for contour in contours_of(mechanism)]  # type: ignore[arg-type] == ["2", "4"]

@@ -5,6 +5,8 @@ import math
 import pytest
 
 import coursework
+from coursework.motion.geometry.closure import compile_closure
+from coursework.motion.geometry.open_loops import with_closed_loops
 
 # A slotted lever D that the pin of a crank turns; the pin stands in the slot at atan2(d, r) when the crank lies on x.
 LEVER = """
@@ -41,3 +43,13 @@ def test_the_start_or_the_equation_is_told(start, turns, told):
     if told == "V310":
         off = math.hypot(0.1, 0.25) * math.sin(math.radians(60) - math.atan2(0.25, 0.1))
         assert f"{off:.6g} m. Correct the start; the nearest with zero is phi1 = 0 deg, th = 68.19859051" in str(caught.value)
+
+
+@pytest.mark.parametrize(("most", "start"), [(math.inf, 68.19859051), (2e-3, 68.19859051), (1e-4, 68.0)])
+def test_a_loop_that_is_open_by_no_more_than_is_allowed_is_closed(most, start):
+    """The pin is 0.9 mm beside the slot, 0.2 degrees of a lever 0.27 m long."""
+    scene = coursework.solve(coursework.parse_variant(LEVER.format(start=68, turns="cos"))).scene
+    near, left = with_closed_loops(compile_closure(scene.equations, [0.0, math.radians(68)]), most)
+    assert near.start[1] == pytest.approx(math.radians(start), abs=1e-9)
+    beside = math.hypot(0.1, 0.25) * math.sin(math.radians(0.19859051))
+    assert abs(left[0]) == (pytest.approx(beside, rel=1e-6) if start > 68 else 0.0)  # what is kept is not open

@@ -5,6 +5,8 @@ import math
 import pytest
 
 import coursework
+from coursework.equations.reduction.symbolic import symbol
+from coursework.motion.geometry.drive import argument_slopes
 from coursework.motion.geometry.oscillation import fastest
 from coursework.words.data_folders import folder
 
@@ -59,3 +61,10 @@ def test_the_check_and_the_refusal_use_it(tmp_path):
     step = next(check for check in coursework.solve(tmp_path / "v.toml").checks if check.code == "STEP")
     assert step.value == pytest.approx(50 / 3, rel=1e-9)
     assert step.verdict == "COARSE"
+
+
+def test_only_arguments_that_move_oscillate():
+    """sin(p t + alpha) turns by p; a sine of the phase alone does not turn."""
+    text = coursework.load("31").path.read_text(encoding="utf-8").replace('VMx = "0"', 'VMx = "V1*cos(alpha)"')
+    assert "V1*cos(alpha)" in text
+    assert argument_slopes(coursework.solve(coursework.parse_variant(text)).scene.equations) == [symbol("p")]

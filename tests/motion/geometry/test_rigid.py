@@ -84,6 +84,15 @@ def test_a_circle_that_no_wheel_rolls_on_may_be_drawn_beside():
     assert closure(of("epicyclic"), slip).agreed
 
 
+def test_wheels_that_roll_on_each_other_need_no_circle():
+    """A wheel about O touches the planet where the ring was: the circle, larger now, is no longer what it rolls on."""
+    slips = (
+        ('radius = "R0"', 'radius = "1.01*R0"'),
+        ('3 = { points = ["E"', '4 = { wheel = "O", contact = "P" }\n3 = { points = ["E"'),
+    )
+    assert closure(of("epicyclic"), *slips).names
+
+
 @pytest.mark.parametrize(
     ("text", "slip", "told"),
     [

@@ -19,7 +19,7 @@ def both(run, scheme, step, end, start=None, guarded=()):
     """Return the motion by generated rows and the one by single steps (a correction that corrects nothing)."""
     rates, start = run.scene.rates, start or run.scene.start
     made = March(rates, scheme_of(scheme), step, guarded=guarded)
-    return [replace(made, correction=correction).until(start, end) for correction in (None, Correction())]
+    return [replace(made, correction=correction).until(start, end) for correction in (None, Correction(None, 0))]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -89,3 +89,15 @@ def test_a_step_that_turns_too_far_is_told_with_the_row_it_leaves():
     stop = Row(4, 0.08, np.zeros(1)).too_wide(rates, 0, 1.7, 0.02)
     assert (stop.row, stop.time) == (4.0, 0.08)
     assert "At row 5 (t = 0.08 s) one step of 0.02 s would turn phi by 1.7 rad (97°)" in str(stop.cause)
+
+
+@pytest.mark.parametrize(("old", "new", "told"), [
+    ((1.0, -2.0), (1.5, 0.5), ("-2", "0.5")), ((1.0, 3.0), (0.0, 1.0), ("1", "0")), ((-1.0, 3.0), (0.25, 1.0), ("-1", "0.25")),
+    ((0.0, 1.0), (1.0, 1.0), None), ((1.0, -1.0), (2.0, -3.0), None),
+])  # fmt: skip
+def test_a_determinant_that_has_changed_its_sign_is_told_with_both_values(old, new, told):
+    """Of two blocks the first whose sign has changed; one that began at zero has not."""
+    rates = SimpleNamespace(velocities=("w",), blocks=(0, 1), coordinates=("q",))
+    march = SimpleNamespace(rates=rates, step=0.1, passages=())
+    stop = March._crossed(march, (9.0, *old), (-9.0, *new), Row(3, 0.3, np.array([1.0])))
+    assert stop is None if told is None else f"went from {told[0]} to {told[1]}." in str(stop.cause).replace("−", "-")

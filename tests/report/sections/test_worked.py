@@ -9,9 +9,17 @@ from typing import Any
 import pytest
 
 import coursework
+from coursework.equations.reduction.symbolic import expanded
+from coursework.motion.geometry.time_derivatives import acceleration_rest
+from coursework.report.sections.worked import _slopes, _solved, _values
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
+from coursework.variant.formula.tree import evaluate
+from tests.effects.massed import text_of
 from tests.report.made import model_of
 from tests.report.own import BOOM, FIVE_BAR, SHAPER
+from tests.solved import solved as catalogued
 
 ROW = 4
 H = 1e-4
@@ -58,6 +66,26 @@ def test_accelerations_name_coriolis_and_work_a_row_through() -> None:
     t = (ROW - 1) * 0.5 / 48
     assert shown[-1].startswith("ω̇₃ = ")
     assert result(shown[-1]) == pytest.approx(second(lambda at: lever(at)[0], t), rel=1e-4)
+
+
+@pytest.mark.parametrize("name", ["31", "v102", "example-1", "stephenson", "watt", "oscillating-cylinder"])
+def test_each_acceleration_that_can_be_worked_through_is_the_slope_of_its_velocity(name: str) -> None:
+    """Under a drive that is not steady, and in blocks that depend on others: the derivatives of those stand in the formula."""
+    text = text_of(name).replace('w1 = "w0"', 'w1 = "w0 + 3*sin(5*t)"')
+    run = coursework.solve(coursework.parse_variant(text), "exact", quantities=("table", "accelerations"))
+    context, symbols = PageContext(run, load_words("en")), run.scene.equations
+    used = [one for one in symbols.equations if one.name in run.reduction.used]
+    rests = {one.name: expanded(acceleration_rest(symbols, one)) for one in used}
+    t, slopes = float(run.motion.t[ROW]), {}
+    for rate in run.motion.velocity_names:
+        before, after = (float(run.exact.at(t + side * H).column(rate)[0]) for side in (-1, 1))
+        slopes[f"d{rate}"] = (after - before) / (2 * H)
+    values = {**_slopes(context, list(rests.values()), ROW), **_values(context, ROW), **slopes}
+    found = dict(_solved(context, rests))
+    assert found
+    largest = max(map(abs, slopes.values()))
+    for rate, formula in found.items():
+        assert evaluate(formula, values) == pytest.approx(slopes[rate], rel=1e-4, abs=1e-6 * largest), rate
 
 
 @pytest.mark.parametrize("language", ["ru", "uk"])
@@ -115,3 +143,11 @@ def test_analogs_and_invariants_follow_from_their_formulas() -> None:
 
 def test_what_is_too_long_to_read_is_left_out() -> None:
     assert equations(coursework.solve(coursework.load("prp"), quantities=("table", "accelerations")), "accelerations") == []
+
+
+def test_determinants_have_the_number_of_their_block() -> None:
+    """Variant 31 is solved for w3, for w4, then for w1 and w2 together: the third block is the one with a determinant of two."""
+    shown = [line.partition(" = ")[0] for line in equations(catalogued("31"), "solution")]
+    assert [name for name in shown if name.startswith("Δ")] == ["Δ₃", "Δ₃₁", "Δ₃₂"]
+    alone = [line.partition(" = ")[0] for line in equations(catalogued("example-1"), "solution")]
+    assert [name for name in alone if name.startswith("Δ")] == ["Δ", "Δ₁", "Δ₂"]  # one block has no number

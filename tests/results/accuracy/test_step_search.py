@@ -232,3 +232,14 @@ def test_rows_are_made_finer_by_a_quarter_until_they_show_every_pulse(monkeypatc
     variant = SimpleNamespace(coordinates=(), time=SimpleNamespace(end=1.0))
     found = step_rules(SimpleNamespace(variant=variant), SimpleNamespace(fastest=lambda _: None))
     assert found == StepRules(fewest, 1)
+
+
+@pytest.mark.parametrize(
+    ("thousand", "told"), [(0.1, "about 80 s;"), (0.3, "about 4.0 min;"), (6.7, "about 89.3 min;"), (6.8, "about 1.5 h;")]
+)
+def test_the_time_that_a_search_would_take_is_that_of_eight_trials(scene, monkeypatch, thousand, told):
+    """Eight runs of a hundred thousand steps take 800 times what a thousand steps take."""
+    monkeypatch.setattr(step_search, "seconds", lambda _run, **_: thousand)
+    rates, start = scene.rates, tuple(scene.start)
+    search = step_search._Search(SCHEMES["euler"], rates, start, 0.02, 0.48, 1e-7, None, lambda *_: True)
+    assert told in str(search.refused(100_000)).replace("\u00a0", " ").replace("\u202f", " ")

@@ -1,6 +1,7 @@
 """A kind of check is one record: a new one stands on the page, in run.json and on the command line by itself."""
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from coursework.results.checks.result import GROUPS, VERDICTS, Check, Finding, N
 from coursework.results.checks.summary import summary
 from coursework.words.sentences import say
 from tests.results.checks.scenes import evidence_of, finding, solve
+from tests.solved import solved
 
 KEYS = ["code", "group", "verdict", "value", "unit", "limit", "column", "row", "sentence"]
 
@@ -188,3 +190,12 @@ def test_a_check_passes_on_the_side_of_its_limit_that_it_names(name, options):
     assert len(judged) > 8
     for one in judged:
         assert (one.verdict == "PASS") == (one.value >= one.limit if one.is_least else one.value <= one.limit), one.code
+
+
+@pytest.mark.parametrize(("name", "fewest"), [("31", 4), ("falling-arm", 2), ("31-forces", 6)])
+def test_the_row_of_a_finding_is_one_that_its_sentence_names(name, fewest):
+    """Of what is coarse or wrong; what passes tells no row, or the whole table."""
+    open_ones = [one for one in solved(name, scheme="euler").checks if one.row and one.verdict in {"COARSE", "FAIL"}]
+    named = [(one, {*map(int, re.findall(r"[Rr]ows? (\d+)", str(one.sentence)))}) for one in open_ones]
+    assert sum(bool(rows) for _, rows in named) >= fewest
+    assert all(one.row in rows for one, rows in named if rows)

@@ -58,7 +58,7 @@ def test_a_loop_that_the_file_states_judges_the_start(holds):
     assert right.verdict == "PASS"
     assert "6 of 6" in run.summary or "5 of 5" in run.summary
     run, wrong = solved(holds, ROCKER + 0.02)
-    assert (wrong.verdict, run.status()) == ("FAIL", 1)
+    assert (wrong.verdict, wrong.row, run.status()) == ("FAIL", 1, 1)
     off = max(abs(math.cos(ROCKER + 0.02) - math.cos(ROCKER)), abs(math.sin(ROCKER + 0.02) - math.sin(ROCKER))) * C
     assert wrong.value == pytest.approx(off, rel=1e-9)
     assert f"phi3 = {ROCKER:.6f}"[:-1] in str(wrong.sentence)

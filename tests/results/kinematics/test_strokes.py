@@ -173,3 +173,13 @@ def test_a_dead_position_is_looked_for_a_tenth_of_a_step_around_the_rows(monkeyp
     found = strokes.samples_of(exact, none)
     assert asked == pytest.approx([0.95, 2.05])
     assert (found.motion, found.begins, found.ends) == ([exact], True, True)
+
+
+@pytest.mark.parametrize(("slopes", "begins", "ends", "brackets"), [
+    ([0, 1, 2], True, True, [(0, 0)]), ([0, 1, 2], False, True, []), ([1, 0, 2], True, True, []),
+    ([1, 2, 0], True, True, [(2, 2)]), ([1, 2, 0], True, False, []), ([1, 0, -2], True, True, [(0, 2)]),
+    ([0, 1, -1, 0], True, True, [(0, 0), (1, 2), (3, 3)]),
+])  # fmt: skip
+def test_a_motion_that_cannot_be_followed_further_may_begin_and_end_at_a_dead_position(slopes, begins, ends, brackets) -> None:  # type: ignore[no-untyped-def]
+    motion = SimpleNamespace(column=lambda rate: np.array(slopes, dtype=float))
+    assert strokes._brackets(strokes.Samples(motion, begins, ends), "w") == brackets  # type: ignore[arg-type]

@@ -233,3 +233,22 @@ def test_each_set_is_followed_for_its_own_time():
     assert possible.tolist() == [True, False, False]
     variant = coursework.load("homework").with_data(given={"w0": 2.0, "r1": 0.9})
     assert (False, reasons[1]) == coursework.feasible(variant)
+
+
+@pytest.mark.parametrize("mode", ["+1", "-1"])
+def test_without_a_mode_a_dyad_closes_next_to_its_start_in_every_set(mode):
+    """A start that is written says which of the two ways is meant, here two turns on."""
+    text = find("example-1").read_text(encoding="utf-8").split("[ask]")[0] + '[ask]\nquantities = ["table"]\n'
+    in_mode = coursework.parse_variant(text.replace('mode        = "+1"', f'mode        = "{mode}"'))
+    data = {"w0": np.array([9.0, 10.0, 11.0])}
+    wanted = coursework.solve_many(in_mode, data, scheme="exact", step=0.02, end=0.5).values
+    second, third = (float(value) for value in wanted[0, 0, 1:3])
+    for name, value in (("theta2", second), ("theta3", third - 4 * np.pi)):
+        rate = name.replace("theta", "w")
+        text = text.replace(
+            f'{name} = {{ rate = "{rate}", unit = "rad" }}', f'{name} = {{ start = "{value!r} rad", rate = "{rate}" }}'
+        )
+    free = coursework.parse_variant(text.replace('mode        = "+1"', ""))
+    found = coursework.solve_many(free, data, scheme="exact", step=0.02, end=0.5).values
+    turned = np.isin(np.arange(found.shape[2]), [2]) * 4 * np.pi  # theta3
+    assert np.max(np.abs(found + turned - wanted)) < 1e-9

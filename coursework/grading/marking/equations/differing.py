@@ -110,7 +110,7 @@ def _nothing_left(slopes: Array, place: int, term: Array) -> bool:
     """Return whether a line says nothing of any velocity with a term more: it would be 0 = 0."""
     after = slopes.copy()
     after[:, place] += term
-    return bool(np.all(np.abs(after) <= _SAME * np.max(np.abs(slopes), initial=0.0)))
+    return bool(np.all(np.abs(after) <= _SAME * np.max(np.abs(slopes))))
 
 
 def _sizes(term: Array, variant: Variant, probe: Probe) -> int | None:

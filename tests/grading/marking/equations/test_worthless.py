@@ -69,7 +69,18 @@ def test_a_line_may_carry_another_that_is_true_on_the_motion_only():
     found = marks([f"{right} + {closure}*{w} = 0" for w in variant.sought])
     assert {mark.verdict for mark in found.marks} <= {"right", "closure"}
     assert found.independent == 1
+    beside = marks([f"{right} = 0", *(f"{right} + {closure}*{w} = 0" for w in variant.sought)])
+    assert {mark.verdict for mark in beside.marks} == {"right", "closure"} and beside.independent == 1
     assert marks([f"{closure}*{w} = 0" for w in variant.sought]).independent == 0
+
+
+@pytest.mark.parametrize(("texts", "different"), [
+    (["A = 0"], 1), (["A = w1", "A = w1"], 2), (["sin(A) = w1", "w1 = 2*w2", "2*w1 = 4*w2"], 2), (["w1 = 2*w2", "w1 = 3*w2"], 2),
+])  # fmt: skip
+def test_a_point_where_a_velocity_must_stand_is_wrong_and_says_nothing_that_another_line_repeats(texts, different):
+    found = marks(texts)
+    assert {mark.verdict for mark in found.marks} == {"wrong"}
+    assert (found.independent, found.share, found.different) == (0, 0.0, different)
 
 
 def test_random_lines_of_no_worth_earn_nothing():

@@ -1,0 +1,55 @@
+"""What a file is told to write so that the geometry knows a velocity: from how the velocity is called and what slides where."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from coursework.mechanism.proposal import proposed
+from coursework.variant.formula.reader import parse
+
+
+def variant(unknowns, **said):
+    """A file with links 1 to 3, of which 3 leads from B to E at phi3 and 5 slides on it by its point P."""
+    link = lambda name, points, **more: SimpleNamespace(  # noqa: E731
+        name=name, points=points, rate=more.get("rate"), slides=more.get("slides"), contact=more.get("contact")
+    )
+    links = [link("1", ("A", "B"), rate="w1"), link("2", ("B", "C"), rate="w2"), link("3", ("B", "E"), rate="w3")]
+    places = [("A", "(0, 0)"), ("B", "A + r @ phi1"), ("E", "B - a @ phi3"), ("C", "B + b @ phi2"), ("P", "B + s @ phi3")]
+    coordinates = [SimpleNamespace(name=f"phi{k}", rate=f"w{k}", unit="rad") for k in (1, 2, 3)]
+    known = {
+        "unknowns": unknowns, "coordinates": coordinates, "bindings": (), "holds": (), "groups": (), "links": links,
+        "points": [(name, parse(place, vectors=True)) for name, place in places], "frame": SimpleNamespace(rails=()),
+    }  # fmt: skip
+    more = {"links": [*links, link("5", ("P",), slides="3")]} if said.pop("slides", False) else {}
+    return SimpleNamespace(**known | more | said)
+
+
+def rail(point, angle):
+    return SimpleNamespace(rails=[(parse(point), parse(angle))])
+
+
+BOUND = SimpleNamespace(point="C", name="v")
+
+
+@pytest.mark.parametrize(("unknowns", "name", "said", "told"), [
+    ((), "w2", {}, "Say in [points] and [closure] how phi2 is held; then the geometry gives w2."),
+    ([("w2", "1/s")], "w2", {}, 'w2 = { unit = "1/s", of = "link 2" }, if w2 is the rate of link 2.'),
+    ([("w21", "1/s")], "w21", {}, 'w21 = { unit = "1/s", of = "link 2", relative = "1" }, if w21 is the rate of link 2 against'),
+    ([("w41", "1/s")], "w41", {}, 'such as w41 = { unit = "1/s", of = "link 41" }; in [links] that link has two'),
+    ([("w7", "1/s")], "w7", {}, 'such as w7 = { unit = "1/s", of = "link 7" }; in [links] that link has two'),
+    ([("om", "1/s")], "om", {}, 'such as om = { unit = "1/s", of = "link 4" }; in [links] that link has two'),
+    ([("u", "m/s")], "u", {}, 'such as u = { unit = "m/s", of = "P", along = "0 deg" }.'),
+    ([("u", "m/s")], "u", {"frame": rail("C", "pi/2")}, 'of = "C", along = "90 deg" }, if u is the velocity of C along'),
+    ([("u", "m/s")], "u", {"frame": rail("C", "beta")}, 'of = "C", along = "beta" }, if u is the velocity of C along its guide.'),
+    ([("u", "m/s")], "u", {"holds": [parse("C.y", vectors=True)]}, 'of = "C", along = "0 deg" }, if u is the velocity of C'),
+    ([("u", "m/s")], "u", {"holds": [parse("C.x", vectors=True)]}, 'of = "C", along = "90 deg" }, if u is the velocity of C'),
+    ([("u", "m/s")], "u", {"slides": True},
+     'of = "P", along = "phi3", relative = "3" }, if u is the velocity of P along link 3.'),
+    ([("u", "m/s")], "u", {"slides": True, "frame": rail("C", "0")}, 'of = "C", along = "0 deg" }, if u is'),
+    ([("vP", "m/s")], "vP", {"slides": True, "frame": rail("C", "0")}, 'of = "P", along = "phi3", relative = "3" }, if vP is'),
+    ([("u", "m/s")], "u", {"slides": True, "frame": rail("C", "0"), "bindings": [BOUND]}, 'of = "P", along = "phi3"'),
+    ([("u", "m/s")], "u", {"frame": rail("C", "0"), "bindings": [BOUND]}, 'such as u = { unit = "m/s", of = "P", along = '),
+    ([("vC", "m/s")], "vC", {"frame": rail("C", "0"), "bindings": [BOUND]}, 'of = "C", along = "0 deg" }, if vC is'),
+])  # fmt: skip
+def test_what_is_proposed(unknowns, name, said, told):
+    assert told in str(proposed(variant(unknowns, **said), name))

@@ -1,0 +1,23 @@
+"""Where a slope is zero between three samples: the parabola through them, whose roots are known beforehand."""
+
+import numpy as np
+import pytest
+
+from coursework.motion.integration.extremes import _flat
+
+
+@pytest.mark.parametrize("t", [(0.0, 1.0, 2.0), (-3.0, -2.5, 1.0), (5.0, 7.0, 7.5)])
+@pytest.mark.parametrize("size", [1.0, -4.0])
+@pytest.mark.parametrize("place", [0.1, 0.4, 0.9])
+def test_the_root_nearest_to_the_middle(t, size, place):
+    t = np.array(t)
+    root = t[0] + place * (t[2] - t[0])
+    for other in (t[2] + 10, t[0] - 4):
+        assert _flat(t, size * (t - root) * (t - other)) == pytest.approx(root, abs=1e-12)
+    assert _flat(t, size * (t - root)) == pytest.approx(root, abs=1e-12)  # a line
+
+
+def test_a_slope_without_a_root_between_is_flat_in_the_middle():
+    t = np.array([0.0, 1.0, 3.0])
+    assert _flat(t, (t - 1.5) ** 2 + 1) == 1.0
+    assert _flat(t, np.array([2.0, 2.0, 2.0])) == 1.0

@@ -1,0 +1,82 @@
+"""What goes on from a change point, and where one is: the limits of both, each on both sides."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coursework.motion.singular.change_point import branches_at, nearest_change_point
+
+
+class Single:
+    """A flow of one equation A u = b with one coordinate q, whose rate is u; A and b are functions of t and q."""
+
+    def __init__(self, matrix, right):
+        self.matrix, self.right, self.looks = matrix, right, 0
+        self.places = [SimpleNamespace(unknowns=(0,))]
+        self.rates, self.largest = [(False, 0)], [1.0]
+        self.system = SimpleNamespace(unknowns=("u",))
+
+    def part(self, t, q, block):
+        self.looks += 1
+        return np.array([[self.matrix(t, *q)]]), np.array([self.right(t, *q)]), np.zeros(1)
+
+    def velocities(self, t, q, block, own):
+        return own
+
+
+@pytest.mark.parametrize(
+    ("square", "slope", "constant", "count"),
+    [
+        (1.2e-6, 1.0, 0.1, 2), (0.9e-6, 1.0, 0.1, 1),  # one motion is beyond all bounds
+        (0.0, 1.2e-6, 1.0, 1), (0.0, 0.9e-6, 1.0, 0),
+        (1.0, 2.0, 1 + 0.9e-6, 1), (1.0, 2.0, 1 + 1.2e-6, None),  # the two are one, or none is
+    ],
+)  # fmt: skip
+def test_how_many_motions_go_on_from_a_change_point(square, slope, constant, count):
+    """Along u the second derivative of the closure is square u^2 + slope u + constant; its sign says nothing."""
+    for sign in (1, -1):
+        flow = Single(lambda t, q, sign=sign: 0.0 + sign * (square * q + slope * t), lambda t, q, sign=sign: -sign * constant * t)
+        found = branches_at(flow, 0, 0.0, [0.0])
+        assert found is count if count is None else len(found) == count
+
+
+@pytest.mark.parametrize("begin", [0.7, 0.9, 0.99, 1.01, 1.3])
+def test_a_change_point_is_where_two_curves_of_positions_cross(begin):
+    """(q - 1)^2 = (t - 1)^2 crosses at 1, where p = q^2 is 1 too; the motion q = t goes through the point itself."""
+    flow = SimpleNamespace(
+        places=[SimpleNamespace(unknowns=(0, 1))], rates=[(False, 0), (False, 1)],
+        part=lambda t, q, block: (
+            np.array([[2 * (q[0] - 1), 0.0], [-2 * q[0], 1.0]]), np.array([2 * (t - 1), 0.0]), np.array([1.0, 2 * q[0]])
+        ),
+    )  # fmt: skip
+    rates = np.array([1.0, 2 * begin])
+    time, position, miss = nearest_change_point(flow, begin, np.array([begin, begin**2]), 0, rates, 1.0)
+    assert [time, *position, miss] == pytest.approx([1.0, 1.0, 1.0, 0.0], abs=1e-9)
+
+
+@pytest.mark.parametrize(("longest", "count"), [(1e6, 2), (4e7, 2), (5e7, 0), (1e9, 0)])
+def test_motions_are_told_apart_where_differences_have_digits(longest, count):
+    """u^2 = 1 of size 1 beside a length: differences over 1e-5 s have three digits while 1e3 eps / 1e-5 of it is below 1."""
+    flow = SimpleNamespace(
+        places=[SimpleNamespace(unknowns=(0, 1))], rates=[(False, 0), (False, 1)], system=SimpleNamespace(unknowns=("u", "v")),
+        part=lambda t, q, block: (np.array([[q[0], 0.0], [0.0, longest]]), np.array([t, 0.0]), np.zeros(2)),
+        velocities=lambda t, q, block, own: own,
+    )  # fmt: skip
+    found = branches_at(flow, 0, 0.0, [0.0, 0.0])
+    assert sorted(round(one["u"], 6) for one in found) == [-1.0, 1.0][:count]
+
+
+@pytest.mark.parametrize(("within", "given_up"), [(0.12, False), (0.08, True)])
+def test_newton_that_goes_more_than_ten_times_as_far_as_is_asked_for_is_given_up(within, given_up):
+    """The change point is 1 rad away, and Newton's first step, of ten looks, leads there."""
+    flow = Single(lambda t, q: q - 1, lambda t, q: t)
+    assert nearest_change_point(flow, 0.0, np.array([0.0]), 0, np.array([1.0]), within) is None
+    assert (flow.looks == 1 + 10) is given_up
+
+
+def test_newton_is_given_up_after_twelve_steps():
+    """Towards a double zero it halves its way only."""
+    flow = Single(lambda t, q: (q - 1) ** 2, lambda t, q: t)
+    assert nearest_change_point(flow, 0.0, np.array([0.0]), 0, np.array([1.0]), 10.0) is None
+    assert flow.looks == 1 + 12 * 5 * 2
