@@ -13,8 +13,8 @@ import numpy as np
 from coursework.grading.marking.key import Key, key_of
 from coursework.grading.marking.student_table import lacking, student_of, with_given
 from coursework.grading.marking.table.by_rows import marked
+from coursework.grading.marking.table.causes.clockwise import turned_back
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.marking.verdicts import telling_steps
 from coursework.grading.reading.expected import Expected

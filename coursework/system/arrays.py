@@ -49,3 +49,13 @@ def neighbours(flags: Flags) -> Flags:
     """
     edge = np.ones_like(flags[:1])
     return np.asarray(np.concatenate([edge, flags[:-1]]) & np.concatenate([flags[1:], edge]))
+
+
+def shifted(rows: Array, by: int) -> Array:
+    """Return rows moved down by `by` (up where negative), NaN where nothing comes in."""
+    moved = np.full_like(rows, np.nan)
+    if by >= 0:
+        moved[by:] = rows[: len(rows) - by]
+    else:
+        moved[:by] = rows[-by:]
+    return moved

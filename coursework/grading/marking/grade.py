@@ -19,15 +19,15 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
+from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.causes.clockwise import turned_back
+from coursework.grading.marking.table.causes.hypotheses import claims
+from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
+from coursework.grading.marking.table.causes.whole import AsMade, as_made, untold_points
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.claims import TableUnderTest
-from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import first_wrong
-from coursework.grading.marking.table.hypotheses import claims
-from coursework.grading.marking.table.misconceptions import Found, explanations, indistinct, looked_for
 from coursework.grading.marking.table.ways import HALF, StudentTable
-from coursework.grading.marking.table.whole import AsMade, as_made, untold_points
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table

@@ -229,34 +229,6 @@ class Key:
         return (*range(m), *placed, *driven)
 
 
-@dataclass(frozen=True, eq=False)
-class MisreadKey(Key):
-    """The key of a table that was made with other velocities `made_with` (t, q), and steps `part` of those of the `task`."""
-
-    made_with: Callable[[Array, Array], Array] | None = None
-    part: float = 1.0
-    task: Key | None = None
-
-    def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
-        """Return the velocities (n, r) that the table was made with."""
-        return super().velocities_at(t, q, data) if self.made_with is None else self.made_with(t, q)
-
-    @property
-    def stride(self) -> float:
-        """Return the step that the table was made with, s."""
-        return self.part * self.step
-
-    @property
-    def blocks(self) -> tuple[tuple[str, ...], ...]:
-        """Return one block: which velocities come first is the task's only."""
-        return (self.velocities,)
-
-    @cached_property
-    def coarsest(self) -> Array:
-        """Return which digits count as shown: the task asks for them, whatever the table was made with."""
-        return super().coarsest if self.task is None else self.task.coarsest
-
-
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
     """Return the key of a variant; `accepted_decimals` are those of its class.  Raises `InputError` where it has no solution."""
     if variant.motor is not None:

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.grading.marking.table.causes.misconceptions import Misconception
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.first_wrong import FirstWrong
-from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.points import Earned, TablePoints
 from coursework.grading.reading.student_work import Table
 from coursework.words.sentence import Sentence

@@ -11,8 +11,8 @@ import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.causes.misconceptions import FEWEST, FEWEST_SHARE
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.misconceptions import FEWEST, FEWEST_SHARE
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.system.arrays import Flags

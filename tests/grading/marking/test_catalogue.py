@@ -5,9 +5,9 @@ import pytest
 
 import coursework
 from coursework.grading.marking.key import key_of
+from coursework.grading.marking.table.causes.clockwise import turned_back
+from coursework.grading.marking.table.causes.misconceptions import explanations
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
-from coursework.grading.marking.table.clockwise import turned_back
-from coursework.grading.marking.table.misconceptions import explanations
 from coursework.variant.catalogue import names
 
 BY_FORCES = ("example-2-motor", "falling-arm")  # marked by rows: tests/effects/test_graded_tables.py

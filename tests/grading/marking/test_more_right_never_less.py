@@ -7,9 +7,9 @@ import pytest
 
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.causes.misconceptions import Found, explanations, looked_for
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.earning import best_rule
-from coursework.grading.marking.table.misconceptions import Found, explanations, looked_for
 from coursework.grading.marking.table.points import ENOUGH_ROWS, FOLLOWING, table_points
 from coursework.grading.marking.table.ways import KEY, own_ways
 from coursework.grading.reading.student_work import EquationLine

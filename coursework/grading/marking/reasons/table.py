@@ -11,8 +11,8 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
 from coursework.grading.marking.student_table import lacking
-from coursework.grading.marking.table.misconceptions import OTHER_STEP, Misconception
-from coursework.grading.marking.table.odd_rows import displaced_rows, repeated_rows
+from coursework.grading.marking.table.causes.misconceptions import OTHER_STEP, Misconception
+from coursework.grading.marking.table.causes.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import euler_steps

@@ -12,9 +12,9 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.causes.misconceptions import NAMED, OTHER_STEP, ROUNDED_OMEGA, ROWS_SHIFTED, TIE, Found
+from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.misconceptions import NAMED, OTHER_STEP, ROUNDED_OMEGA, ROWS_SHIFTED, TIE, Found
-from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array

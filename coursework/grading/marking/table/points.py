@@ -13,10 +13,9 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import MISSING, Cells
-from coursework.grading.marking.table.claims import shifted
 from coursework.grading.marking.table.untold import but, ramp, untold_steps
 from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places, StudentTable
-from coursework.system.arrays import Array, Flags, neighbours
+from coursework.system.arrays import Array, Flags, neighbours, shifted
 from coursework.system.frozen import frozen
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing, if not so many of the columns

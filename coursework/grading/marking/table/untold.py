@@ -1,6 +1,6 @@
 """Cells that are right only because few digits were printed: those do not tell Euler's rules from what was done instead.
 
-Enters: marked cells, a claim that explains them.  Leaves: which right cells do not count.
+Enters: marked cells, what a cause expects that explains them.  Leaves: which right cells do not count.
 Used by `points.py`, `misconceptions.py`, `whole.py`.
 The same fault costs the same with any digits: what a cause makes wrong is wrong, whether or not the digits show it in every cell.
 """
@@ -14,7 +14,6 @@ import numpy as np
 from coursework.grading.marking.decimals import NO_GAP
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import MISSING, WRONG, Cells
-from coursework.grading.marking.table.claims import Claim
 from coursework.grading.marking.table.ways import ANGLES, KEY, STEP, Places, StudentTable, near, own_ways
 from coursework.system.arrays import Array, Flags
 
@@ -41,16 +40,17 @@ def untold_steps(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
     return but(found, ramp(euler, _FEW_TOLD, _MOST_TOLD))
 
 
-def untold_cells(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
-    """Return which right cells (n, m + r) are right only as far as printed: the claim `holds` there, and makes others of them.
+def untold_cells(key: Key, cells: Cells, expected: Array, holds: Flags, table: Array | None) -> Flags:
+    """Return which right cells (n, m + r) are right only as far as printed: a cause that `holds` there has others `expected`.
 
-    They count as those do which the digits tell: where most of these are right, so are the others; where few, none.
+    `table` (n, m + r) is what it makes as a whole, where that is known.  They count as those do which the digits tell: where most
+    of these are right, so are the others; where few, none.
     """
     m = len(key.coordinates)
-    expected = np.hstack([cells.way(STEP).expected[:, :m], cells.way(ANGLES).expected[:, m:]])
+    of_euler = np.hstack([cells.way(STEP).expected[:, :m], cells.way(ANGLES).expected[:, m:]])
     with np.errstate(invalid="ignore"):
-        other = (np.abs(claim.expected - expected) > _SAME * key.ranges) & cells.counted & ~cells.missing
-    other &= ~_right_with_all_digits(key, claim.table()) if claim.table is not None else cells.marks != KEY
+        other = (np.abs(expected - of_euler) > _SAME * key.ranges) & cells.counted & ~cells.missing
+    other &= ~_right_with_all_digits(key, table) if table is not None else cells.marks != KEY
     right = ~cells.wrong
     told, untold = other & ~(right & holds), other & right & holds
     euler = float(right[told].mean()) if told.any() else 1.0

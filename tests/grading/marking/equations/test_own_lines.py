@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.table import own_equations
-from coursework.grading.marking.table.own_equations import _used
+from coursework.grading.marking.table.causes.own_equations import _used
 
 
 @pytest.mark.parametrize(("off", "is_used"), [(0.99, True), (1.01, False), (np.nan, False)])

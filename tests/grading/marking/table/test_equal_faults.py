@@ -10,8 +10,8 @@ from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.claims import TableUnderTest
-from coursework.grading.marking.table.other_data import _values_read_off
+from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.causes.other_data import _values_read_off
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission

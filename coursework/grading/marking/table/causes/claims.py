@@ -17,7 +17,7 @@ from coursework.grading.marking.sensitivity import sensitivity
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.starts import march
 from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, velocity_tolerance
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, shifted
 
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
 _NEARLY, _NEAR = 0.4, 60.0
@@ -45,16 +45,6 @@ class Claim:
     velocities_at: Callable[[Array, Array], Array] | None = None
     family: Callable[[TableUnderTest], Iterator[Claim]] | None = None
     is_read_off: bool = False
-
-
-def shifted(rows: Array, by: int) -> Array:
-    """Return rows moved down by `by` (up where negative), NaN where nothing comes in."""
-    moved = np.full_like(rows, np.nan)
-    if by >= 0:
-        moved[by:] = rows[: len(rows) - by]
-    else:
-        moved[:by] = rows[-by:]
-    return moved
 
 
 @dataclass(frozen=True)

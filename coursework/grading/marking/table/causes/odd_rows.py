@@ -9,9 +9,8 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.claims import shifted
 from coursework.grading.marking.table.ways import as_printed, near
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, shifted
 from coursework.system.frozen import frozen
 
 # Rows that must follow each other shifted by as much, before anybody speaks of a shift; how far one is looked for.

@@ -18,7 +18,7 @@ from coursework.grading.marking.equations.numbers import NoValue, real, size_of,
 from coursework.grading.marking.equations.probe import kinds, names_at
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
-from coursework.grading.marking.table.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.ways import HALF, SLACK
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen

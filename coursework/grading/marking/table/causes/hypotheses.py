@@ -14,13 +14,13 @@ import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.claims import Claim, TableUnderTest, shifted
-from coursework.grading.marking.table.clockwise import turned_back
-from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
-from coursework.grading.marking.table.own_equations import equation_claims
+from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.causes.clockwise import turned_back
+from coursework.grading.marking.table.causes.other_data import other_columns, other_data, other_tables, shifted_rows
+from coursework.grading.marking.table.causes.own_equations import equation_claims
 from coursework.grading.marking.table.starts import march
 from coursework.motion.schemes import EULER, SCHEMES, Scheme
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, shifted
 
 # Schemes that somebody takes for Euler's; their names are the codes of the misconceptions.
 SCHEMES_TRIED = ("heun", "midpoint", "rk4")

@@ -12,13 +12,14 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
-from coursework.grading.marking.key import Key, MisreadKey
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.causes.hypotheses import claims, in_seconds
+from coursework.grading.marking.table.causes.misread_key import MisreadKey
+from coursework.grading.marking.table.causes.odd_rows import displaced_rows
+from coursework.grading.marking.table.causes.own_equations import OWN
+from coursework.grading.marking.table.causes.own_rows import on_own_rows
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.hypotheses import claims, in_seconds
-from coursework.grading.marking.table.odd_rows import displaced_rows
-from coursework.grading.marking.table.own_equations import OWN
-from coursework.grading.marking.table.own_rows import on_own_rows
 from coursework.grading.marking.table.points import explained_share, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
@@ -180,10 +181,10 @@ def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
     """Return the right cells (n, m + r) that too few digits do not tell from what a claim makes, where that `holds`."""
     if claim.student is not None:
         return np.zeros_like(holds)
-    found = untold_cells(key, cells, claim, holds)
-    if claim.table is None or not found.any():
+    table = claim.table() if claim.table else None
+    found = untold_cells(key, cells, claim.expected, holds, table)
+    if table is None or not found.any():
         return found
-    table = claim.table()
     made = mark_cells(key, StudentTable(table, np.full(table.shape, FINEST)))
     points = table_points(key, made)
     nothing = made.wrong | (made.missing if points.uncounted is None else made.missing | points.uncounted)

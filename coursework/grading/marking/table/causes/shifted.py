@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.cells import alike
-from coursework.grading.marking.table.claims import TableUnderTest
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.system.arrays import Array, Flags
 

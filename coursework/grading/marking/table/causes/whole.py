@@ -13,10 +13,10 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.causes.claims import Claim
+from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, share_of
+from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.claims import Claim
-from coursework.grading.marking.table.misconceptions import NAMED, TIE, Misconception, share_of
-from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import TablePoints
 from coursework.grading.marking.table.untold import FINEST
 from coursework.grading.marking.table.ways import StudentTable, near

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.table import clockwise, odd_rows, other_data, points, shifted, starts
+from coursework.grading.marking.table.causes.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.cells import GIVEN, KEY, MISSING, STEP, WRONG
-from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.ways import StudentTable
 
 
