@@ -21,15 +21,10 @@ from coursework.results.checks.result import Finding
 from tests.commands.test_cli import call
 from tests.effects.massed import text_of
 from tests.effects.moved import free_31
-from tests.report.made import model_of
+from tests.solved import solved
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "forces"
 ALL = {**SCHEMES, "semi-implicit": SEMI_IMPLICIT}
-
-
-@cache
-def solved(name, scheme="exact"):
-    return coursework.solve(name, scheme=scheme)
 
 
 @cache
@@ -43,15 +38,15 @@ def dynamics(run):
 
 
 def test_the_run_up_of_the_slider_crank():
-    motion, columns = solved("example-2-motor").motion, reference("example-2")["columns"]
+    motion, columns = solved("example-2-motor", scheme="exact").motion, reference("example-2")["columns"]
     for name in ("theta1", "w1", "s3"):
         assert np.abs(motion.column(name) - columns[name]).max() < 1e-9, name
-    second = solved("example-2-motor").results.accelerations[:, 0]
+    second = solved("example-2-motor", scheme="exact").results.accelerations[:, 0]
     assert np.abs(second - columns["dw1"]).max() < 1e-8
 
 
 def test_the_arm_that_falls_keeps_its_energy():
-    run, columns = solved("falling-arm"), reference("arm")["free"]["columns"]
+    run, columns = solved("falling-arm", scheme="exact"), reference("arm")["free"]["columns"]
     for name in ("phi1", "phi2", "w1", "w2"):
         assert np.abs(run.motion.column(name) - columns[name]).max() < 1e-9, name
     energy = run.scene.energy_of(run.motion)
@@ -63,11 +58,11 @@ def test_the_arm_that_falls_keeps_its_energy():
 
 
 def test_the_rows_of_euler_are_those_of_the_reference():
-    rows = solved("example-2-motor", "euler").motion
+    rows = solved("example-2-motor", scheme="euler").motion
     wanted = reference("example-2")["euler rows"]
     assert np.abs(rows.column("w1") - wanted["w1"]).max() < 1e-12
     free = np.array(reference("arm")["free"]["euler rows, h = 0.01"])
-    arm = solved("falling-arm", "euler")
+    arm = solved("falling-arm", scheme="euler")
     assert np.abs(np.column_stack([arm.motion.column(n) for n in ("phi1", "phi2", "w1", "w2")]) - free).max() < 1e-11
     energy = arm.scene.energy_of(arm.motion)
     assert np.abs(energy - reference("arm")["free"]["euler energy"]).max() < 1e-10
@@ -133,15 +128,17 @@ def test_andrews_squeezer_at_the_end_of_its_test():
 
 
 def test_energy_and_error_are_told_with_the_step_that_would_do():
-    told = {one.code: one for one in solved("falling-arm", "euler").results.checks}
+    told = {one.code: one for one in solved("falling-arm", scheme="euler").results.checks}
     assert (told["ENERGY"].verdict, told["MOTION"].verdict, told["STABLE"].verdict) == ("COARSE", "COARSE", "PASS")
     assert "J that nothing gave it" in str(told["ENERGY"].sentence)
     assert "order of the scheme" not in str(told["ENERGY"].sentence)  # one step is advised, where the error is larger
     assert "From an error as large as this the order of the scheme tells no step" in str(told["MOTION"].sentence)
-    assert told["MOTION"].value == pytest.approx(13.03 / np.abs(solved("falling-arm").motion.column("w1")).max(), rel=1e-2)
-    exact = {one.code: one for one in solved("falling-arm").results.checks}
+    assert told["MOTION"].value == pytest.approx(
+        13.03 / np.abs(solved("falling-arm", scheme="exact").motion.column("w1")).max(), rel=1e-2
+    )
+    exact = {one.code: one for one in solved("falling-arm", scheme="exact").results.checks}
     assert exact["ENERGY"].verdict == "PASS" and exact["ENERGY"].value < 1e-9
-    driven = {one.code: one for one in solved("example-2-motor").results.checks}
+    driven = {one.code: one for one in solved("example-2-motor", scheme="exact").results.checks}
     assert driven["ENERGY"].verdict == "PASS" and driven["ENERGY"].value < 1e-5
 
 
@@ -158,7 +155,7 @@ def test_two_rows_are_enough_to_tell_how_close_the_motion_is():
     (0.5, "PASS", "a step of about 0.0005 s would do"), (0.51, "PASS", "tells no step"), (0.4, "COARSE", ""),
 ])  # fmt: skip
 def test_a_step_is_advised_from_errors_that_still_tell_one(share, stable, told):
-    run = solved("falling-arm", "euler")
+    run = solved("falling-arm", scheme="euler")
     evidence = Evidence(run.results.forces, run.scene.exact_analysis, run.scene.free_equations, SCHEMES["euler"], 0.01)
     found = [Finding("COARSE", "Energy.", 0.06), Finding("COARSE", "Motion.", share), Finding(stable, "Step.")]
     energy, motion, _ = (str(one.sentence) for one in _advised(evidence, found))
@@ -229,33 +226,22 @@ def test_dynamics_of_a_driven_mechanism_are_refused():
         coursework.solve("example-2-forces", quantities=["dynamics"])
 
 
-@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
-def test_the_page_shows_what_a_step_costs(language):
-    from coursework.report.pages import build_model
-
-    run = solved("falling-arm", "euler")
-    section = next(one for one in build_model(run, language, "", live=False).sections if one.name == "dynamics")
-    table = next(part for part in section.parts if part.kind == "table" and part.id == "dynamics-lesson")
-    assert len(table.rows) == 12
-    assert any(part.kind == "panels" and part.id == "dynamics-energy" for part in section.parts)
-
-
 @pytest.mark.parametrize(("rows", "lines"), [(1, 0), (2, 12)])
 def test_one_step_shows_what_it_costs_and_no_step_costs_nothing(rows, lines):
-    scene = solved("falling-arm", "euler").scene
+    scene = solved("falling-arm", scheme="euler").scene
     way = scene.exact
     short = replace(way, t=way.t[:rows], coordinates=way.coordinates[:rows], velocities=way.velocities[:rows])
     assert len(lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, short)) == lines
 
 
 def test_the_steady_motion_of_the_motor():
-    found, wanted = solved("example-2-motor").scene.regime, reference("example-2")["steady state"]
+    found, wanted = solved("example-2-motor", scheme="exact").scene.regime, reference("example-2")["steady state"]
     assert found.speed == pytest.approx(wanted["w1 at theta1=0"], rel=1e-11)
     assert found.period == pytest.approx(wanted["period"], rel=1e-11)
     assert found.mean == pytest.approx(wanted["w_mean"], rel=1e-11)
     assert (found.largest, found.least) == (pytest.approx(wanted["w_max"], rel=1e-9), pytest.approx(wanted["w_min"], rel=1e-9))
     assert found.delta == pytest.approx(wanted["delta"], rel=1e-9)
-    assert solved("falling-arm").scene.regime is None
+    assert solved("falling-arm", scheme="exact").scene.regime is None
 
 
 def test_what_has_no_mass_is_refused():
@@ -272,93 +258,3 @@ def test_a_search_for_a_step_of_drives_is_refused(tmp_path, monkeypatch):
     told = call("run", "falling-arm", "--step", "auto", "--error", "0.01")
     assert told.exit_code == 2
     assert "C077" in told.stderr
-
-
-def test_accuracy_shows_the_error_of_the_energy_against_slopes(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    told = call("accuracy", "falling-arm", "--out", "out", "--format", "html,csv")
-    assert told.exit_code == 0, told.stderr
-    assert "200 steps of explicit Euler: the energy is 3.33 J off at worst" in told.stdout
-    rows = [row.split(",") for row in (tmp_path / "out" / "accuracy.csv").read_text(encoding="utf-8").splitlines()[1:]]
-    assert {row[4] for row in rows} == {"J"}
-    found = {(row[0], int(row[2])): float(row[3]) for row in rows}
-    assert found["explicit Euler", 200] == pytest.approx(3.334, abs=0.001)
-    assert found["Runge-Kutta 4", 6400] < 1e-6 * found["semi-implicit Euler", 6400] * 10
-    page = (tmp_path / "out" / "accuracy.html").read_text(encoding="utf-8")
-    assert "What a step costs when forces move it: variant falling-arm" in page
-    assert solved("falling-arm", "euler").scene.energy_study().orders["Runge-Kutta 4"] == pytest.approx(4, abs=0.2)
-
-
-def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
-    steep = text_of("example-2-motor", ('k = { value = "35 N*m*s"', 'k = { value = "3000 N*m*s"'))
-    run = coursework.solve(coursework.parse_variant(steep), scheme="euler", step=0.02, end=1.6)
-    study = run.scene.energy_study()
-    assert str(study.rows[0].failed).startswith("it came to row")
-    assert "do not reach the end" in study.sentences[0]
-
-
-def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_of_its_energy_are():
-    sections = {section.name: section.parts for section in model_of(solved("example-2-motor")).sections}
-    (told,) = (str(part) for part in sections["statement"] if part.kind == "paragraph" and "acts the moment" in str(part))
-    assert "·" in told and "−" in told and "*" not in told
-    (panels,) = (part for part in sections["dynamics"] if part.kind == "panels")
-    assert len(panels.legend) == 2 and panels.width == 82
-
-
-def test_what_falls_freely_is_driven_by_nothing_on_its_page_and_has_no_power_of_a_drive():
-    run = solved("falling-arm")
-    sections = {section.name: str(section.parts) for section in model_of(run).sections}
-    assert run.summary == "The rows are the motion itself; no step decides about them."
-    assert "as many freedoms as rates that forces or laws move" in sections["structure"]
-    assert "driven" not in sections["structure"]
-    assert "0 in every row: drive, loads, friction and dampers." in sections["energy"]
-    assert 0 < np.abs(run.results.energy.drive).max() < 1e-12  # W: what round-off leaves of it
-    checked = call("check", "falling-arm").stdout
-    assert "unknown velocit" not in checked and "driven" not in checked
-
-
-PENDULUM = """
-[given]
-k = "200 N/m"
-c = "6 N*s/m"
-[coordinates]
-phi = { start = "-20 deg", rate = "w" }
-[time]
-step = "20 ms"
-end = "0.2 s"
-[points]
-O = "(0, 0)"
-B = "O + 0.6 @ phi"
-K = "(0.5, -0.7)"
-[links]
-1 = { points = ["O", "B"], rate = "w" }
-[frame]
-hinges = ["O"]
-[masses]
-1 = { mass = "4 kg", inertia = "rod" }
-[forces]
-s = { spring = ["B", "K"], stiffness = "k", free = "0.4 m" }
-d = { damper = ["B", "K"], damping = "c" }
-[motor]
-rates = ["w"]
-"""
-
-
-@pytest.mark.parametrize(("old", "new"), [
-    ('"4 kg"', '"0.001 g"'),  # stiff: dies out in 6e-8 s, of which nobody makes 3000 steps to reach 20 ms
-    ('"(0.5, -0.7)"', '"(0.5638155724715451, -0.20521208599540124)"'),  # the ends meet, so a spring has no direction
-])  # fmt: skip
-def test_forces_that_nobody_can_follow_are_no_dead_point_of_links_that_are_not_there(old, new):
-    run = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="exact")
-    assert run.stop.kind == "too steep" and "too stiff for what it moves, or its two ends meet" in run.stop.sentence
-    euler = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="euler")
-    told = {one.code: str(one.sentence) for one in euler.results.checks}
-    assert len(euler.motion.t) > 1 and told["MOTION"].startswith("The exact motion is not known on these rows")
-
-
-def test_what_hangs_at_rest_is_told_so_and_no_energy_of_round_off():
-    hanging = PENDULUM.replace('"200 N/m"', '"0 N/m"').replace("-20 deg", "-90 deg")
-    hanging = hanging.replace("[forces]", '[forces]\ngravity = "9.81 m/s^2"')
-    assert coursework.solve(coursework.parse_variant(hanging), scheme="euler").summary.startswith(
-        "Nothing moves: the forces hold"
-    )

@@ -8,11 +8,7 @@ import pytest
 import coursework
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
-from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.causes.claims import TableUnderTest
-from coursework.grading.marking.table.causes.other_data import _values_read_off
-from coursework.grading.marking.table.ways import StudentTable
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -177,17 +173,6 @@ def test_a_datum_of_any_other_value_is_named_and_worth_the_same(number, names):
         close([found for found, _ in marked])
 
 
-@pytest.mark.parametrize(("part", "told"), [(1.0008, False), (1.0012, True)])
-def test_a_value_is_another_from_a_thousandth_on(part, told):
-    desk = variants()[0]
-    value = desk.variant.values["r1"]
-    table = Machine(desk.variant, data={"r1": part * value}).table()
-    printed = TableUnderTest(desk.key, StudentTable(table, np.full(table.shape, 1e-9)))
-    found = {datum.name: read for datum, read in _values_read_off(printed)}
-    assert ("r1" in found) == told
-    assert not told or found["r1"] == pytest.approx(part * value, rel=1e-6)
-
-
 @of_each
 def test_exchanged_columns_are_named_both(numbers):
     for desk in (variants()[number] for number in numbers):
@@ -212,34 +197,6 @@ def test_exchanged_angles_are_named_with_one_of_them_a_turn_further(place):
     table[:, place] += 2 * np.pi
     _, marked = desk.marked(table)
     assert (marked.misconception.code, marked.misconception.names) == ("swapped_columns", ("phi2", "phi3"))
-
-
-def test_what_explains_as_much_is_told_in_sentences_of_its_own():
-    desk = variants()[0]
-    _, table = desk.marked(Machine(desk.variant, data={"V1": -desk.variant.values["V1"]}).table())
-    told = [reason.text for reason in table_reasons(desk.key, table, 1.0, 30.0, 60.0) if "as well be" in reason.text]
-    assert told == [
-        "It could as well be: w3 has the other sign.",
-        "It could as well be: the datum V1 has another value than the task's.",
-        "It could as well be: one slip in the equation 11.",
-    ]
-
-
-def test_a_start_that_shuts_the_whole_table_is_not_said_to_cost_a_cell():
-    desk = variants()[0]
-    mistyped = desk.machine.table()
-    mistyped[0, 0] = 1.0
-    for table, costs in ((np.zeros((25, 7)), False), (mistyped, True)):
-        _, marked = desk.marked(table)
-        told = " ".join(reason.text for reason in table_reasons(desk.key, marked, 1.0, 0.0, 60.0))
-        assert ("Each of them costs one cell." in told) is costs
-
-
-def test_a_start_value_is_told_as_the_task_has_it_whatever_turns_were_taken_off():
-    variant = coursework.load("v102").with_data(start={"phi2": 3.32, "phi3": 0.08})
-    desk = Desk(variant)
-    _, table = desk.marked(desk.machine.table()[:, [0, 2, 1, 3, 4, 5, 6]])
-    assert "phi2 should begin with the start value 3.32 rad of the task; 0.08 rad stands there" in table.first.sentence
 
 
 @of_each

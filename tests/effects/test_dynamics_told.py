@@ -1,0 +1,111 @@
+"""What is told of a motion under forces: on its page, by the study of what a step costs, where it stops and where it rests."""
+
+import numpy as np
+import pytest
+
+import coursework
+from tests.commands.test_cli import call
+from tests.effects.massed import text_of
+from tests.report.made import model_of
+from tests.solved import solved
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
+def test_the_page_shows_what_a_step_costs(language):
+    from coursework.report.pages import build_model
+
+    run = solved("falling-arm", scheme="euler")
+    section = next(one for one in build_model(run, language, "", live=False).sections if one.name == "dynamics")
+    table = next(part for part in section.parts if part.kind == "table" and part.id == "dynamics-lesson")
+    assert len(table.rows) == 12
+    assert any(part.kind == "panels" and part.id == "dynamics-energy" for part in section.parts)
+
+
+def test_accuracy_shows_the_error_of_the_energy_against_slopes(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    told = call("accuracy", "falling-arm", "--out", "out", "--format", "html,csv")
+    assert told.exit_code == 0, told.stderr
+    assert "200 steps of explicit Euler: the energy is 3.33 J off at worst" in told.stdout
+    rows = [row.split(",") for row in (tmp_path / "out" / "accuracy.csv").read_text(encoding="utf-8").splitlines()[1:]]
+    assert {row[4] for row in rows} == {"J"}
+    found = {(row[0], int(row[2])): float(row[3]) for row in rows}
+    assert found["explicit Euler", 200] == pytest.approx(3.334, abs=0.001)
+    assert found["Runge-Kutta 4", 6400] < 1e-6 * found["semi-implicit Euler", 6400] * 10
+    page = (tmp_path / "out" / "accuracy.html").read_text(encoding="utf-8")
+    assert "What a step costs when forces move it: variant falling-arm" in page
+    assert solved("falling-arm", scheme="euler").scene.energy_study().orders["Runge-Kutta 4"] == pytest.approx(4, abs=0.2)
+
+
+def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
+    steep = text_of("example-2-motor", ('k = { value = "35 N*m*s"', 'k = { value = "3000 N*m*s"'))
+    run = coursework.solve(coursework.parse_variant(steep), scheme="euler", step=0.02, end=1.6)
+    study = run.scene.energy_study()
+    assert str(study.rows[0].failed).startswith("it came to row")
+    assert "do not reach the end" in study.sentences[0]
+
+
+def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_of_its_energy_are():
+    sections = {section.name: section.parts for section in model_of(solved("example-2-motor", scheme="exact")).sections}
+    (told,) = (str(part) for part in sections["statement"] if part.kind == "paragraph" and "acts the moment" in str(part))
+    assert "·" in told and "−" in told and "*" not in told
+    (panels,) = (part for part in sections["dynamics"] if part.kind == "panels")
+    assert len(panels.legend) == 2 and panels.width == 82
+
+
+def test_what_falls_freely_is_driven_by_nothing_on_its_page_and_has_no_power_of_a_drive():
+    run = solved("falling-arm", scheme="exact")
+    sections = {section.name: str(section.parts) for section in model_of(run).sections}
+    assert run.summary == "The rows are the motion itself; no step decides about them."
+    assert "as many freedoms as rates that forces or laws move" in sections["structure"]
+    assert "driven" not in sections["structure"]
+    assert "0 in every row: drive, loads, friction and dampers." in sections["energy"]
+    assert 0 < np.abs(run.results.energy.drive).max() < 1e-12  # W: what round-off leaves of it
+    checked = call("check", "falling-arm").stdout
+    assert "unknown velocit" not in checked and "driven" not in checked
+
+
+PENDULUM = """
+[given]
+k = "200 N/m"
+c = "6 N*s/m"
+[coordinates]
+phi = { start = "-20 deg", rate = "w" }
+[time]
+step = "20 ms"
+end = "0.2 s"
+[points]
+O = "(0, 0)"
+B = "O + 0.6 @ phi"
+K = "(0.5, -0.7)"
+[links]
+1 = { points = ["O", "B"], rate = "w" }
+[frame]
+hinges = ["O"]
+[masses]
+1 = { mass = "4 kg", inertia = "rod" }
+[forces]
+s = { spring = ["B", "K"], stiffness = "k", free = "0.4 m" }
+d = { damper = ["B", "K"], damping = "c" }
+[motor]
+rates = ["w"]
+"""
+
+
+@pytest.mark.parametrize(("old", "new"), [
+    ('"4 kg"', '"0.001 g"'),  # stiff: dies out in 6e-8 s, of which nobody makes 3000 steps to reach 20 ms
+    ('"(0.5, -0.7)"', '"(0.5638155724715451, -0.20521208599540124)"'),  # the ends meet, so a spring has no direction
+])  # fmt: skip
+def test_forces_that_nobody_can_follow_are_no_dead_point_of_links_that_are_not_there(old, new):
+    run = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="exact")
+    assert run.stop.kind == "too steep" and "too stiff for what it moves, or its two ends meet" in run.stop.sentence
+    euler = coursework.solve(coursework.parse_variant(PENDULUM.replace(old, new)), scheme="euler")
+    told = {one.code: str(one.sentence) for one in euler.results.checks}
+    assert len(euler.motion.t) > 1 and told["MOTION"].startswith("The exact motion is not known on these rows")
+
+
+def test_what_hangs_at_rest_is_told_so_and_no_energy_of_round_off():
+    hanging = PENDULUM.replace('"200 N/m"', '"0 N/m"').replace("-20 deg", "-90 deg")
+    hanging = hanging.replace("[forces]", '[forces]\ngravity = "9.81 m/s^2"')
+    assert coursework.solve(coursework.parse_variant(hanging), scheme="euler").summary.startswith(
+        "Nothing moves: the forces hold"
+    )
