@@ -128,7 +128,7 @@ class MotionResults:
 
         return check_forces(self.forces, self.exact_forces)
 
-    @computed("motion", "stop", "rates", "reduction", "start", "search")
+    @computed("motion", "rates", "reduction", "start", "search")
     def extended_precision(self) -> Array | None:
         """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
         from coursework.motion.integration.extended_precision import has_extended, march_in

@@ -169,5 +169,5 @@ def test_what_is_quiet_is_ended_again_and_again_until_the_desk_closes(made, monk
             assert not resting.done()
         resting.cancel()
 
-    asyncio.run(asyncio.wait_for(some(), 20))
+    ended(asyncio.wait_for(some(), 20))
     assert set(rested) == {renderers.QUIET}

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.table import own_equations
+from coursework.grading.marking.table.causes import own_equations
 from coursework.grading.marking.table.causes.own_equations import _used
 
 

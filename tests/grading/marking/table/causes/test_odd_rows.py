@@ -7,7 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.table import clockwise, odd_rows, other_data, points, shifted, starts
+from coursework.grading.marking.table import points, starts
+from coursework.grading.marking.table.causes import clockwise, odd_rows, other_data, shifted
 from coursework.grading.marking.table.causes.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.cells import GIVEN, KEY, MISSING, STEP, WRONG
 from coursework.grading.marking.table.ways import StudentTable

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.table import shifted
+from coursework.grading.marking.table.causes import shifted
 
 ROWS = 20
 NAMES = {0: "as_it_is", -1: "late", 1: "early"}
