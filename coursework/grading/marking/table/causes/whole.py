@@ -44,11 +44,14 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     least = max(_MOST, by_key + max(_MORE, _OF_REST * (1.0 - by_key)))
     made: dict[str, tuple[float, Array, tuple[str, ...]]] = {}
     for claim in claims if by_key < 1.0 - _MORE else ():
-        if claim.table is None or claim.code == OWN or not _may_be(cells, claim, spoken):
+        if claim.table is None or claim.code == OWN or not _may_be(cells, claim, spoken, right):
             continue
         table = claim.table()
-        share = share_of(alike(key, cells.student, table) & spoken, spoken)
-        if share >= least and (claim.code not in made or share > made[claim.code][0]):
+        same = alike(key, cells.student, table)
+        share = share_of(same & spoken, spoken)
+        # A cell put right is none against a cause that makes more than the task does.
+        is_most = share > by_key and share_of((same | right) & spoken, spoken) >= least
+        if is_most and (claim.code not in made or share > made[claim.code][0]):
             made[claim.code] = share, table, claim.names
     if not made:
         return None
@@ -70,7 +73,7 @@ def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints
     return replace(points, shut={"untold": int(uncounted.sum())}, uncounted=uncounted)
 
 
-def _may_be(cells: Cells, claim: Claim, spoken: Flags) -> bool:
-    """Return whether a claim holds in most cells of which it says anything: only then its whole table is made."""
+def _may_be(cells: Cells, claim: Claim, spoken: Flags, right: Flags) -> bool:
+    """Return whether a claim holds, or the task, in most cells of which it says anything: only then its whole table is made."""
     says = spoken & np.isfinite(claim.expected)
-    return share_of(near(cells.student.values, claim.expected, claim.tolerance) & says, says) >= _MOST
+    return share_of((near(cells.student.values, claim.expected, claim.tolerance) | right) & says, says) >= _MOST
