@@ -197,3 +197,7 @@ def test_a_wheel_of_which_it_is_not_shown_what_it_rolls_on_is_told():
     told = remarks(('rails  = [ { through = "P", angle = "0" } ]', ""))
     assert [(code, line) for code, line, _ in told] == [("CONTACT", line_of("4 = { wheel"))]
     assert "nothing is listed that wheel 4 touches at P" in told[0][2]
+
+
+def test_a_guide_through_a_hinge_of_the_frame_is_one_that_begins_there():
+    assert not any(code == "GUIDE" for code, _, _ in remarks(('through = "P"', 'through = "D"')))

@@ -34,8 +34,9 @@ def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
     def pushed(name: str) -> bool:
         names = {*reached([name], formulas)}
         led = [laws[one] for one in laws.keys() & names]
+        direct = coordinates.keys() & names
         moving = [coordinates[one] for one in coordinates.keys() & names.union(*led)]
-        along = any(c.unit == "m" for c in moving) or bool(led)
+        along = any(coordinates[one].unit == "m" for one in direct) if direct else bool(led)
         return along and all(c.rate in variant.known_rates for c in moving)
 
     drawn = dict.fromkeys(name for bar in outline.bars for name in bar.corners)

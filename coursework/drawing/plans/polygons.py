@@ -109,10 +109,12 @@ class _Plan:
 
     def rolled(self, at_last: bool = False) -> bool:
         """Place the contact of a wheel whose centre is known and, unless nothing else is left, the motion of what it touches."""
-        places = {name: complex(point.at[self.row]) for name, point in self.kinematics.points.items()}
         for wheel in self.outline.wheels:
+            if wheel.centre not in self.images or wheel.contact in self.images:
+                continue
+            places = {name: complex(point.at[self.row]) for name, point in self.kinematics.points.items()}
             is_due = at_last or self.rests(wheel.contact) or any(map(self.settled, touched(self.outline, places, wheel)))
-            if is_due and wheel.centre in self.images and wheel.contact not in self.images:
+            if is_due:
                 bar = self.bar(wheel.link)
                 self.turning.add(bar.link)
                 contact = self.kinematics.carried(bar, wheel.centre, self.kinematics.points[wheel.contact].at)

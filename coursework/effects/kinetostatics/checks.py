@@ -108,7 +108,9 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
         return skipped(say("check.forces.none"))
     off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are coarser by far
     for time in breaks(of.equations.variant):  # a change of formula bends the energy: five rows across it give no slope of it
-        off[np.abs(t[2:-2] - time) < 2 * step * (1 - AT_ROW)] = 0.0
+        off[np.abs(t[2:-2] - time) < 2 * step * (1 - AT_ROW)] = -1.0
+    if off.max() < 0:
+        return skipped(say("check.POWER.skip"))
     row, value = int(np.argmax(off)) + 3, float(off.max())
     return _graded("POWER", value, POWER_SHARE, "COARSE", row, value=value)
 

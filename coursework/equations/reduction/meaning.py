@@ -155,12 +155,14 @@ def _link(angle: str, variant: Variant, keys: tuple[str, str] = _NAMED) -> str:
 
 def _held(angle: str, variant: Variant) -> list[str]:
     """Return the links that hold both ends of an arm placed by an angle, A and B of B = A + L @ angle."""
+    angles = {c.name for c in variant.coordinates}
     arms = [
-        {formula.args[0].name, point}
+        (len(angles.intersection(formula.args[1].args[1].names())), {formula.args[0].name, point})
         for point, formula in variant.points
         if formula.op == "+" and [arg.op for arg in formula.args] == ["name", "@"] and angle in formula.args[1].args[1].names()
     ]
-    return [link.name for ends in arms for link in variant.links if ends <= {*link.points}]
+    fewest = min((count for count, _ in arms), default=0)  # phi1 + phi2 is the angle of the second link
+    return [link.name for count, ends in arms if count == fewest for link in variant.links if ends <= {*link.points}]
 
 
 def _bodies(angle: str, variant: Variant) -> list[str]:

@@ -47,7 +47,7 @@ _MOST_CELLS = 1_000_000  # stretches of all sets that are looked at together
 _resolved: WeakKeyDictionary[VelocityEquations, dict[float, Resolution]] = WeakKeyDictionary()
 # This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
 _NEAR, _BEYOND = 1e-6, 1e4
-# An oscillation that turns by less than this part of all is a ripple; at most so many times and rows tell.
+# An oscillation that turns by less than this part of all is a ripple; at most so many rows and stretches tell.
 _RIPPLE, _MOST_LOOKS = 0.02, 10_000
 _OF_STRETCH = np.array([0.1, 0.3, 0.5, 0.7, 0.9])
 

@@ -1,7 +1,8 @@
 """How far a table is from the motion, as numbers that several places of a page say.
 
 Enters: a `PageContext` whose run asks for checks.  Leaves: `Split`, `LargestError`, `LocalError`.
-Used by `answer.py` and `results.py`.  Of an exact table it speaks of the scheme's rows that stand beside it.
+Used by `answer.py`, `results.py`, `conclusion.py`, `structure.py`, `tangent.py`.
+Of an exact table it speaks of the scheme's rows that stand beside it.
 """
 
 from __future__ import annotations
@@ -135,7 +136,7 @@ def largest_step_error(context: PageContext) -> LocalError | None:
     worst: LocalError | None = None
     steps = np.diff(exact.t)
     judged = evidence(context)
-    bent = np.isin(np.arange(len(steps)), rows_before_breaks(judged), invert=True)
+    whole = np.isin(np.arange(len(steps)), rows_before_breaks(judged), invert=True)
     best = 0.0
     for coordinate in context.run.variant.coordinates:
         if coordinate.name not in exact.names or coordinate.rate not in exact.names or coordinate.name not in judged.scale:
@@ -143,7 +144,7 @@ def largest_step_error(context: PageContext) -> LocalError | None:
         if coordinate.rate in context.run.variant.known_rates:
             continue
         q, rate = exact.column(coordinate.name), exact.column(coordinate.rate)
-        gaps = np.where(bent, np.diff(q) - steps * rate[:-1], 0.0)
+        gaps = np.where(whole, np.diff(q) - steps * rate[:-1], 0.0)
         row = int(np.argmax(np.abs(gaps)))
         share = abs(float(gaps[row])) / (1.0 if coordinate.unit == "rad" else judged.scale[coordinate.name])
         if share > best:

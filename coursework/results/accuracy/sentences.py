@@ -82,7 +82,7 @@ def sentences_of(
 def unsettled(rows: Sequence[StudyRow], floor: float, *, broken: bool = False) -> tuple[str, ...]:
     """Return the finding that schemes have no order yet: their local slopes differ, or no errors are small enough for one.
 
-    `broken`: the drive changes its formula inside a step of every run, which leaves no scheme its order.
+    `broken`: the drive changes its formula inside a step of every run, which takes the order from schemes.
     """
     told = []
     for scheme in SCHEMES.values():

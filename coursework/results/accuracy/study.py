@@ -95,7 +95,8 @@ def make_study(
 def _is_broken(problem: Problem, rows: Sequence[StudyRow]) -> bool:
     """Return whether a break of the drive lies inside a step of the finest run, and so of every one."""
     step = problem.rows * problem.step / max(int(row.steps_or_tolerance) for row in rows if row.steps_or_tolerance.isdigit())
-    return any(abs(time / step - round(time / step)) > AT_ROW * (1 + time / step) for time in problem.rates.breaks)
+    inside = (time for time in problem.rates.breaks if time < problem.rows * problem.step)
+    return any(abs(time / step - round(time / step)) > AT_ROW * (1 + time / step) for time in inside)
 
 
 def _without_runs(why: str, exact: Motion, timed: bool) -> AccuracyStudy:

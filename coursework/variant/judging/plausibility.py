@@ -162,16 +162,18 @@ def _links_left_out(variant: Variant) -> Iterator[_Found]:
 
 def _empty_guides(variant: Variant) -> Iterator[_Found]:
     """Yield the guides through a point that no link of [links] has: what slides in a guide is the point that it goes through."""
-    held = {name for link in variant.links for name in (*link.points, link.wheel, link.contact)}
+    held = {name for link in variant.links for name in (*link.points, link.wheel, link.contact)}.union(variant.frame.hinges)
+    begun = {guide.through for group in variant.groups for guide in group.guides if group.meets}  # its pin slides there
     for place, (through, _) in enumerate(variant.frame.rails if variant.links else ()):
-        if through.op == "name" and through.name not in held:
+        if through.op == "name" and through.name not in held and through not in begun:
             yield "GUIDE", ("frame", "rails", place), say("remark.guide", point=through.name)
 
 
 def _untouched(variant: Variant) -> Iterator[_Found]:
     """Yield the wheels of which the file does not show what they roll on: a rail, a circle, a rack, or what has the contact."""
-    rails = {through.name for through, _ in variant.frame.rails if through.op == "name"}
-    racks = any(len(link.points) == 1 and not (link.rate or link.wheel) for link in variant.links)
+    places = {formula: name for name, formula in variant.points}
+    rails = {through.name if through.op == "name" else places.get(through) for through, _ in variant.frame.rails}
+    racks = any(len(link.points) == 1 and not (link.rate or link.wheel or link.slides) for link in variant.links)
     for link in () if variant.frame.circles or racks else variant.links:
         others = (name for one in variant.links if one is not link for name in (*one.points, one.contact))
         if link.contact and link.contact not in {*rails, *others}:

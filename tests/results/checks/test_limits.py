@@ -198,7 +198,8 @@ def test_a_drive_may_leave_the_line_between_two_rows_by_a_fifth_of_its_range(hei
 def test_a_break_of_the_drive_is_at_a_row_to_a_billionth_of_its_time(late, is_at_a_row, monkeypatch):
     """Row 2 stands at 0.4 s: 1e-9 of 1 + 2 steps of 0.2 s."""
     monkeypatch.setattr(rows, "breaks", lambda variant: (0.2 * (2 + late),))
-    assert rows.off_row(None, 0.2) == ([] if is_at_a_row else [0.2 * (2 + late)])
+    for end, seen in ((1.0, not is_at_a_row), (0.3, False)):  # a break after the end is none
+        assert rows.off_row(SimpleNamespace(time=SimpleNamespace(end=end)), 0.2) == ([0.2 * (2 + late)] if seen else [])
 
 
 @pytest.mark.parametrize(("turned", "verdict"), [(0.999, "PASS"), (1.001, "COARSE")])

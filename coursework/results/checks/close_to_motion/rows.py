@@ -1,6 +1,7 @@
 """STEP: rows enough for the drive, for every turn of a crank, one at each break of the drive, nothing hidden between two.
 
-Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py` and `closeness.py`.
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`, `advice.py`, `study.py`,
+`step_rules.py`, `closeness.py`, and `checks.py` of the forces.
 """
 
 from __future__ import annotations
@@ -94,7 +95,8 @@ def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float,
 
 def off_row(variant: Variant, step: float) -> list[float]:
     """Return the breaks of the drive (s) that no row of a run with this step (s) is at."""
-    return [time for time in breaks(variant) if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
+    inside = (time for time in breaks(variant) if time < variant.time.end)
+    return [time for time in inside if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
 
 
 def parts_at_breaks(evidence: Evidence, least: int = 1) -> int:

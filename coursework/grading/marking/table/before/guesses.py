@@ -18,8 +18,8 @@ from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
-# So many cells must agree on what another was when they were made.  What is so in more of the rows than this was never otherwise:
-# where so many are wrong it is cells that are the task's, of columns where few are.
+# So many cells must agree on what another was when they were made.  Where more of the rows than this part
+# have wrong cells, only cells that are the task's may have been put right, and only in columns where few are.
 _AGREE, _FEW = 2, 0.5
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 8, 1e-6

@@ -126,10 +126,10 @@ class _Looked:
                     continue
                 found = self.worth(guess, self.made_by(guess))
                 rows = found > best
-                if rows.any():
-                    # What is gained beside rows as the guess has them may be nothing beside those that stay.
+                if rows.any():  # what is gained beside rows as the guess has them may be nothing beside those that stay
                     joined = _joined(rows, guess, was)
                     rows &= self.worth(joined, self.made_by(joined)) >= found
+                if rows.any():
                     best = np.where(rows, found, best)
                     now = now | (rows[:, None] & _other(guess, base))
                     was = _joined(rows, guess, was)

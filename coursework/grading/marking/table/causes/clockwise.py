@@ -1,7 +1,7 @@
 """A table whose turning is counted clockwise: seen, and turned back so that its signs are the task's.
 
 Enters: a `Key`, a student's table.  Leaves: the table turned back, None where it is not clockwise.
-Used by `hypotheses.py`, `grade.py`.
+Used by `hypotheses.py`, `grade.py`, `precheck.py`.
 Signs alone do not tell a mirrored motion from a drive with the other sign: there the values decide.
 """
 

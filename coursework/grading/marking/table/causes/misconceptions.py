@@ -1,6 +1,7 @@
 """Which hypothesis explains a wrong table: named only where the printed digits prove it, worth what it explains.
 
-Enters: a `Key`, marked cells.  Leaves: `Found`.  Used by `earning.py` and `grade.py`.
+Enters: a `Key`, marked cells.  Leaves: `Found`.
+Used by `earning.py`, `grade.py`, `whole.py`, `verdicts.py`, `table_marks.py`, and the reasons of a table.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Rows of a table that are the row before once more, and rows that belong elsewhere.
 
-Enters: a `Key`, marked cells.  Leaves: numbers of rows (from 1), runs of rows.  Used by `table.py`.
+Enters: a `Key`, marked cells.  Leaves: numbers of rows (from 1), runs of rows.  Used by `table.py`, `misconceptions.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """A table made from slightly wrong equations: which single slip in which equation it follows from, handed in or not.
 
-Enters: a table as hypotheses see it, marked equations.  Leaves: `Claim`s.  Used by `hypotheses.py`.
+Enters: a table as hypotheses see it, marked equations.  Leaves: `Claim`s.  Used by `hypotheses.py`, `misconceptions.py`,
+`whole.py`, `earning.py`.
 A slip in one equation spoils every number after it; whoever then solves and steps without fault has done that work.  Each
 equation is tried by itself on the student's own numbers, so that slips in several are found as well as one.
 """
