@@ -145,8 +145,10 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
     roles = (("wheel", entry.wheel), ("contact", entry.contact))
     wheel, contact = (parts.known_point(("links", key, role), name) if name else None for role, name in roles)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
-        is_name = entry.rate.isidentifier()
-        hint = closest(entry.rate, parts.names.velocities) if is_name else say("hint.one_name", formula=entry.rate)
+        is_formula = any(sign in entry.rate for sign in "+-*/(")
+        hint = parts.names.meant(entry.rate.partition("/")[0]) or (
+            say("hint.one_name", formula=entry.rate) if is_formula else closest(entry.rate.strip(), parts.names.velocities)
+        )
         text = say("fault.V078", rate=entry.rate, hint=hint)
         parts.undeclared(("links", key, "rate"), {"rate", "unknown", "drive"}, text)
     slides = None if entry.slides is None else str(entry.slides)

@@ -40,7 +40,7 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         of_task = near(was.values, key.table, as_printed(key, was.units))
         other = other & of_task & (of_task.mean(axis=0) <= _FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
         rows &= other.any(axis=1)
-        columns = columns[:1]
+        columns = columns[:1]  # so many are wrong by another method, not by one coordinate
     if rows.any():
         yield _by_next_row(key, was, other)
         for values in _agreed(key, was, own, wrong, other & rows[:, None]):
