@@ -106,7 +106,7 @@ def test_cells_put_right_are_none_against_what_made_the_table_as_a_whole():
     """Seven cells of ten are enough for that: of the 100 velocities, the angles being too coarse, 71 that no misprint is in."""
     desk, chance = Desk(coursework.load("v107")), np.random.default_rng(5)
     table = Machine(desk.variant, drive_sign=-1.0).table()
-    places = [*chance.permutation(np.argwhere(np.ones((25, 4)))), 0, desk.machine.m]
+    places = chance.permutation(np.argwhere(np.ones((25, 4)))) + np.array([0, desk.machine.m])
     table[tuple(places[:29].T)] += 0.4
     points = [desk.marked(table, digits=2)[0]]
     for place in map(tuple, places[29:33]):
