@@ -16,7 +16,7 @@ from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.entries import reached
-from coursework.variant.record.variant import Coordinate, Group, Link, Variant
+from coursework.variant.record.variant import Coordinate, Group, Variant
 
 FRAME = "0"
 
@@ -121,7 +121,7 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
         for pair in itertools.pairwise(bodies):
             yield Joint(REVOLUTE, pair, named(name))
     contacts = {link.contact for link in variant.links}
-    racks = {link.points[0]: link.name for link in variant.links if _is_block(link)}
+    racks = {link.points[0]: link.name for link in variant.links if link.is_block}
     for rider, (_, angle) in zip(riders(variant), variant.frame.rails, strict=True):
         if rider in holds and rider not in contacts:
             if rider in racks:
@@ -140,11 +140,6 @@ def riders(variant: Variant) -> tuple[str, ...]:
     pins = {guide.through: group.meets for group in variant.groups for guide in group.guides if group.meets}
     named_in = [(through, through.name if through.op == "name" else "") for through, _ in variant.frame.rails]
     return tuple(pins.get(through) or ("" if name in variant.frame.hinges else name) for through, name in named_in)
-
-
-def _is_block(link: Link) -> bool:
-    """Return whether a link is a single point that does not turn: on a guide it is the block, or the rack, itself."""
-    return len(link.points) == 1 and not (link.rate or link.wheel or link.slides)
 
 
 def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]) -> Iterator[Joint]:

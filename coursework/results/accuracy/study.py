@@ -24,7 +24,7 @@ from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import ROUNDINGS, sentences_of, unsettled
 from coursework.results.accuracy.timing import QUICK_REPEAT, REPEATS, seconds, timed_once
 from coursework.results.accuracy.trace import orders_of
-from coursework.results.checks.close_to_motion.rows import AT_ROW
+from coursework.results.checks.close_to_motion.rows import between
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
@@ -94,9 +94,9 @@ def make_study(
 
 def _is_broken(problem: Problem, rows: Sequence[StudyRow]) -> bool:
     """Return whether a break of the drive lies inside a step of the finest run, and so of every one."""
-    step = problem.rows * problem.step / max(int(row.steps_or_tolerance) for row in rows if row.steps_or_tolerance.isdigit())
-    inside = (time for time in problem.rates.breaks if time < problem.rows * problem.step)
-    return any(abs(time / step - round(time / step)) > AT_ROW * (1 + time / step) for time in inside)
+    end = problem.rows * problem.step
+    most = max(int(row.steps_or_tolerance) for row in rows if row.steps_or_tolerance.isdigit())
+    return bool(between(problem.rates.breaks, end / most, end))
 
 
 def _without_runs(why: str, exact: Motion, timed: bool) -> AccuracyStudy:

@@ -173,7 +173,7 @@ def _untouched(variant: Variant) -> Iterator[_Found]:
     """Yield the wheels of which the file does not show what they roll on: a rail, a circle, a rack, or what has the contact."""
     places = {formula: name for name, formula in variant.points}
     rails = {through.name if through.op == "name" else places.get(through) for through, _ in variant.frame.rails}
-    racks = any(len(link.points) == 1 and not (link.rate or link.wheel or link.slides) for link in variant.links)
+    racks = any(link.is_block for link in variant.links)
     for link in () if variant.frame.circles or racks else variant.links:
         others = (name for one in variant.links if one is not link for name in (*one.points, one.contact))
         if link.contact and link.contact not in {*rails, *others}:

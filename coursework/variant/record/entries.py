@@ -204,6 +204,11 @@ class Link:
     contact: str | None
     slides: str | None = None
 
+    @property
+    def is_block(self) -> bool:
+        """Whether it is a single point that does not turn: on a guide it is the block, or the rack, itself."""
+        return len(self.points) == 1 and not (self.rate or self.wheel or self.slides)
+
 
 @frozen
 class Frame:

@@ -6,6 +6,8 @@ Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`, `advice.py`, `stu
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
@@ -95,8 +97,12 @@ def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float,
 
 def off_row(variant: Variant, step: float) -> list[float]:
     """Return the breaks of the drive (s) that no row of a run with this step (s) is at."""
-    inside = (time for time in breaks(variant) if time < variant.time.end)
-    return [time for time in inside if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
+    return between(breaks(variant), step, variant.time.end)
+
+
+def between(times: Iterable[float], step: float, end: float) -> list[float]:
+    """Return the times (s) before the end that no row of a run with this step (s) is at."""
+    return [time for time in times if time < end and abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
 
 
 def parts_at_breaks(evidence: Evidence, least: int = 1) -> int:

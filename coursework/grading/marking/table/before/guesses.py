@@ -35,7 +35,8 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     all its coordinates that were, as the next row has them.
     """
     m = len(key.coordinates)
-    rows, columns = beside_makers(wrong, m).sum(axis=1) >= _AGREE, [slice(None), *(slice(place, place + 1) for place in range(m))]
+    places = np.arange(untold.shape[1])
+    rows, columns = beside_makers(wrong, m).sum(axis=1) >= _AGREE, [places >= 0, *(places == place for place in range(m))]
     if rows.mean() > _FEW:
         of_task = near(was.values, key.table, as_printed(key, was.units))
         other = other & of_task & (of_task.mean(axis=0) <= _FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
@@ -50,9 +51,7 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
             if (guess := with_later(key, alone, other, told)) is not None:
                 yield guess
     for some in columns:
-        free = np.zeros_like(untold)
-        free[:, some] = untold[:, some]
-        if (guess := as_it_was(key, was, free, own)) is not None:
+        if (guess := as_it_was(key, was, untold & some, own)) is not None:
             yield guess
 
 

@@ -197,6 +197,7 @@ def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
 
     A cell that is the task's was the claim's before it was put right, and what follows from that costs nothing.
     """
+    assert claim.velocities_at is not None
     own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part, task=key)
     table = claim.table() if claim.table else None
     made = mark_cells(own, cells.student, table)

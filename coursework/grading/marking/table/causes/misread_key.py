@@ -13,17 +13,17 @@ from coursework.grading.marking.key import Key
 from coursework.system.arrays import Array
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class MisreadKey(Key):
     """The key of a table that was made with other velocities `made_with` (t, q), and steps `part` of those of the `task`."""
 
-    made_with: Callable[[Array, Array], Array] | None = None
-    part: float = 1.0
-    task: Key | None = None
+    made_with: Callable[[Array, Array], Array]
+    part: float
+    task: Key
 
     def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
         """Return the velocities (n, r) that the table was made with."""
-        return super().velocities_at(t, q, data) if self.made_with is None else self.made_with(t, q)
+        return self.made_with(t, q)
 
     @property
     def stride(self) -> float:
@@ -38,4 +38,4 @@ class MisreadKey(Key):
     @cached_property
     def coarsest(self) -> Array:
         """Return which digits count as shown: the task asks for them, whatever the table was made with."""
-        return super().coarsest if self.task is None else self.task.coarsest
+        return self.task.coarsest
