@@ -149,8 +149,7 @@ class Blocks:
         return self._judged(part.title, part.heads, rows)
 
     def _judged(self, title: str, heads: Sequence[str], rows: list[list[list[Node]]]) -> list[Node]:
-        made = tree.table([tree.text(head) for head in heads], rows, [True, True, False, False])
-        made["c"][2] = [[align, {"t": "ColWidth", "c": width}] for (align, _), width in zip(made["c"][2], WIDTHS, strict=True)]
+        made = tree.table([tree.text(head) for head in heads], rows, [True, True, False, False], WIDTHS)
         return [tree.styled("Table Title", [tree.paragraph([tree.strong(tree.text(title))])]), made]
 
     @of.register
@@ -179,7 +178,8 @@ class Blocks:
             for number, row in enumerate(part.rows)
         ]
         blocks = self._caption("table", part.label, part.caption)
-        blocks.append(tree.table(heads, rows, [one.words for one in part.columns]))
+        widths = _widths(part, self.width) if self.dialect.needs_widths else ()
+        blocks.append(tree.table(heads, rows, [one.words for one in part.columns], widths))
         return [*blocks, *([tree.styled("Remark", [tree.paragraph(self.inlines(part.note))])] if part.note else [])]
 
     @of.register
@@ -226,7 +226,21 @@ def kind_of(part: Part) -> str:
     return "table" if isinstance(part, Table) else "figure"
 
 
+def _widths(part: Table, width: float) -> list[float]:
+    """Return the widths of columns as parts of a text (mm): what its longest cell takes, less where all of them take more."""
+    heads = [_letters(one.head) + len(f" {one.unit}".rstrip()) for one in part.columns]
+    letters = [max([head, *(_letters(row[place]) for row in part.rows)]) for place, head in enumerate(heads)]
+    found = [PADDING + LETTER * longest for longest in letters]
+    found = [min(wide, MOST * width) if one.words else wide for one, wide in zip(part.columns, found, strict=True)]
+    return [wide / max(sum(found), width) for wide in found]
+
+
+def _letters(cell: Cell) -> int:
+    return len(cell) if isinstance(cell, str) else sum(len(said) for run in cell for key, said in run.items() if key != "lang")
+
+
 BREAK: Node = {"t": "LineBreak"}
+LETTER, PADDING, MOST = 1.75, 5.0, 0.5  # mm of a letter in a table, and of the room about it; part of a text that words may take
 WIDTHS = (0.14, 0.56, 0.16, 0.14)  # of the text: verdict, claim, number, limit
 
 
