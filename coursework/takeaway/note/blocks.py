@@ -34,7 +34,7 @@ from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note import tree
 from coursework.takeaway.note.dialects import Dialect
 from coursework.takeaway.note.formulas import WIDE, letters_wide
-from coursework.takeaway.note.styles import REACH
+from coursework.takeaway.note.styles import MANY, REACH
 from coursework.takeaway.note.tree import Node
 
 BLANK = "_" * 24  # to be written on
@@ -227,20 +227,23 @@ def kind_of(part: Part) -> str:
 
 
 def _widths(part: Table, width: float) -> list[float]:
-    """Return the widths of columns as parts of a text (mm): what its longest cell takes, less where all of them take more."""
-    heads = [_letters(one.head) + len(f" {one.unit}".rstrip()) for one in part.columns]
-    letters = [max([head, *(_letters(row[place]) for row in part.rows)]) for place, head in enumerate(heads)]
-    found = [PADDING + LETTER * longest for longest in letters]
+    """Return the widths of columns as parts of a text (mm): what the longest cell takes, of many columns in proportion."""
+    heads = [1 + max(map(len, f"{_said(one.head)} {one.unit}".split()), default=0) for one in part.columns]  # bold, and broken
+    letters = [max([head, *(len(_said(row[place])) for row in part.rows)]) for place, head in enumerate(heads)]
+    many = len(letters) > MANY
+    room, letter = SMALL if many else USUAL
+    found = [room + letter * longest for longest in letters]
     found = [min(wide, MOST * width) if one.words else wide for one, wide in zip(part.columns, found, strict=True)]
-    return [wide / max(sum(found), width) for wide in found]
+    return [wide / (sum(found) if many else max(sum(found), width)) for wide in found]
 
 
-def _letters(cell: Cell) -> int:
-    return len(cell) if isinstance(cell, str) else sum(len(said) for run in cell for key, said in run.items() if key != "lang")
+def _said(cell: Cell) -> str:
+    return cell if isinstance(cell, str) else "".join(said for run in cell for key, said in run.items() if key != "lang")
 
 
 BREAK: Node = {"t": "LineBreak"}
-LETTER, PADDING, MOST = 1.75, 5.0, 0.5  # mm of a letter in a table, and of the room about it; part of a text that words may take
+USUAL, SMALL = (5.0, 1.75), (3.0, 1.36)  # mm of the room in a cell of a table and of a letter, in usual ones and in small ones
+MOST = 0.5  # part of a text that a column of words may take
 WIDTHS = (0.14, 0.56, 0.16, 0.14)  # of the text: verdict, claim, number, limit
 
 
