@@ -34,7 +34,7 @@ from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note import tree
 from coursework.takeaway.note.dialects import Dialect
 from coursework.takeaway.note.formulas import WIDE, letters_wide
-from coursework.takeaway.note.styles import REACH
+from coursework.takeaway.note.styles import MANY, REACH
 from coursework.takeaway.note.tree import Node
 
 BLANK = "_" * 24  # to be written on
@@ -149,8 +149,7 @@ class Blocks:
         return self._judged(part.title, part.heads, rows)
 
     def _judged(self, title: str, heads: Sequence[str], rows: list[list[list[Node]]]) -> list[Node]:
-        made = tree.table([tree.text(head) for head in heads], rows, [True, True, False, False])
-        made["c"][2] = [[align, {"t": "ColWidth", "c": width}] for (align, _), width in zip(made["c"][2], WIDTHS, strict=True)]
+        made = tree.table([tree.text(head) for head in heads], rows, [True, True, False, False], WIDTHS)
         return [tree.styled("Table Title", [tree.paragraph([tree.strong(tree.text(title))])]), made]
 
     @of.register
@@ -179,7 +178,8 @@ class Blocks:
             for number, row in enumerate(part.rows)
         ]
         blocks = self._caption("table", part.label, part.caption)
-        blocks.append(tree.table(heads, rows, [one.words for one in part.columns]))
+        widths = _widths(part, self.width) if self.dialect.needs_widths else ()
+        blocks.append(tree.table(heads, rows, [one.words for one in part.columns], widths))
         return [*blocks, *([tree.styled("Remark", [tree.paragraph(self.inlines(part.note))])] if part.note else [])]
 
     @of.register
@@ -226,7 +226,24 @@ def kind_of(part: Part) -> str:
     return "table" if isinstance(part, Table) else "figure"
 
 
+def _widths(part: Table, width: float) -> list[float]:
+    """Return the widths of columns as parts of a text (mm): what the longest cell takes, of many columns in proportion."""
+    heads = [1 + max(map(len, f"{_said(one.head)} {one.unit}".split()), default=0) for one in part.columns]  # bold, and broken
+    letters = [max([head, *(len(_said(row[place])) for row in part.rows)]) for place, head in enumerate(heads)]
+    many = len(letters) > MANY
+    room, letter = SMALL if many else USUAL
+    found = [room + letter * longest for longest in letters]
+    found = [min(wide, MOST * width) if one.words else wide for one, wide in zip(part.columns, found, strict=True)]
+    return [wide / (sum(found) if many else max(sum(found), width)) for wide in found]
+
+
+def _said(cell: Cell) -> str:
+    return cell if isinstance(cell, str) else "".join(said for run in cell for key, said in run.items() if key != "lang")
+
+
 BREAK: Node = {"t": "LineBreak"}
+USUAL, SMALL = (5.0, 1.75), (3.0, 1.36)  # mm of the room in a cell of a table and of a letter, in usual ones and in small ones
+MOST = 0.5  # part of a text that a column of words may take
 WIDTHS = (0.14, 0.56, 0.16, 0.14)  # of the text: verdict, claim, number, limit
 
 

@@ -16,7 +16,9 @@ UPRIGHT, TURNED = "<w:sectPr/><!--upright-->", "<w:sectPr/><!--turned-->"  # wha
 
 
 class _Office:
-    """What Word and OpenDocument write alike."""
+    """What Word and OpenDocument write alike: both need to be told how wide the columns of a table are."""
+
+    needs_widths = True
 
     def letter(self, letter: str, low: str) -> list[Node]:
         """Return a symbol in a sentence."""
@@ -103,7 +105,7 @@ class OpenDocument(_Office):
 class Tex:
     """LaTeX: captions, labels and tags by its own commands."""
 
-    suffix, writer = "tex", "latex"
+    suffix, writer, needs_widths = "tex", "latex", False
 
     def letter(self, letter: str, low: str) -> list[Node]:
         return [raw("latex", f"\\({tex_letter(letter)}{f'_{{{_indexed(low)}}}' if low else ''}\\)")]

@@ -23,6 +23,7 @@ OPEN_NAMES = {  # of pandoc's styles in an OpenDocument text, where they have ot
     "Source Code": "Preformatted_20_Text", FIRST: "First_20_paragraph",
 }  # fmt: skip
 REACH = 5.0  # mm into the right margin, for a drawing true to scale that is hardly wider than the text
+MANY = 9  # columns of a table; more have small letters
 
 
 @frozen

@@ -98,14 +98,20 @@ def bullets(items: Iterable[Iterable[Node]]) -> Node:
     return {"t": "BulletList", "c": [[{"t": "Plain", "c": list(item)}] for item in items]}
 
 
-def table(heads: Sequence[Sequence[Node]], rows: Sequence[Sequence[Sequence[Node]]], words: Sequence[bool]) -> Node:
-    """Return a table: `words` tells which columns stand at the left; the rest are numbers, at the right."""
+def table(
+    heads: Sequence[Sequence[Node]], rows: Sequence[Sequence[Sequence[Node]]], words: Sequence[bool], widths: Sequence[float] = ()
+) -> Node:
+    """Return a table: `words` tells which columns stand at the left; the rest are numbers, at the right.
+
+    `widths` are those of the columns, as parts of the text; without them each program finds its own.
+    """
 
     def row(cells: Sequence[Sequence[Node]]) -> list[Any]:
         made = [[attributes(), {"t": "AlignDefault"}, 1, 1, [{"t": "Plain", "c": list(cell)}] if cell else []] for cell in cells]
         return [attributes(), made]
 
-    columns = [[{"t": "AlignLeft" if left else "AlignRight"}, {"t": "ColWidthDefault"}] for left in words]
+    wide = [{"t": "ColWidth", "c": width} for width in widths] or [{"t": "ColWidthDefault"}] * len(words)
+    columns = [[{"t": "AlignLeft" if left else "AlignRight"}, width] for left, width in zip(words, wide, strict=True)]
     head = [attributes(), [row(heads)] if any(heads) else []]
     body = [attributes(), 0, [], [row(one) for one in rows]]
     return {"t": "Table", "c": [attributes(), [None, []], columns, head, [body], [attributes(), []]]}

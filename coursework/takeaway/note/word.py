@@ -12,12 +12,11 @@ from coursework.system.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.dialects import ENDED_FIELD, TURNED, UPRIGHT, begun_field, word_field
 from coursework.takeaway.note.sections import STRUCTURAL
-from coursework.takeaway.note.styles import PAGE, House, twips, word_styles, xml_of
+from coursework.takeaway.note.styles import MANY, PAGE, House, twips, word_styles, xml_of
 
 DOCUMENT, STYLES, RELATIONS = "word/document.xml", "word/styles.xml", "word/_rels/document.xml.rels"
 TYPES = "[Content_Types].xml"
 _SECTION = re.compile(r"<w:sectPr\b(?:[^>]*/>|.*?</w:sectPr>)", re.S)
-MANY = 9  # columns; more have small letters
 _TABLE = re.compile(r"<w:tbl>.*?</w:tbl>", re.S)
 _STYLE = r'<w:style\b[^>]*w:styleId="{}".*?</w:style>'
 _EMBEDDED = re.compile(r'<a:blip r:embed="(\w+)"\s*/>|<a:blip r:embed="(\w+)"\s*></a:blip>')

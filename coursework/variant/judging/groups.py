@@ -65,7 +65,8 @@ def _shared(variant: Variant, broken: Broken) -> Iterator[Fault]:
     for number, group in enumerate(variant.groups, start=1):
         for name in () if broken.has("group", number - 1, "coordinates") else group.coordinates:
             if (before := first.setdefault(name, number)) != number:
-                told = say("fault.V348", number=number, name=name, before=before)
+                turns = next((c.unit == "rad" for c in variant.coordinates if c.name == name), True)
+                told = say(f"fault.V348.{'turns' if turns else 'slides'}", number=number, name=name, before=before)
                 yield Fault(told, variant.file, variant.line_of("group", number - 1, "coordinates") or group.line)
 
 
