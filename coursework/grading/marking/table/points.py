@@ -249,7 +249,7 @@ def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
     moves = _moves(student.values[rows, :m]) | _moves((cells.before or student).values[rows, :m])
     with np.errstate(invalid="ignore"):
         hardly = np.abs(np.diff(key.table[rows, :m], axis=0)) <= np.fmax(_CONSTANT, student.units[rows, :m][1:])
-    return np.asarray(moves | hardly | (moves.sum(axis=0) >= _MOVES * len(moves)))
+    return np.asarray(moves | hardly | (moves.sum(axis=0) >= _MOVES * (~hardly).sum(axis=0)))
 
 
 def true_steps(key: Key, cells: Cells) -> Flags:

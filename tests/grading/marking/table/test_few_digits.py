@@ -160,3 +160,13 @@ def test_a_start_that_nobody_printed_is_no_cause_of_some_cells():
     table = Machine(desk.variant, lines={"4": text}).table()
     for digits in (desk.key.least_decimals, 5):
         assert desk.marked(table, digits=digits)[1].earned.rule != "start"
+
+
+@pytest.mark.parametrize("row", [2, 8])
+def test_a_small_slip_that_two_decimals_hide_is_no_other_datum(row):
+    """Cells that follow Euler's rules were called those of another r3, which left more of them open: 36 points."""
+    desk = of(0)
+    table = desk.machine.table(slip=(row, desk.key.names.index("w3"), 0.03))
+    marked = [desk.marked(table, digits=digits) for digits in (2, 4)]
+    close([points for points, _ in marked])
+    assert all(found.earned.rule == "cells" for _, found in marked)

@@ -20,7 +20,9 @@ from coursework.system.arrays import Array, Flags
 Counts = NDArray[np.intp]
 # So many cells must agree on what another was when they were made.  Where more of the rows than this part
 # have wrong cells, only cells that are the task's may have been put right, and only in columns where few are.
-_AGREE, _FEW = 2, 0.5
+AGREE, FEW = 2, 0.5
+# What a cell is worth, and a step, which says a little less: its digits may not tell it from other steps.
+CELL, _STEP = 10, 9
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 8, 1e-6
 # From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
@@ -36,10 +38,10 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     """
     m = len(key.coordinates)
     places = np.arange(untold.shape[1])
-    rows, columns = beside_makers(wrong, m).sum(axis=1) >= _AGREE, [places >= 0, *(places == place for place in range(m))]
-    if rows.mean() > _FEW:
+    rows, columns = beside_makers(wrong, m).sum(axis=1) >= AGREE, [places >= 0, *(places == place for place in range(m))]
+    if rows.mean() > FEW:
         of_task = near(was.values, key.table, as_printed(key, was.units))
-        other = other & of_task & (of_task.mean(axis=0) <= _FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
+        other = other & of_task & (of_task.mean(axis=0) <= FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
         rows &= other.any(axis=1)
         columns = columns[:1]  # so many are wrong by another method, not by one coordinate
     if rows.any():
@@ -53,6 +55,12 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     for some in columns:
         if (guess := as_it_was(key, was, untold & some, own)) is not None:
             yield guess
+
+
+def worth(key: Key, cells: Counts) -> Counts:
+    """Return what cells made from a row are worth, by their places: its velocities, the next coordinates, and others."""
+    r = len(key.velocities)
+    return np.where((cells >= r) & (cells < r + len(key.coordinates)), _STEP, CELL)
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
@@ -83,6 +91,8 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     x, again = _begun(key, printed, row, place, by)
     row, place, by = row[again], place[again], by[again]
     at, rows, beside = np.arange(len(row)), printed[row], beside_makers(printed, m)[row][:, cells]
+    turning = _is_open(key, place, by)
+    wild = turning & (np.abs(beside[at, by]) > key.ranges[m + cells[by] % r])
 
     def makes(x: Array) -> Array:
         rows[at, place] = x
@@ -91,11 +101,12 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     with np.errstate(all="ignore"):
         for last in range(_ROUNDS + 1):
             if last == _ROUNDS:
-                x = x - np.where(_is_open(key, place, by), whole_turns(x - key.table[row, place]), 0.0)
+                x = x - np.where(turning, whole_turns(x - key.table[row, place]), 0.0)
             found = makes(x)
             slopes, off = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE, beside - found
-            if last < _ROUNDS:
-                x = x + np.nan_to_num(off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)
+            if last < _ROUNDS:  # near a singular position the reciprocal of a velocity is straight
+                straight = np.where(wild, (found / beside)[at, by], 1.0)
+                x = x + np.nan_to_num(straight * off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)
         own_ways = [(way.expected[row, place], way.tolerance[row, place]) for way in own.tried]
         root = np.column_stack([x[:, None] + off / slopes, *(expected for expected, _ in own_ways)])
         spans = np.where(slopes != 0.0, tolerance[row] / np.abs(slopes), np.nan)
@@ -108,9 +119,11 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         meet = np.where(one[:, None], meet, off <= half)
         x = np.where(one, np.clip(x, low, high), x)
         other_than = np.abs(x - printed[row, place]) > HALF * was.units[row, place]
-        counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
+        told = np.unique(cells)
+        counts = np.column_stack([meet[:, cells == cell].any(axis=1) for cell in told]) @ worth(key, told)
         counts *= (off[at, by] <= own_half) & other_than
-    return _ranked(printed.shape, row, place, x, counts, own_half)
+    far = np.where(turning, np.rint(np.abs(x - printed[row, place])), 0.0)
+    return _ranked(printed.shape, row, place, x, counts, far, own_half)
 
 
 def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> tuple[Array, Places]:
@@ -144,14 +157,18 @@ def _open_by(key: Key, way: Way, printed: Array) -> Array:
     return np.asarray(open_by)
 
 
-def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, half: Array) -> list[Array]:
-    """Return tables of what is told: in each row first the cell of which most speaks, and of equal ones most exactly."""
-    best = np.lexsort((half, -counts))
-    best = best[counts[best] >= _AGREE]
+def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, far: Array, half: Array) -> list[Array]:
+    """Return tables of what is told: in each row first the cell of which most speaks, and of equal ones most exactly.
+
+    Of several that one cell may have been, as much speaking for each, it is the one less `far` from what is printed.
+    """
+    best = np.lexsort((half, far, -counts))
+    best = best[counts[best] >= AGREE * _STEP]
     _, first = np.unique(row[best] * shape[1] + place[best], return_index=True)
+    best = best[first]
     tables = [np.full(shape, np.nan) for _ in range(_TRIED)]
     taken = np.zeros(shape[0], dtype=int)
-    for one in best[np.sort(first)].tolist():
+    for one in best[np.lexsort((half[best], -counts[best]))].tolist():
         if taken[row[one]] < _TRIED:
             tables[taken[row[one]]][row[one], place[one]] = x[one]
             taken[row[one]] += 1

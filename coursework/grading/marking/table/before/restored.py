@@ -10,12 +10,13 @@ the search finds what explains it.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.before.guesses import Counts, guesses
+from coursework.grading.marking.table.before.guesses import AGREE, CELL, FEW, Counts, guesses, worth
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers
 from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way, as_printed, near, own_ways
 from coursework.system.arrays import Flags
@@ -47,7 +48,7 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     """
     m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
     was, told = student, np.zeros_like(wrong)
-    sure = ~wrong & ~put & np.isfinite(student.values)
+    sure = ~wrong & ~put & own.holds(student.values)
     looked = _Looked(key, student, wrong & ~put, wrong | put, sure, own, told, student)
     for _ in range(_PASSES):
         last, own = looked.followed(was, right & ~told.any(axis=1, keepdims=True))
@@ -87,10 +88,10 @@ class _Looked:
         return self.wrong | self.told
 
     def worth(self, table: StudentTable, ways: OwnWays) -> Counts:
-        """Return how many cells made from each row (n,) are right if a table stood there, without those that it costs."""
+        """Return what the right cells made from each row (n,) are worth if a table stood there, without those that it costs."""
         held = ways.holds(self.printed.values)
-        found = beside_makers((self.speaking & held) * 1 - (self.sure & ~held), len(self.key.coordinates)).sum(axis=1)
-        return np.asarray(found - _slips(table, self.student, ways))
+        found = beside_makers((self.speaking & held) * 1 - (self.sure & ~held), len(self.key.coordinates))
+        return np.asarray(found @ worth(self.key, np.arange(found.shape[1])) - CELL * _slips(table, self.student, ways))
 
     def made_by(self, table: StudentTable) -> OwnWays:
         """Return what a table makes."""
@@ -114,11 +115,23 @@ class _Looked:
             found, ways = later, made
         return found, ways
 
+    def bases(self, last: StudentTable, own: OwnWays, told: Flags) -> Iterator[StudentTable]:
+        """Yield the tables beside which a cell may have been another: as found, as printed, without misprints."""
+        m, speaking = len(self.key.coordinates), self.speaking
+        yield last
+        if _touched(beside_makers(speaking, m), self.printed, last):
+            yield self.printed
+        misprints = self.wrong & ~told & (np.arange(self.wrong.shape[1]) < m)
+        open_rows = beside_makers(speaking & ~own.holds(self.printed.values), m).sum(axis=1) >= AGREE
+        misprints &= open_rows[:, None]
+        if 0 < misprints.any(axis=1).mean() <= FEW and (above := as_it_was(self.key, last, misprints, own)):
+            yield above
+
     def guessed(self, last: StudentTable, own: OwnWays, told: Flags) -> tuple[StudentTable, Flags]:
         """Return the table with the guesses by which more cells are right, and what is told now: `told` itself for no guess."""
         m, speaking, was, now = len(self.key.coordinates), self.speaking, last, told
         best = np.maximum(self.worth(last, own), 0)
-        for base in (last, self.printed) if _touched(beside_makers(speaking, m), self.printed, last) else (last,):
+        for base in self.bases(last, own, now):
             ways = own if base is last else self.made_by(base)
             left = speaking & ~ways.holds(self.printed.values)
             for guess in guesses(self.key, base, ways, left, self.other, self.other & ~now):

@@ -50,7 +50,8 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
         same = alike(key, cells.student, table)
         share = share_of(same & spoken, spoken)
         # A cell put right is none against a cause that makes more than the task does.
-        is_most = share > by_key and share_of((same | right) & spoken, spoken) >= least
+        left = spoken & ~same & ~right
+        is_most = share > by_key and share_of(spoken & ~left, spoken) >= least and left.sum() <= cells.wrong.sum()
         if is_most and (claim.code not in made or share > made[claim.code][0]):
             made[claim.code] = share, table, claim.names
     if not made:
