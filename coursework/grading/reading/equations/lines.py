@@ -16,13 +16,14 @@ from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
-    are_listed,
     definition,
     is_datum,
     is_equation_without_sign,
     is_part_of_equation,
+    is_row,
     is_step,
     own_name,
+    sign_of_list,
 )
 from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.parts import parts_of
@@ -51,6 +52,9 @@ _STATEMENT = re.compile(
 )
 _TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+_KEPT = re.compile(
+    r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
+)  # an equation under a name of its own, in Maple
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
@@ -58,7 +62,7 @@ _DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a 
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _QUOTES = '"“”„«»`'
 _REMARK = re.compile(
-    r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)_).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
+    r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
 # So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
 _TRIED, _CHARACTERS = 10, 60_000
@@ -94,7 +98,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         names,
         own=own,
         spellings=replace(names.spellings, own=frozenset(own)),
-        listed=are_listed([line for _, line in lines if "=" in line]),
+        listed=sign_of_list([line for _, line in lines if "=" in line], names.spellings.canonical),
     )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
@@ -104,7 +108,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
-        elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names)):
+        elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names) or is_row(line)):
             continue
         elif beside is None and _is_equation(line, names):
             read = read_line(line, name, number, with_own)
@@ -132,6 +136,8 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
         bare = bare if '_"' in bare else bare.strip(_QUOTES)  # V_"Mx" is an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
+        if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
+            bare = bare[under.end() :]
         if _STATEMENT.match(bare):
             continue
         bare = bare.strip("'") if bare.startswith("'") else bare
