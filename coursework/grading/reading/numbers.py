@@ -21,7 +21,7 @@ _PLAIN = str.maketrans({
     "’": "'", "ʼ": "'", "Е": "e", "е": "e", "\ufeff": "", "\u200b": "", "\u200e": "", "\u200f": "", "⋅": "·", "×": "·", "∙": "·",
 })  # fmt: skip
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
-_POWER = re.compile(r"\s*[·*xх]\s*10\s*\^?\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})[)}]?")
+_POWER = re.compile(r"\s*(?:[·*xх]\s*10\s*\^?|\*\^)\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})[)}]?")
 # What people set round a number, "≈3.02", "**3.02**", "(3.02)", "3.02*", "3.02 ✓", and what they say beside it: how exact it is,
 # where it comes from.  A unit may stand there too; that of the column comes from its head or from the numbers themselves.
 _BEFORE, _BEHIND = "≈≃≅~$*_`|([{'\"\\ ", "*_`$|)]};:,.!?'\"†‡§✓✔✗✘❌✅←◄\\ "

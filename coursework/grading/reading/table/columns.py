@@ -18,6 +18,8 @@ from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
+_FAR = 12  # times the step of the task: no step of the student's own is so long
+
 
 @frozen
 class Place:
@@ -50,6 +52,8 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     places, repeated = _by_head(layout, filled, dict(grid.units))
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
     _add_time(layout, places, free, len(names), grid.step)
+    if TIME in places and INDEX not in places and _is_of_steps(_numbers(layout, places[TIME].at), grid.step):
+        places[INDEX] = places.pop(TIME)
     rest = [at for at in free if at not in {place.at for place in places.values()}]
     places |= _by_words(layout, rest, places)
     known, asked = [name for name in names if name in places], None
@@ -137,6 +141,11 @@ def _is_time(values: list[float], step: float) -> bool:
     """Return whether numbers are the times of the grid."""
     ordered = sorted(values)
     return len(ordered) > 2 and ordered[0] == 0 and abs(ordered[-1] / (len(ordered) - 1) / step - 1) < 0.05
+
+
+def _is_of_steps(values: list[float], step: float) -> bool:
+    """Return whether what stands under the time counts the rows: no step, s, is taken for so many seconds."""
+    return _counts(values) and step * _FAR < 1.0
 
 
 def _numbers(layout: Layout, at: int) -> list[float]:

@@ -129,7 +129,7 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
     """Two columns exchanged; whole turns are taken off after they are put back."""
     key, student, m = printed.key, printed.student, printed.m
-    turns = np.zeros(len(key.names)) if student.turns is None else student.turns
+    turns = np.zeros(student.values.shape) if student.turns is None else student.turns
     tolerance = as_printed(key, np.nan_to_num(student.units))
     with np.errstate(invalid="ignore"):
         as_it_is = np.abs(student.values - key.table) <= tolerance
