@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 
+from coursework.grading.reading.equations.lines import read_lines
 from tests.grading.reading.latex_work import each
 from tests.grading.reading.notations import PLAIN, _calls, _greek, _lines, _named, _tex
 from tests.grading.reading.test_notations import marked
+from tests.grading.scenes import expected
 
 
 def _zero(form):
@@ -90,3 +92,9 @@ def test_a_letter_of_another_size_is_ones_own_where_the_text_says_what_it_is():
     plain = "S2 = sin(phi3), C2 = cos(phi3)\n-r1*w1*sin(phi1) - u2*C2 + s2*w3*S2 = 0\nr1*w1*cos(phi1) - u2*S2 - s2*w3*C2 = 0"
     assert marked(plain, "whitworth").independent == 2
     assert marked("F(3) = -R3*W3*DSIN(PHI3) - R4*W4*DSIN(PHI4) - U5", "whitworth").independent == 1
+
+
+def test_a_value_with_its_unit_is_one_where_a_letter_of_the_unit_is_a_name():
+    """In 1/s stands the length s of the task."""
+    found = read_lines("u*cos(phi3) - s*w3*sin(phi3) = VMx\nw2 = 2.0308 1/s", "report.md", expected("v107"))
+    assert [one.may_be_datum for one in found.equations] == [False, True]

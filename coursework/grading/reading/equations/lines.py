@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_of, read_line
+from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_in, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
     definition,
@@ -30,6 +30,7 @@ from coursework.grading.reading.equations.parts import parts_of
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
+from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
 
@@ -43,6 +44,7 @@ _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _MEASURED = re.compile(r"\d[.,]\d\d")
+_UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 # What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
 _STATEMENT = re.compile(
@@ -245,6 +247,8 @@ def _is_of_one_row(read: EquationLine, names: Names) -> bool:
     """Return whether a line names sought velocities and numbers alone, as "w3 = 6.12": a value or a check of some row."""
     named = names_of(read, names) if read.tree is not None else set[str]()
     variant = names.expected.variant
+    if (found := _UNIT_BEHIND.search(read.text)) and unit_of(found[1]):
+        named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, where s is a length
     if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is one velocity by another
         named -= {one.rate for one in variant.coordinates} - {*variant.sought}
     return bool(named) and named <= {*variant.sought} and _MEASURED.search(read.text) is not None
