@@ -101,9 +101,10 @@ def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
     if code.startswith(_DATUM) and names:
-        return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), value=names[0])
+        known = {"value": float(names[0]), "unit": names[1]}
+        return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), **known)
     if code == OTHER_STEP and names:
-        return say("feedback.misconception.other_step_value", value=names[0])
+        return say("feedback.misconception.other_step_value", value=float(names[0]))
     if len(names) > 1 and code.startswith(_SEVERAL):
         return say(f"feedback.misconception.{code.partition('_')[0]}_several", names=names)
     return misconception_sentence(code, for_student=True)

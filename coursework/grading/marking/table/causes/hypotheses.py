@@ -162,7 +162,7 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             at_once = printed.stacked(several)
             claim = printed.claim("other_step", printed.steps(at_once(printed.q), printed.spread(at_once)))
             claims.append(replace(claim, table=printed.marched(made[0], several)))
-        yield from (replace(claim, part=part, names=(in_seconds(part * h),)) for claim in claims)
+        yield from (replace(claim, part=part, names=(told_step(part * h),)) for claim in claims)
 
 
 def _of_degrees(key: Key) -> Array:
@@ -176,9 +176,9 @@ def _steps_of_degrees(printed: TableUnderTest) -> tuple[Array, Array]:
     return printed.steps(each * printed.w, each * printed.w_units[:, : printed.m])
 
 
-def in_seconds(step: float) -> str:
-    """Return a step (s) as a sentence says it."""
-    return f"{step:.4g} s"
+def told_step(step: float) -> str:
+    """Return a step (s) with the digits that a sentence says."""
+    return f"{step:.4g}"
 
 
 def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:

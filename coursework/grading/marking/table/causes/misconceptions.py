@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, claims, in_seconds
+from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, claims, told_step
 from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.own_equations import OWN
@@ -46,7 +46,7 @@ OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS)
 class Misconception:
     """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much.
 
-    `names` are the columns exchanged, the starts or equations that it speaks of, a datum's value or a step's, () for most.
+    `names` are the columns, starts or equations that it speaks of, a datum's value and unit, a step's value, () for most.
     """
 
     code: str
@@ -167,7 +167,7 @@ def explanations(
             # Its own times say so, where its digits do not too; of rows that leave steps of the task out, other rules explain
             # the velocities alone.
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
-            named.setdefault(OTHER_STEP, (share, euler_share, (in_seconds(own.step),)))
+            named[OTHER_STEP] = max(share, named.get(OTHER_STEP, (0.0,))[0]), euler_share, (told_step(own.step),)
             untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)

@@ -49,9 +49,10 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
     read_off = [(datum, value) for datum, read in _values_read_off(printed) for value in {read: None, float(f"{read:.3g}"): None}]
     for datum, value in read_off:  # as it is read off, and as it may have been typed
-        shown = f"{value / (size_of(datum.unit) or 1.0):.4g} {datum.unit or datum.si}".rstrip()
+        unit = datum.unit or datum.si
+        shown = (f"{value / (size_of(datum.unit) or 1.0):.4g}", unit) if unit else ()
         at = partial(printed.key.velocities_at, data={datum.name: value})
-        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=(shown,)):
+        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=shown):
             yield replace(claim, is_read_off=True)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.reasons.table import table_reasons
+from coursework.words.sentences import load_phrases
 from tests.grading.marking.machines import DEGREE, Machine
 from tests.grading.marking.table.test_equal_faults import close, codes, variants
 
@@ -91,3 +92,20 @@ def test_what_follows_from_ones_own_wrong_equation_is_told_so():
     told = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, 1.0, 50.0, 60.0))
     assert table.earned.rule == "cells" and not codes(table)
     assert "your own equations, of which line 2 is not right" in told and "None of the usual causes" not in told
+
+
+def test_a_table_with_times_of_its_own_is_told_the_step_of_these_times():
+    """Twice the step, and every second row of the task: the digits alone would as well be those of a tenth of it."""
+    desk = variants()[0]
+    twice = desk.machine.table(step=2 * desk.machine.h, rows=(desk.machine.rows + 1) // 2)
+    _, table = desk.marked(twice, times=2 * desk.machine.h * np.arange(len(twice)))
+    assert (table.misconception.code, table.misconception.names) == ("other_step", (f"{2 * desk.machine.h:.4g}",))
+
+
+@pytest.mark.parametrize(("language", "said"), [("ru", "получаются при 5,09 м/с."), ("zh", "取 5.09 m/s 时")])
+def test_a_value_is_told_with_the_unit_and_the_mark_of_the_language(language, said):
+    desk = variants()[0]
+    value = 5.09
+    _, table = desk.marked(Machine(desk.variant, data={"V1": value}).table())
+    phrases = load_phrases(language)
+    assert said in " ".join(phrases.written(reason.text) for reason in table_reasons(desk.key, table, 1.0, 24.0, 60.0))
