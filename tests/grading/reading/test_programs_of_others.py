@@ -98,3 +98,8 @@ def test_a_value_with_its_unit_is_one_where_a_letter_of_the_unit_is_a_name():
     """In 1/s stands the length s of the task."""
     found = read_lines("u*cos(phi3) - s*w3*sin(phi3) = VMx\nw2 = 2.0308 1/s", "report.md", expected("v107"))
     assert [one.may_be_datum for one in found.equations] == [False, True]
+
+
+def test_a_product_that_is_checked_at_some_row_is_no_equation():
+    found = read_lines("VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0\ncheck: w1*r1 = 1.08\nw4 - 2*w3 = 1.5 м/с", "x", expected())
+    assert [one.may_be_datum for one in found.equations] == [False, True, False]

@@ -20,7 +20,7 @@ from coursework.grading.marking.equations.lacks import lack_of
 from coursework.grading.marking.equations.linear import Linear, is_same, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
-from coursework.grading.marking.equations.ratios import multiplied_out
+from coursework.grading.marking.equations.ratios import without_ratios
 from coursework.grading.marking.equations.turned import with_other_sign
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
@@ -150,9 +150,15 @@ class Judge:
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
-        different = self._different([mark.line for mark in marks if mark.verdict == "wrong"])
+        if independent == len(self.key.variant.sought):  # what else stands in the text is no velocity equation
+            marks = tuple(mark for mark in marks if mark.verdict != "wrong" or self._names_any(mark.line))
+        different = self._different([mark.line for mark in marks if mark.verdict == "wrong" and self._names_any(mark.line)])
         numbers = tuple(sorted(mark.line.line for mark in dependent))
         return EquationMarks(marks, independent, len(self.key.variant.sought), numbers, different, turned=back is not None)
+
+    def _names_any(self, line: EquationLine) -> bool:
+        """Return whether a line names a velocity that is sought: one without, T = 2*pi/p, is none of the equations needed."""
+        return not {*self.key.variant.sought}.isdisjoint(line.difference.names())
 
     def _different(self, wrong: Sequence[EquationLine]) -> int:
         """Return how many of some wrong lines are no other's once more."""
@@ -211,7 +217,7 @@ class Judge:
 
     def _mark(self, line: EquationLine) -> EquationMark:
         """Return the mark of a line in the way of reading it in which it is right, in the first way where it is in none."""
-        line = self._without_ratios(line)
+        line = without_ratios(line, self.key.variant.sought)
         if line.others and (line.tree is None or not self._tells(line.tree)):
             for other in line.others:
                 if self._tells(other.tree):
@@ -226,14 +232,6 @@ class Judge:
             return EquationMark(line, verdict, self._slip(line.tree, line))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None
         return EquationMark(line, verdict, repaired)
-
-    def _without_ratios(self, line: EquationLine) -> EquationLine:
-        """Return a line without velocities below strokes, in each way of reading it."""
-        sought = self.key.variant.sought
-        if not any("/" in text for text in (line.text, line.repaired, *(other.text for other in line.others))):
-            return line
-        others = tuple(replace(other, tree=multiplied_out(other.tree, sought)) for other in line.others)
-        return replace(line, tree=line.tree and multiplied_out(line.tree, sought), others=others)
 
     def _tells(self, tree: Formula) -> bool:
         """Return whether a line is right and says something of the velocities."""

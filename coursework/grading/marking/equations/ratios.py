@@ -1,16 +1,26 @@
 """A line with velocities below a stroke, w4/w3 = 2*(…) as ratios are written -> the same with both sides times what is below.
 
-Enters: `left - right` as a tree, the velocities that are sought.  Leaves: a tree.  Used by `equations.py`.
+Enters: a line, the velocities that are sought.  Leaves: the line so changed.  Used by `equations.py`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from functools import reduce
 
+from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.tree import Formula
 
 _MOST = 4  # different velocities, or sums of them, below strokes
+
+
+def without_ratios(line: EquationLine, sought: Collection[str]) -> EquationLine:
+    """Return a line without velocities below strokes, in each way of reading it; its text stays."""
+    if not any("/" in text for text in (line.text, line.repaired, *(other.text for other in line.others))):
+        return line
+    others = tuple(replace(other, tree=multiplied_out(other.tree, sought)) for other in line.others)
+    return replace(line, tree=line.tree and multiplied_out(line.tree, sought), others=others)
 
 
 def multiplied_out(tree: Formula, sought: Collection[str]) -> Formula:

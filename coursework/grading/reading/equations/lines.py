@@ -43,7 +43,7 @@ _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
-_MEASURED = re.compile(r"\d[.,]\d\d")
+_MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 # What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
@@ -251,7 +251,8 @@ def _is_of_one_row(read: EquationLine, names: Names) -> bool:
         named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, where s is a length
     if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is one velocity by another
         named -= {one.rate for one in variant.coordinates} - {*variant.sought}
-    return bool(named) and named <= {*variant.sought} and _MEASURED.search(read.text) is not None
+    is_checked = _CHECKED.search(read.text) is not None  # r1*w1 = 1.08
+    return bool(named) and (is_checked or named <= {*variant.sought}) and _MEASURED.search(read.text) is not None
 
 
 def relates(read: EquationLine, names: Names) -> bool:

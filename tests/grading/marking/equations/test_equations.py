@@ -174,3 +174,17 @@ def test_what_repeats_is_told_of_the_line_that_repeats_and_of_no_other_of_its_nu
     """Lines of two files have the same numbers."""
     twice = [line(text, number) for number, text in enumerate(RIGHT, start=1)] + [line(RIGHT[0], 3)]
     assert [bool(mark.lack) for mark in judge.mark(twice).marks] == [False] * 4 + [True]
+
+
+def test_what_is_no_velocity_equation_costs_nothing_beside_them(judge):
+    """A period, a drive, a position with a slip; without them the same, with an equation that is wrong a quarter less."""
+    right = [line(text, number) for number, text in enumerate(RIGHT, start=1)]
+    beside = [
+        line("2*pi/p = 0.5", 5),
+        line("VMx = V1*sin(p*t + alpha)", 6),
+        line("r1*cos(phi1) + r2*cos(phi2) = r3*cos(phi3)", 7),
+    ]
+    found = judge.mark(right + beside)
+    assert (found.share, found.different, len(found.marks)) == (1.0, 0, 4)
+    assert judge.mark([*right[:3], *beside]).share == 0.75
+    assert judge.mark([*right, line("w1 = 3*w2", 5)]).share == 0.8
