@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+import pytest
+
 from coursework.grading.reading.equations.lines import read_lines
 from tests.grading.reading.latex_work import each
 from tests.grading.reading.notations import PLAIN, _calls, _greek, _lines, _named, _tex
@@ -72,6 +74,31 @@ def test_a_right_set_is_right_in_what_more_programs_write():
         if (found := marked(made(PLAIN[name]), name)).share != 1.0 or found.wrong
     ]
     assert refused == []
+
+
+MATRIX = """A = [2*cos(phi3) + sin(phi3), 0, 0, 0;
+     2*sin(phi3) - cos(phi3), 0.5, 0, 0;
+     r3*cos(phi3), -0.5*r3, r2*sin(phi2), r1*sin(phi1);
+     r3*sin(phi3), 0, -r2*cos(phi2), -r1*cos(phi1)]
+k = [VMy/r3; 0; 0; 0]
+"""
+ROWS, RIGHT = MATRIX[5:].split("]\nk = [")
+LISTS = ROWS.replace(";", "],").replace("     ", "     [")
+ARRAY = f"import numpy as np\nA = np.array([[{LISTS}]])\nk = np.array([{RIGHT.replace(';', ',')[:-2]}])\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"{MATRIX}x = [w3; w4; w2; w1]\nA*x = k", f"{MATRIX}x = A\\k;\nw3 = x(1); w4 = x(2);\nw2 = x(3);\nw1 = x(4);",
+        f"{MATRIX}[w3, w4, w2, w1] = linsolve(A, k);", f"{ARRAY}w3, w4, w2, w1 = np.linalg.solve(A, k)",
+        f"{ARRAY}x = np.linalg.solve(A, k)\nw3 = x[0]\nw4 = x[1]\nw2 = x[2]\nw1 = x[3]",
+    ],
+)  # fmt: skip
+def test_a_system_that_a_program_solves_is_its_equations(text):
+    assert marked(text).share == 1.0
+    slip = marked(text.replace("-r1*cos(phi1)", "r1*cos(phi1)"))
+    assert ([mark.verdict for mark in slip.marks].count("wrong"), slip.independent) == (1, 3)
 
 
 def test_a_root_is_one_in_spreadsheets_of_other_countries():

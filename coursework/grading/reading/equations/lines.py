@@ -28,6 +28,7 @@ from coursework.grading.reading.equations.line_kinds import (
 from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.parts import parts_of
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
+from coursework.grading.reading.equations.systems import in_rows
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.grading.reading.unit_names import unit_of
@@ -131,7 +132,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
     function = ""
-    for number, line in _continued(logical_lines(text), names):
+    for number, line in _continued(logical_lines(in_rows(text)), names):
         if defined := _DEFINED.fullmatch(line):
             function = f"{defined[1]} = "
             continue
