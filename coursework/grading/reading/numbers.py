@@ -30,7 +30,7 @@ _BESIDE = re.compile(
 )
 # An angle in degrees, minutes and seconds, 93°23'31", and to which decimal of a degree its last part tells it.
 _SEXAGESIMAL = re.compile(
-    r"([-+]?)([0-9]{1,4})\s*°\s*([0-5]?[0-9])\s*['′](?:\s*([0-5]?[0-9])(?:[.,]([0-9]{1,6}))?\s*(?:\"|″|''))?"
+    r"([-+]?)([0-9]{1,4})\s*°\s*([0-5]?[0-9]|60)\s*['′](?:\s*([0-5]?[0-9]|60)(?:[.,]([0-9]{1,6}))?\s*(?:\"|″|''))?"
 )
 _MINUTE, _SECOND = 1, 3
 _ERROR = re.compile(

@@ -7,10 +7,15 @@ import math
 
 import pytest
 
+from coursework.grading.reading.expected import Grid, GridColumn
+from coursework.grading.reading.files.separators import split
+from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.grading.reading.table.columns import find_columns
+from coursework.grading.reading.table.layout import layouts_of
 from coursework.grading.reading.table.units import turns_of_jumps, unit_of_column
-from tests.grading.reading.misread import GRID, HEAD, ROWS, csv, read
+from tests.grading.reading.misread import HEAD, ROWS, csv, read
 from tests.grading.scenes import expected
 
 TURN = 2 * math.pi
@@ -81,7 +86,7 @@ def test_an_angle_that_is_kept_within_a_turn_is_the_angle():
 @pytest.mark.parametrize(("first", "unit"), [(57.2958, "deg"), (57.8, "deg"), (58.0, "rad"), (60.1, "rad"), (1.0, "rad")])
 def test_a_column_that_begins_as_the_task_in_degrees_is_in_degrees(first: float, unit: str) -> None:
     """A small start counts too; what only comes near is another column, or another start."""
-    key = GRID.columns[0].__class__("phi1", "rad", (0.05, 1.0, 2.0, 3.0))
+    key = GridColumn("phi1", "rad", (0.05, 1.0, 2.0, 3.0))
     assert unit_of_column(key, "", [0.05 * first, 9.0, 17.0, 23.0]) == unit
 
 
@@ -98,3 +103,18 @@ def test_numbers_in_brackets_before_equations_make_no_data_of_a_program():
     lines = "[1] VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0\n[2] 2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4 = 0"
     work = read_submission(Submission("x", None, (submitted_file("equations.txt", lines.encode()),)), expected())
     assert work.equations is not None and all(line.tree is not None for line in work.equations)
+
+
+def test_numbers_each_in_a_line_of_its_own_are_read_to_the_last_row():
+    names = [f"x{k}" for k in range(11)]
+    found = split("\n\n".join("\n".join(f"{name} = {row}.5" for name in names) for row in range(61)), 600, 40)
+    assert found is not None and len(found.rows) == 62
+
+
+def test_a_head_with_the_very_name_counts_before_a_word_that_may_mean_it():
+    """A column x beside the length s of the task is a place, and seconds may be printed as 60."""
+    texts = (["t", "x", "s, m"], ["0", "5", "1"], ["1", "6", "2"], ["2", "7", "4"])
+    layout = layouts_of([[printed(cell, ".") for cell in row] for row in texts], ".", [("s", "m")])[0]
+    found = find_columns(layout, Grid(1.0, 3, (GridColumn("s", "m", (1.0, 2.0, 4.0)),)))
+    assert found.places["s"].at == 2
+    assert printed("149°59'60.0\"", ".").value == pytest.approx(150.0)
