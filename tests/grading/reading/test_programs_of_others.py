@@ -130,3 +130,11 @@ def test_a_value_with_its_unit_is_one_where_a_letter_of_the_unit_is_a_name():
 def test_a_product_that_is_checked_at_some_row_is_no_equation():
     found = read_lines("VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0\ncheck: w1*r1 = 1.08\nw4 - 2*w3 = 1.5 м/с", "x", expected())
     assert [one.may_be_datum for one in found.equations] == [False, True, False]
+
+
+def test_a_slip_in_an_equation_with_a_name_of_its_own_is_told_at_its_sign():
+    """The name is used again, solve([eqn1, eqn2]), and means what stands behind it."""
+    first = "eqn1 = VMx + a*w3*sin(phi3) - c*w3*cos(phi3) == 0;"
+    found = marked(f"{first}\neqn2 = VMy - a*w3*cos(phi3) + c*w3*sin(phi3) == u;\nS = solve([eqn1, eqn2])", "v102")
+    assert [mark.verdict for mark in found.marks][:2] == ["wrong", "right"]
+    assert found.marks[0].hint.column == first.index("- c") + 1

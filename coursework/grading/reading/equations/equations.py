@@ -128,7 +128,8 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
         assert isinstance(read, Fault)  # no equation has three sides
         return read
     found = []
-    for text in dict.fromkeys(kept[:-1]):
+    said = [text for text in kept[:-1] if not OWN_NAME.fullmatch(text.strip()) or names.spellings.canonical(text.strip())]
+    for text in dict.fromkeys(said or kept[:-1]):
         read = _strict(f"{text} = {kept[-1]}", names)
         if not isinstance(read, Fault):
             found.append(EquationReading(read, f"{text} = {kept[-1]}", is_loose=is_loose))
