@@ -138,3 +138,15 @@ def test_a_slip_in_an_equation_with_a_name_of_its_own_is_told_at_its_sign():
     found = marked(f"{first}\neqn2 = VMy - a*w3*cos(phi3) + c*w3*sin(phi3) == u;\nS = solve([eqn1, eqn2])", "v102")
     assert [mark.verdict for mark in found.marks][:2] == ["wrong", "right"]
     assert found.marks[0].hint.column == first.index("- c") + 1
+
+
+@pytest.mark.parametrize("form", ["F({k}) = {e};", "f[{k}] := {e};", "const f{k} = {e};", "f[{k}] <- {e}", "double eq{k} = {e};"])
+def test_a_slip_in_what_is_to_vanish_is_one_where_the_lines_beside_it_are_right(form):
+    """Alone such a line may be anything; F(1) of a program is no phi1."""
+    for name, wrong, right in (
+        ("31", "- r1*w1*cos(phi1)", "+ r1*w1*cos(phi1)"),
+        ("v102", "+ c*w3*cos(phi3)", "- c*w3*cos(phi3)"),
+    ):
+        found = marked(_zero(form)(PLAIN[name].replace(wrong, right)), name)
+        assert sorted(mark.verdict for mark in found.marks) == ["right", "right", "right", "wrong"]
+        assert [(mark.hint.kind, mark.line.text[mark.hint.column - 1]) for mark in found.wrong] == [("sign", right[0])]

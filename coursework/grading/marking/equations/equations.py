@@ -21,6 +21,7 @@ from coursework.grading.marking.equations.linear import Linear, is_same, linear,
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.equations.ratios import without_ratios
+from coursework.grading.marking.equations.series import as_others_of_their_kind
 from coursework.grading.marking.equations.turned import with_other_sign
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
@@ -144,7 +145,9 @@ class Judge:
 
     def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
         """Return the marks of all lines; with `turning` all of them may count turning clockwise."""
-        found = tuple(map(self._mark, lines))
+        alone = tuple(map(self._mark, lines))
+        meant = as_others_of_their_kind(lines, alone, COUNTED)
+        found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
         back = self._turned_back(found) if turning else None
         marks = tuple(mark for mark in back or found if mark.verdict in COUNTED or not mark.line.may_be_datum)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
