@@ -194,7 +194,7 @@ class Marker:
         earned = best_rule(self.key, self.rubric, judged, points, found, self.others)
         first = first_wrong(self.key, cells, table)
         named = (made.named or self._explained(cells, equations).named) if made else found.named
-        return TableMarks(table, cells, points, first, named, earned, hidden, self._forces(table))
+        return TableMarks(table, cells, points, first, named, earned, hidden, self._forces(table), found.own_line)
 
     def _explained(self, cells: Cells, equations: EquationMarks | None) -> Found:
         hidden = self._hidden(cells.student)

@@ -13,19 +13,23 @@ from coursework.variant.formula.tree import Formula, mapped, named, number
 from coursework.variant.record.variant import Constraint, Law, Variant
 
 _TURNING = ("sin", "cos", "tan")
+_OTHER = {"sin": "cos", "cos": "sin"}
 _DEGREE = Formula("/", (named("pi"), number(180)))
 _PER_RADIAN = Formula("/", (number(180), named("pi")))
 
 
 def misread(variant: Variant, equations: VelocityEquations, code: str) -> Variant | None:
-    """Return the variant with the signs of its drive turned ("sign_drive") or degrees taken for radians: in all ("degree_mode"),
-    in what is a function of time ("degree_drive"), in what is one of the position ("degree_geometry"); or positions in degrees
-    put where radians are expected, as in a spreadsheet ("radian_mode").
+    """Return the variant with the signs of its drive turned ("sign_drive"), sine and cosine exchanged in it ("cosine_drive"), or
+    with degrees taken for radians: in all ("degree_mode"), in what is a function of time ("degree_drive"), in what is one of
+    the position ("degree_geometry"); or positions in degrees put where radians are expected, as in a spreadsheet ("radian_mode").
 
     `equations` are those of the variant: whoever has them from its geometry puts positions into these, not into the geometry.
     """
     if code == "sign_drive":
         return _with_drive_turned(variant)
+    if code == "cosine_drive":
+        changed = replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
+        return None if changed == variant else changed
     if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
         return None  # without a sine in the drive it is the same as all of them
     if code != "degree_drive" and (variant.groups or any(one.is_closure for one in variant.constraints)):
@@ -43,6 +47,11 @@ def _written_out(variant: Variant, equations: VelocityEquations) -> Variant | No
     begun = tuple(replace(one, start=one.start or 0.0) for one in variant.coordinates)  # where it begins changes no velocity
     lines = tuple(Constraint(name, "", *both) for name, both in sides)
     return replace(variant, constraints=lines, coordinates=begun, groups=(), points=(), links=(), holds=(), driven=None)
+
+
+def _exchanged(tree: Formula) -> Formula:
+    """Return a formula with every sine for a cosine and every cosine for a sine."""
+    return replace(mapped(tree, _exchanged), name=_OTHER.get(tree.name, tree.name) if tree.op == "call" else tree.name)
 
 
 def _with_drive_turned(variant: Variant) -> Variant:

@@ -21,12 +21,15 @@ def student_of(key: Key, table: Table) -> StudentTable:
     """Return a table as it was read, with a column of its own for everything the key has."""
     count = len(key.table)
     columns = {column.name: (column.values[:count], column.last_place[:count]) for column in table.columns}
-    turns = [column.turns if (column := table.column(name)) else 0 for name in key.names]
+    turns = np.zeros((count, len(key.names)))
+    for place, name in enumerate(key.names):
+        if (column := table.column(name)) and column.turns:
+            turns[:, place] = column.turns[:count]
     own = None
     if table.own is not None:
         rows = len(next(iter(table.own.columns.values()))[0])
         own = OwnRows(table.own.step, *_filled(key, table.own.columns, rows))
-    return StudentTable(*_filled(key, columns, count), np.array(turns, dtype=float), own)
+    return StudentTable(*_filled(key, columns, count), turns, own)
 
 
 def lacking(key: Key, table: Table) -> tuple[str, ...]:

@@ -31,7 +31,8 @@ _SHOWS = 0.9
 class TableMarks:
     """Everything about a marked table; `earned` says which share of its points it has and how they came about.
 
-    `hidden` are the misconceptions that its digits cannot tell, None where none was looked for.
+    `hidden` are the misconceptions that its digits cannot tell, None where none was looked for; `own_line` is the line of the
+    student's own equations, not right, that what is wrong follows from, "" where it does not.
     """
 
     table: Table
@@ -42,6 +43,7 @@ class TableMarks:
     earned: Earned
     hidden: tuple[str, ...] | None = None
     forces: ForceColumns | None = None
+    own_line: str = ""
 
     @property
     def share(self) -> float:

@@ -21,7 +21,7 @@ _PLAIN = str.maketrans({
     "’": "'", "ʼ": "'", "Е": "e", "е": "e", "\ufeff": "", "\u200b": "", "\u200e": "", "\u200f": "", "⋅": "·", "×": "·", "∙": "·",
 })  # fmt: skip
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
-_POWER = re.compile(r"\s*[·*xх]\s*10\s*\^?\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})[)}]?")
+_POWER = re.compile(r"\s*(?:[·*xх]\s*10\s*\^?|\*\^)\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})[)}]?")
 # What people set round a number, "≈3.02", "**3.02**", "(3.02)", "3.02*", "3.02 ✓", and what they say beside it: how exact it is,
 # where it comes from.  A unit may stand there too; that of the column comes from its head or from the numbers themselves.
 _BEFORE, _BEHIND = "≈≃≅~$*_`|([{'\"\\ ", "*_`$|)]};:,.!?'\"†‡§✓✔✗✘❌✅←◄\\ "
@@ -30,7 +30,7 @@ _BESIDE = re.compile(
 )
 # An angle in degrees, minutes and seconds, 93°23'31", and to which decimal of a degree its last part tells it.
 _SEXAGESIMAL = re.compile(
-    r"([-+]?)([0-9]{1,4})\s*°\s*([0-5]?[0-9])\s*['′](?:\s*([0-5]?[0-9])(?:[.,]([0-9]{1,6}))?\s*(?:\"|″|''))?"
+    r"([-+]?)([0-9]{1,4})\s*°\s*([0-5]?[0-9]|60)\s*['′](?:\s*([0-5]?[0-9]|60)(?:[.,]([0-9]{1,6}))?\s*(?:\"|″|''))?"
 )
 _MINUTE, _SECOND = 1, 3
 _ERROR = re.compile(

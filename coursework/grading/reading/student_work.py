@@ -28,7 +28,8 @@ class TableColumn:
     """One column on the assigned grid; every tuple has one entry a row of the grid.
 
     `values` in SI (whole turns taken off), NaN where missing; `last_place` is u, the unit of the cell's last digit, in SI;
-    `texts` as handed in; `decimals` as printed, in the unit of the file.  `at` counts the columns of the file from 1.
+    `texts` as handed in; `decimals` as printed, in the unit of the file.  `at` counts the columns of the file from 1; `turns`,
+    () for none, are the whole turns taken off in each row.
     """
 
     name: str
@@ -40,7 +41,7 @@ class TableColumn:
     texts: tuple[str, ...]
     flags: tuple[Flag, ...]
     decimals: int
-    turns: int = 0
+    turns: tuple[int, ...] = ()
 
 
 @frozen

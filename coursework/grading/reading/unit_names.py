@@ -1,7 +1,8 @@
 """The names of units as people write them, in any of the languages and with letters that look alike -> the unit.
 
 Enters: a text.  Leaves: the unit's name, "" where it is none; the form in which texts are compared.
-Used by `numbers.py`, `headers.py`, `layout.py`, `answers.py`, `labels.py`, `line_kinds.py` and `names_in_text.py`.
+Used by `numbers.py`, `headers.py`, `layout.py`, `answers.py`, `labels.py`, `lines.py`, `line_kinds.py`, `columns.py` and
+`names_in_text.py`.
 """
 
 from __future__ import annotations

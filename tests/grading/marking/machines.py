@@ -23,11 +23,12 @@ def _python(formula):
 
 @dataclass
 class Machine:
-    """A variant; `lines` are its equations left - right as texts, which a fault may change; `data` its numbers."""
+    """A variant; `lines`, its equations left - right, `drive`, its laws, and `data`, its numbers, are what a fault changes."""
 
     variant: object
     lines: dict[str, str] = field(default_factory=dict)
     data: dict[str, float] = field(default_factory=dict)
+    drive: dict[str, str] = field(default_factory=dict)
     drive_sign: float = 1.0
     degrees: tuple[str, ...] = ()  # "drive", "geometry": a calculator set to degrees; "radians": degrees put into radians
 
@@ -47,10 +48,14 @@ class Machine:
     def start(self):
         return np.array([c.start for c in self.variant.coordinates])
 
+    @property
+    def laws(self):
+        return {law.name: _python(law.formula) for law in self.variant.drive}
+
     @cached_property
     def _programs(self):
         lines = {c.name: f"{_python(c.left)} - ({_python(c.right)})" for c in self.variant.constraints} | self.lines
-        drive = {law.name: _python(law.formula) for law in self.variant.drive}
+        drive = self.laws | self.drive
         return {name: compile(text, name, "eval") for name, text in lines.items()}, {
             name: compile(text, name, "eval") for name, text in drive.items()
         }

@@ -18,8 +18,11 @@ from coursework.words.sentences import say
 from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.classroom import csv as table_csv
 from tests.grading.marking import students
+from tests.grading.marking.machines import Machine
 from tests.grading.marking.students import DATA, START, H, velocities
+from tests.grading.marking.table.causes.test_mixed_up import moved_by_radians, of_rows_above, with_sines_exchanged
 from tests.grading.pages.truths import RIGHT, cases, files
+from tests.grading.reading.notations import PLAIN
 
 RUBRIC = """[parts]
 answers = 20
@@ -37,6 +40,7 @@ datum = "r1"
 value = "0.8 m"
 """
 ANSWERS = "wA = 0.1136\nwB = 0.82\nwC = 99\nwD = nine\n"
+MACHINE = Machine(coursework.load("31"))
 CATALOGUE = Path(__file__).parents[3] / "variants"
 Handed = tuple[dict[str, bytes], VariantSource, tuple[Override, ...], Sentence | None]
 
@@ -204,6 +208,9 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "degrees-equations": files(degrees_in(drive=False)),
         "degrees-put-in": files(students.table(printed=lambda t, q: velocities(t, np.degrees(q)))),
         "new-phi": files(new_phi()),
+        "rows-above": files(of_rows_above(MACHINE)),
+        "cosine-in-drive": files(with_sines_exchanged(MACHINE)),
+        "radians-added-to-degrees": {"table.csv": text(moved_by_radians(MACHINE), NAMES)},
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
     }
     found |= {student: (handed, source, (), None) for student, handed in more.items()}
@@ -214,6 +221,12 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
     longer = VariantSource("long", source.content.replace(b'end       = "0.48 s"', b'end       = "1.48 s"'))
     for wrong in (1, 70):
         found[f"long-{wrong}"] = ({"table.csv": table_csv(long_table(75, wrong))}, longer, (), None)
+    slip = "c*w3*sin(phi3) - r2*w2*cos(phi2) + r1*w1*cos(phi1)"
+    slider = Machine(coursework.load("v102"), lines={"2": f"{slip} - u"})
+    lines = PLAIN["v102"].split("\n")
+    lines[1] = f"{slip} = u"
+    handed = {"table.csv": text(slider.table(), slider.variant.columns, slider.h), "equations.txt": "\n".join(lines).encode()}
+    found["own-line"] = (handed, VariantSource("v102", (CATALOGUE / "v102.toml").read_bytes()), (), None)
     fourbar = key_of(coursework.load("example-1"))
     handed = {"table.csv": text(fourbar.branches[0], fourbar.names, fourbar.step, 5)}
     found["branch"] = (handed, VariantSource("example-1", (CATALOGUE / "example-1.toml").read_bytes()), (), None)

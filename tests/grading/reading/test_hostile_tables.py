@@ -289,7 +289,7 @@ def test_a_wrong_table_that_grows_beyond_all_bounds_is_not_taken_for_degrees() -
         row[1] = f"{float(row[1]) * (30 + 2.2 * k if k else 1):.3f}"
     found = read(csv(rows)).column("phi1")
     assert found is not None
-    assert (found.unit, found.turns) == ("rad", 0)
+    assert (found.unit, found.turns) == ("rad", ())
     for row in rows:
         row[1] = f"{float(row[1]) * 57.29578:.3f}"
     assert read(csv(rows)).column("phi1").unit == "deg"  # type: ignore[union-attr]

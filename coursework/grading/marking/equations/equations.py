@@ -20,6 +20,8 @@ from coursework.grading.marking.equations.lacks import lack_of
 from coursework.grading.marking.equations.linear import Linear, is_same, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
+from coursework.grading.marking.equations.ratios import without_ratios
+from coursework.grading.marking.equations.series import as_others_of_their_kind
 from coursework.grading.marking.equations.turned import with_other_sign
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
@@ -143,14 +145,23 @@ class Judge:
 
     def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
         """Return the marks of all lines; with `turning` all of them may count turning clockwise."""
-        found = tuple(map(self._mark, lines))
+        alone = tuple(map(self._mark, lines))
+        meant = as_others_of_their_kind(lines, alone, COUNTED)
+        found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
         back = self._turned_back(found) if turning else None
         marks = tuple(mark for mark in back or found if mark.verdict in COUNTED or not mark.line.may_be_datum)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
-        marks = tuple(self._with_lack(mark, counted, dependent) for mark in marks)
-        different = self._different([mark.line for mark in marks if mark.verdict == "wrong"])
-        return EquationMarks(marks, independent, len(self.key.variant.sought), dependent, different, turned=back is not None)
+        marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
+        if independent == len(self.key.variant.sought):  # what else stands in the text is no velocity equation
+            marks = tuple(mark for mark in marks if mark.verdict != "wrong" or self._names_any(mark.line))
+        different = self._different([mark.line for mark in marks if mark.verdict == "wrong" and self._names_any(mark.line)])
+        numbers = tuple(sorted(mark.line.line for mark in dependent))
+        return EquationMarks(marks, independent, len(self.key.variant.sought), numbers, different, turned=back is not None)
+
+    def _names_any(self, line: EquationLine) -> bool:
+        """Return whether a line names a velocity that is sought: one without, T = 2*pi/p, is none of the equations needed."""
+        return not {*self.key.variant.sought}.isdisjoint(line.difference.names())
 
     def _different(self, wrong: Sequence[EquationLine]) -> int:
         """Return how many of some wrong lines are no other's once more."""
@@ -177,16 +188,16 @@ class Judge:
             return None
         return tuple(after if after.verdict in COUNTED else before for before, after in zip(marks, back, strict=True))
 
-    def _with_lack(self, mark: EquationMark, counted: Sequence[EquationMark], dependent: Sequence[int]) -> EquationMark:
+    def _with_lack(self, mark: EquationMark, counted: Sequence[EquationMark], is_dependent: bool) -> EquationMark:
         """Return a mark with what the line lacks, where it is right and adds nothing, or wrong by no single slip."""
-        if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and mark.line.line not in dependent):
+        if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and not is_dependent):
             return mark
         others = [(other.line.where, other.line.difference) for other in counted if other is not mark]
         variant = self.key.variant
         return replace(mark, lack=lack_of(mark.line.difference, mark.verdict, others, variant, self.off_closure))
 
-    def _independent(self, counted: Sequence[EquationMark]) -> tuple[int, tuple[int, ...]]:
-        """Return how many lines are independent, and the numbers of those that follow from lines before them.
+    def _independent(self, counted: Sequence[EquationMark]) -> tuple[int, list[EquationMark]]:
+        """Return how many lines are independent, and those that follow from lines before them.
 
         Lines that are true on the closure only must differ there too; of rounded ones near-copies count once.
         """
@@ -194,7 +205,7 @@ class Judge:
         if any(mark.verdict == "closure" for mark in counted):
             probes.append(self.on_closure)
         taken: list[list[Linear]] = [[] for _ in probes]
-        dependent: list[int] = []
+        dependent: list[EquationMark] = []
         for mark in sorted(counted, key=lambda mark: mark.verdict == "rounded"):
             lines = [linear(mark.line.difference, probe) for probe in probes]
             more = all(rank([*before, line]) > len(before) for before, line in zip(taken, lines, strict=True))
@@ -204,11 +215,12 @@ class Judge:
                 for before, line in zip(taken, lines, strict=True):
                     before.append(line)
             else:
-                dependent.append(mark.line.line)
-        return len(taken[0]), tuple(sorted(dependent))
+                dependent.append(mark)
+        return len(taken[0]), dependent
 
     def _mark(self, line: EquationLine) -> EquationMark:
         """Return the mark of a line in the way of reading it in which it is right, in the first way where it is in none."""
+        line = without_ratios(line, self.key.variant.sought)
         if line.others and (line.tree is None or not self._tells(line.tree)):
             for other in line.others:
                 if self._tells(other.tree):

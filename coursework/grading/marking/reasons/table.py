@@ -11,7 +11,8 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
 from coursework.grading.marking.student_table import lacking
-from coursework.grading.marking.table.causes.misconceptions import OTHER_STEP, Misconception
+from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
+from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, Misconception
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
@@ -83,7 +84,11 @@ def _causes(found: Counts, marked: TableMarks) -> Iterator[Reason]:
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
-        yield Reason("table", "finding", say("feedback.misconception.none"))
+        if marked.own_line:
+            own = say("feedback.misconception.own_equations", line=marked.own_line)
+            yield Reason("table", "cause", joined([say("feedback.misconception.partly"), own]))
+        else:
+            yield Reason("table", "finding", say("feedback.misconception.none"))
 
 
 def _is_told(cause: str, named: Misconception) -> bool:
@@ -96,9 +101,10 @@ def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
     if code.startswith(_DATUM) and names:
-        return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), value=names[0])
+        known = {"value": float(names[0]), "unit": names[1]}
+        return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), **known)
     if code == OTHER_STEP and names:
-        return say("feedback.misconception.other_step_value", value=names[0])
+        return say("feedback.misconception.other_step_value", value=float(names[0]))
     if len(names) > 1 and code.startswith(_SEVERAL):
         return say(f"feedback.misconception.{code.partition('_')[0]}_several", names=names)
     return misconception_sentence(code, for_student=True)
@@ -132,7 +138,7 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     known = {"points": points, "most": most, "worth": in_sum(earned.worth), "explained": in_sum(earned.explained)}
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
-    rule = OTHER_STEP if earned.cause == OTHER_STEP else earned.rule
+    rule = OTHER_STEP if earned.cause in OTHER_STEPS else earned.rule
     return say(f"feedback.earned.{rule}", **known, alone=round(earned.of_cells * most, 2), line=earned.cause)
 
 

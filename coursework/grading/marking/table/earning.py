@@ -12,14 +12,14 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.causes.misconceptions import NAMED, OTHER_STEP, ROUNDED_OMEGA, ROWS_SHIFTED, TIE, Found
+from coursework.grading.marking.table.causes.misconceptions import NAMED, OTHER_STEPS, ROUNDED_OMEGA, ROWS_SHIFTED, TIE, Found
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
-_SLIPS = ("equation_", "sign_drive")
+_SLIPS = ("equation_", "sign_drive", "cosine_drive")
 # Of a table whose steps were made with rounded velocities.
 ROUNDED = 0.98
 
@@ -75,7 +75,7 @@ def _worth(rubric: Rubric, code: str) -> float:
 
     Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
     """
-    if code in {OTHER_STEP, ROWS_SHIFTED}:
+    if code in {*OTHER_STEPS, ROWS_SHIFTED}:
         return 1.0
     if code.startswith(ROUNDED_OMEGA):
         return ROUNDED

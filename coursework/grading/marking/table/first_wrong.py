@@ -70,20 +70,21 @@ def first_wrong(key: Key, cells: Cells, table: Table | None = None) -> FirstWron
     return None
 
 
-def _shown(key: Key, table: Table | None, name: str) -> _Shown:
+def _shown(key: Key, table: Table | None, name: str, row: int) -> _Shown:
     si = key.variant.unit_of(name)
     column = table.column(name) if table else None
     if column is None:
         return _Shown(si, 1.0, 0)
     known = PRINTED.get(si.replace("rad/s", "1/s"), {})
-    return _Shown("rad/s" if column.unit == "1/s" else column.unit, known.get(column.unit, 1.0), column.turns)
+    turns = column.turns[row] if column.turns else 0
+    return _Shown("rad/s" if column.unit == "1/s" else column.unit, known.get(column.unit, 1.0), turns)
 
 
 def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int) -> FirstWrong:
     found = float(cells.student.values[row, place])
     way, expected, tolerance = _nearest(key, cells, row, place)
     name = key.names[place]
-    shown = _shown(key, table, name)
+    shown = _shown(key, table, name, row)
     off = tolerance / shown.factor
     places = 1 - math.floor(math.log10(off)) if off > 0 else _MOST_DIGITS  # a tenth of the tolerance is still told
 
@@ -99,7 +100,7 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
     said = _SAID[way].replace(" ", "_")
     if way in {STEP, STEP_TRUE}:
         m = len(key.coordinates)
-        rate = _shown(key, table, key.velocities[place % m])
+        rate = _shown(key, table, key.velocities[place % m], row)
         if row - before > 1:
             said, values["steps"] = "step_several", row - before
         elif way == STEP_TRUE:

@@ -48,7 +48,7 @@ class OwnRows:
 class StudentTable:
     """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike.
 
-    `turns` (m + r,) whole turns that the reader took off each column, None for none; `own` the table on the student's own rows,
+    `turns` (n, m + r) whole turns that the reader took off each cell, None for none; `own` the table on the student's own rows,
     where these are those of another step.
     """
 

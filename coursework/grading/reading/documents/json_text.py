@@ -35,7 +35,8 @@ class JsonObject:
 
 def is_json(text: str) -> bool:
     """Return whether a text begins as data of a program do: an object, or a list of them, of lists, texts or numbers."""
-    begins = r'[\ufeff\s]*(?:\{\s*["}]|(?:\[\s{0,9}){3}|(?:\[\s{0,9}){1,2}(?:[{"\]]|(?:null|NaN|-?\d[\d.eE+-]*)\s*[,\]]))'
+    number = r"(?:null|NaN|-?\d[\d.eE+-]*)\s*(?:,|\]\s*(?:[,\]]|\Z))"  # of a list: [16] before an equation is its number
+    begins = rf'[\ufeff\s]*(?:\{{\s*["}}]|(?:\[\s{{0,9}}){{3}}|(?:\[\s{{0,9}}){{1,2}}(?:[{{"\]]|{number}))'
     return re.match(begins, text[:2000]) is not None
 
 

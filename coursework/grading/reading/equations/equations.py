@@ -31,7 +31,7 @@ OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—−]\s+")
 # A name and a formula: that of what is to vanish, as F(2) = r1*w1… is handed to a program that seeks roots.
-_FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[]\s*\d{1,2}\s*[)\]])?\s*=([^=]+)")
+_FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[][\w\s,]{1,40}[)\]])?\s*=([^=]+)")
 TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # names that nobody knows are an equation all the same
 
 
@@ -75,7 +75,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
     """Return the ways to read a line, the likeliest first, and what is wrong with it as it stands, None where nothing is."""
     found: list[EquationReading] = []
     fault: Fault | None = None
-    shortest = DASH.sub("", without_labels(text)) if names.listed else text
+    shortest = names.listed.sub("", without_labels(text)) if names.listed else text
     for candidate in dict.fromkeys((shortest, without_labels(text), text)):
         strict = _strict(candidate, names)
         if isinstance(strict, Fault):
@@ -128,7 +128,8 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
         assert isinstance(read, Fault)  # no equation has three sides
         return read
     found = []
-    for text in dict.fromkeys(kept[:-1]):
+    said = [text for text in kept[:-1] if not OWN_NAME.fullmatch(text.strip()) or names.spellings.canonical(text.strip())]
+    for text in dict.fromkeys(said or kept[:-1]):
         read = _strict(f"{text} = {kept[-1]}", names)
         if not isinstance(read, Fault):
             found.append(EquationReading(read, f"{text} = {kept[-1]}", is_loose=is_loose))
@@ -191,13 +192,13 @@ def read_constraints(source: Source, file: str, expected: Expected) -> list[Equa
 class Names:
     """What names in a line may be: those of the variant in any spelling, and what others mean.
 
-    `own` are the definitions of the same text; `listed`: every line of it begins with a dash, perhaps no minus.
+    `own` are the definitions of the same text; `listed` is what its lines begin with as a list does: no minus, no factor.
     """
 
     spellings: Spellings
     expected: Expected
     own: Meanings = field(default_factory=dict)
-    listed: bool = False
+    listed: re.Pattern[str] | None = None
 
     def declared(self, name: Formula) -> Formula:
         """Return a name as the variant declares it."""

@@ -17,7 +17,7 @@ _LABEL = re.compile(
     rf"[\s$]*(?:[*•‣▪◦●■◆►▶➢➤✓]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}(?!\d)[a-zа-я]?\)?\]?\s*"
     r"(?:[:)]|\.(?!\d))?(?!\s*:?=)(?=\s|\w|[-+−(.])"
     r"|[(\[{<](?:\d{1,3}(?:\.\d{1,3})?(?:['a-zа-я]|\.[a-zа-я])?|[A-ZА-Я]\.\d{1,3}|\*{1,3})[)\]}>]\s*(?::|\.(?!\d))?(?!=)"
-    r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[][A-ZА-Я][)\]]:?\s+(?![+=*/·])|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
+    r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[]O?[A-ZА-Я][)\]]:?\s+(?![+=*/·])|[A-Z]{1,4}\d{1,3}\.\s+|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
     r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+|(?<=[•‣▪◦●■◆►▶➢➤✓\]]\s))\s*",
     re.IGNORECASE,
 )
@@ -41,7 +41,7 @@ _COUNTED = re.compile(
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
 _SAID_IN_WORDS = re.compile(r"\s[-–—]\s+([^\W\d_]{3,})(?:[\s,.]+[^\W\d_]{2,})+[.;]?\s*$")
 _SAID = re.compile(
-    r"[,;.]\s+([^\W\d_]{2,})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
+    r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # of the words before: a point before a digit is the number's
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
@@ -49,6 +49,8 @@ _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
 _AXES = ("x", "y", "z", "ox", "oy")
+_PREPOSITIONS = (*"авзікосу",)  # of Cyrillic
+_LONG = 5  # letters of a word that is no symbol
 _SHORT = 3  # capitals up to this many are names: BC, AB
 
 
@@ -132,10 +134,12 @@ def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
 
 
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:
-    """Return whether a capital stands among words, as a point of the sheet does: "am Punkt C gilt"."""
+    """Return whether what may be a name stands among words: a point, "am Punkt C gilt"; "в" of Cyrillic; "velocity" of a head."""
     following = _WORDS.match(text, found.end())
     among = following is not None and len(following[1]) > 1 and _is_prose(following[1], is_name, after)
-    return among and after > 0 and len(found[1]) == 1 and found[1].isupper()
+    word = found[1]
+    is_point = after > 0 and len(word) == 1 and word.isupper()
+    return among and (is_point or word.casefold() in _PREPOSITIONS or len(word) >= _LONG)
 
 
 def _without(label: re.Pattern[str], text: str) -> str:

@@ -1,7 +1,7 @@
 r"""LaTeX as students type it -> the plain signs that equations are read in.
 
 Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
-its word, for the strict reader to refuse.  Nothing is run or expanded: there are no macros here.
+its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
 Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula of Markdown, `markdown.py`.
 """
 
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 
+from coursework.grading.reading.equations.latex_names import with_own_commands
 from coursework.grading.reading.equations.signs import ARROW
 from coursework.variant.formula.alphabet import greek
 
@@ -53,6 +54,7 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     """
     if "\\" not in text:
         return list(enumerate(text.split("\n"), start=1))
+    text = with_own_commands(text)
     text = _PREAMBLE.sub(lambda found: "\n" * found[0].count("\n"), text).replace("\\end{document}", "")  # its lines end as text
     text = matrices_in_one_piece(text)
     lines: list[tuple[int, str]] = []

@@ -6,7 +6,8 @@ Enters: lines, `Names`.  Leaves: answers to those questions; nothing is marked h
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 from coursework.grading.reading.equations.equations import (
     DASH,
@@ -22,6 +23,7 @@ from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
+from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula
@@ -32,6 +34,7 @@ _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
 _SHORT = 80  # characters of a name and its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # of V_Cy = … = 0, which says what V_Cy is, too
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
+_COUNT = re.compile(r"^\s*([A-Z]{0,2})(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # of a line in a list: 1.1, L2
 _FEWEST = 4  # words of an expression that is no prose
 
 
@@ -54,8 +57,8 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     name, sign, formula = bare.partition("=")
     name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
     meant = spellings.canonical(name)
-    # A letter that only its size tells from a datum is the student's own: nobody solves for a datum.
-    is_own = meant is None or (meant in spellings.data and key(name) != key(meant))
+    # A letter that only its size tells from a datum or a coordinate is the student's own: nobody solves for these.
+    is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and key(name) != key(meant))
     return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
 
 
@@ -85,9 +88,19 @@ def _is_mostly_names(text: str, names: Names) -> bool:
     return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
 
 
-def are_listed(lines: Sequence[str]) -> bool:
-    """Return whether several lines begin with a dash and a blank, every one of them, behind its number where it has one."""
-    return len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines)
+def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:
+    """Return what several lines begin with as a list does: each with a dash and a blank, or with numbers that count up by one.
+
+    >>> texts = ["- a = b", "- c = d"], ["1.1 a = b", "1.2 c = d"], ["2 a = b", "0.5 c = d"]
+    >>> [bool(sign_of_list(lines, {"r1"}.__contains__)) for lines in texts]
+    [True, True, False]
+    """
+    if len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines):
+        return DASH
+    begun = [found for line in lines if (found := _COUNT.match(line)) and not (found[1] and is_name(found[1] + found[2]))]
+    numbers = [([found[1], *found[2].split(".")[:-1]], int(found[2].rpartition(".")[2])) for found in begun]
+    steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
+    return _COUNT if steps and all(step == (True, 1) for step in steps) else None
 
 
 def is_step(text: str, names: Names) -> bool:
@@ -98,6 +111,16 @@ def is_step(text: str, names: Names) -> bool:
     used = names_in(right, names.spellings) | begun
     used -= {"h"}  # which may be a length of the task, too
     return any(moved == {one.name} and used == {one.name, one.rate} for one in names.expected.variant.coordinates)
+
+
+def is_row(text: str) -> bool:
+    """Return whether a line is a row of a table that a program prints with its names: "t = 0.02 w1 = 2.5 w2 = -1.3".
+
+    >>> is_row("t=0.02 w1=2.5; w2=-1.3"), is_row("w1 = 2.5*w2, w3 = 1")
+    (True, False)
+    """
+    rest, count = PAIR.subn("", text)
+    return count > 1 and not any(map(str.isalnum, rest))
 
 
 def is_datum(text: str, names: Names) -> bool:

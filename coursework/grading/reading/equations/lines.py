@@ -13,22 +13,25 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_of, read_line
+from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_in, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
-    are_listed,
     definition,
     is_datum,
     is_equation_without_sign,
     is_part_of_equation,
+    is_row,
     is_step,
     own_name,
+    sign_of_list,
 )
 from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.parts import parts_of
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
+from coursework.grading.reading.equations.systems import in_rows
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
+from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
 
@@ -41,7 +44,8 @@ _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
-_MEASURED = re.compile(r"\d[.,]\d\d")
+_MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
+_UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 # What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
 _STATEMENT = re.compile(
@@ -51,6 +55,9 @@ _STATEMENT = re.compile(
 )
 _TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+_KEPT = re.compile(
+    r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
+)  # an equation under a name of its own, in Maple
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
@@ -58,7 +65,7 @@ _DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a 
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _QUOTES = '"“”„«»`'
 _REMARK = re.compile(
-    r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)_).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
+    r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
 # So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
 _TRIED, _CHARACTERS = 10, 60_000
@@ -94,7 +101,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         names,
         own=own,
         spellings=replace(names.spellings, own=frozenset(own)),
-        listed=are_listed([line for _, line in lines if "=" in line]),
+        listed=sign_of_list([line for _, line in lines if "=" in line], names.spellings.canonical),
     )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
@@ -104,7 +111,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
-        elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names)):
+        elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names) or is_row(line)):
             continue
         elif beside is None and _is_equation(line, names):
             read = read_line(line, name, number, with_own)
@@ -125,13 +132,15 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
     function = ""
-    for number, line in _continued(logical_lines(text), names):
+    for number, line in _continued(logical_lines(in_rows(text)), names):
         if defined := _DEFINED.fullmatch(line):
             function = f"{defined[1]} = "
             continue
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
         bare = bare if '_"' in bare else bare.strip(_QUOTES)  # V_"Mx" is an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
+        if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
+            bare = bare[under.end() :]
         if _STATEMENT.match(bare):
             continue
         bare = bare.strip("'") if bare.startswith("'") else bare
@@ -239,9 +248,12 @@ def _is_of_one_row(read: EquationLine, names: Names) -> bool:
     """Return whether a line names sought velocities and numbers alone, as "w3 = 6.12": a value or a check of some row."""
     named = names_of(read, names) if read.tree is not None else set[str]()
     variant = names.expected.variant
+    if (found := _UNIT_BEHIND.search(read.text)) and unit_of(found[1]):
+        named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, where s is a length
     if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is one velocity by another
         named -= {one.rate for one in variant.coordinates} - {*variant.sought}
-    return bool(named) and named <= {*variant.sought} and _MEASURED.search(read.text) is not None
+    is_checked = _CHECKED.search(read.text) is not None  # r1*w1 = 1.08
+    return bool(named) and (is_checked or named <= {*variant.sought}) and _MEASURED.search(read.text) is not None
 
 
 def relates(read: EquationLine, names: Names) -> bool:

@@ -1,7 +1,7 @@
 """One line as typed -> the equations in it: parted by commas, semicolons, arrows, blanks, "and"; a product of matrices by rows.
 
 Enters: a line.  Leaves: pieces of it, each with one equation, in the order of the line.
-Used by `lines.py`.
+Used by `lines.py` and `systems.py`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _VANISHED = re.compile(
 )
 _MATRICES = re.compile(r"\s*\[([^\[\]]*)\]\s*[*·⋅×]?\s*\[([^\[\]]*)\]\s*=\s*\[([^\[\]]*)\]\s*[.,;]?\s*")
 _BRACKETS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]|(?<=\[)\s*\[|\](?=\s*\])")  # round a matrix that has its own
-_LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*\(\s*)?[\[{]")
+_LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*[(\[]\s*)?[\[{]")
 _MOST_ROWS = 12
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
@@ -85,15 +85,15 @@ def _listed(line: str) -> list[str]:
     inside = depths(line[found.end() :]) if found else []
     if found is None or -1 not in inside:
         return []
-    pieces = [piece.strip() for piece in _at_commas(line[found.end() : found.end() + inside.index(-1)])]
+    pieces = [piece.strip() for piece in at_commas(line[found.end() : found.end() + inside.index(-1)])]
     return pieces if len(pieces) > 1 and all(map(relates_two_sides, pieces)) else []
 
 
 def _cells(row: str) -> list[str]:
-    return [cell.strip() for cell in _at_commas(row) if cell.strip()]
+    return [cell.strip() for cell in at_commas(row) if cell.strip()]
 
 
-def _at_commas(row: str) -> Iterator[str]:
+def at_commas(row: str) -> Iterator[str]:
     """Give what stands between the commas of a row that are in no parentheses."""
     start = 0
     for place, (sign, depth) in enumerate(zip(row, depths(row), strict=True)):

@@ -15,7 +15,7 @@ from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
 _PREFIX = re.compile(
-    r"\b(?:(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])|[a-z]{1,3}\.(?=(?:a?(?:sin|cos|tan)|sqrt|exp|arc\w+|pi)\b))"
+    r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])|[a-z]{1,3}\.(?=(?:a?(?:sin|cos|tan)|sqrt|exp|arc\w+|pi)\b))"
 )
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
@@ -37,7 +37,10 @@ _DERIVATIVES = (
 # As programs name them, where no name of the variant is meant: dphi3, phi3p, phi3d.
 _SHORT_DERIVATIVES = (re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"))
 _DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
-_STAR_MATH = re.compile(r"%(?=[a-z]{3,8}_)")
+_STAR_MATH = re.compile(r"%(?=[a-z]{3,8}(?:_|\b))|\b(?:left|right)\s*(?=[()\[\]])")
+_TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=[\w(])|(?<=\bphi)\.alt(?![a-z])")
+# A double of Fortran, 2.D0, and its functions, DSIN, which no product of a datum d has in capitals.
+_DOUBLE, _OF_DOUBLES = re.compile(r"(?<=\d\.)(\d*)[dD](?=[-+]?\d{1,2}(?!\w))"), re.compile(r"\bD(?=(?:SIN|COS|TAN|SQRT)\b)")
 _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # of Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
@@ -69,6 +72,8 @@ def plain(text: str, spellings: Spellings) -> str:
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
+    text = _TYPST.sub(lambda found: " * " if found[0].strip() == "dot" else "", text)
+    text = _OF_DOUBLES.sub("", _DOUBLE.sub(r"\1e", text))
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
     text = _EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text))

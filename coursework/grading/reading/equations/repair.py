@@ -15,12 +15,13 @@ from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.variant.formula.alphabet import LOOK_ALIKE
 
 _SIGNS = str.maketrans({"[": "(", "]": ")", "{": "(", "}": ")", "`": None, "$": None})
-_TAIL = " \t\r.,;:"
+_TAIL = " \t\r.,;:✓✔☑"
 _NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # the name beside a formula of a spreadsheet
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
 _SUBSCRIPT = re.compile(r"(?<!\w)([^\W\d]\w*)\[\s*[\w\s,:.-]*\]")  # an index that no name of the variant has: not guessed
 _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
-_ELSEWHERE = {"sen": "sin"}  # functions as other countries call them
+# Functions as other countries call them, in their spreadsheets too.
+_ELSEWHERE = {"sen": "sin", **dict.fromkeys(("корень", "корінь", "wurzel", "racine", "raiz", "raíz"), "sqrt")}
 _DIVIDED = re.compile(r"(?<=[\w)])\s*:\s*(?=[\w(])")
 _TIMES = re.compile(r"(?<=[\w)])\s+[xх]\s+(?=[\w(])")
 _TOKEN = re.compile(
@@ -89,7 +90,7 @@ def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
     if kind != "name":
         return [_Token(kind, text)]
     plain = "".join(_WORDS.get(letter, LOOK_ALIKE.get(letter, letter)) for letter in text)
-    if (function := _ELSEWHERE.get(plain.lower(), plain.lower())) in _FUNCTIONS:
+    if (function := _ELSEWHERE.get(text.lower(), plain.lower())) in _FUNCTIONS:
         return [_Token("function", function)]
     if known := spellings.canonical(plain) or spellings.canonical(text):
         return [_Token("name", known)]

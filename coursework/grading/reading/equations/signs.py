@@ -1,7 +1,7 @@
 """Letters and signs as programs paste them -> those of a keyboard: mathematical italics, full width, subscripts, dots, arrows.
 
 Enters: one line as typed.  Leaves: the line in plain letters, with one sign of equality and one arrow.  Nothing is guessed here.
-Used by `plain_text.py` and `parts.py`.
+Used by `plain_text.py`, `parts.py` and `systems.py`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _RAISED = re.compile(f"[{''.join(_SUPERSCRIPTS)}]+")
 _DOT = "\u0307"
 _OF_NO_KEYBOARD = re.compile(r"[^\x00-\x7f]")
 _SIGNS = {
-    **dict.fromkeys("≡≈≅≃≐≑≔≝", "="), **dict.fromkeys("−‐‑‒–—―﹣", "-"), "﹢": "+",
+    **dict.fromkeys("≡≈≅≃≐≑≔≝⩴⩵⩶", "="), **dict.fromkeys("−‐‑‒–—―﹣", "-"), "﹢": "+",
     **dict.fromkeys("∗•∙⋅·●∘×✕✖⨯⸱・\u2062", "*"), **dict.fromkeys("⁄∕÷", "/"), **dict.fromkeys("〖⟦❨", "("),
     **dict.fromkeys("〗⟧❩", ")"), **dict.fromkeys("，、", ","), "。": ".", "【": "[", "】": "]", "；": ";", "：": ":",
     **dict.fromkeys("\u00ad\u200b\u200c\u200d\u200e\u200f\u2060\u2061\u2063\u2064\ufe0e\ufe0f\ufeff", ""),
@@ -30,8 +30,10 @@ ARROWS = re.compile(
     rf"<?={{1,3}}>|-{{1,3}}>|<->|[→⟶⟹⇔⟺↔⟷➔➜➡∴{ARROW}]"
     r"|\\(?:Rightarrow|Longrightarrow|implies|rightarrow|longrightarrow|to|Leftrightarrow|iff|therefore|leadsto)(?![A-Za-z])"
 )
-_RELATION = re.compile(r"[=≡≈≅≃≐≔≝＝]|\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])|\bEq\s*\(")
-_EQUALS = re.compile(r"(?<![<>!]):=|={2,}")
+_RELATION = re.compile(
+    r"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])|\bEq\s*\(|(?<=[\w\])])\s*<-\s"
+)
+_EQUALS = re.compile(r"(?<![<>!]):=|={2,}|(?<=[\w\])])\s*<-(?=\s)")  # <- of R
 _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
     re.I,

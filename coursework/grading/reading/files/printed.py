@@ -19,7 +19,7 @@ _LIST = re.compile(r"[\[{(<]([^\[\]{}()<>]{3,})[\]})>]")
 _VECTOR = re.compile(r"(?<=[=:])[ \t]*\n([-+\d.,eE\s]{6,})")  # as MATLAB shows one, or line by line
 _NAMED = re.compile(r"([^\W\d]\w{0,20})[ \t]*(?:[:=]|:=)[ \t]*(?:[A-Za-z.]{1,20}\()?[ \t]*$")
 _QUOTED = re.compile(r"""['"]([^'"\n]{1,40})['"]""")
-_PAIR = re.compile(r"(?<![\w.])([^\W\d][\w.]{0,20})[ \t]*(?:=|:)[ \t]*([-+−]?\d[\d.,]*(?:[eE][-+]?\d{1,3})?)(?![\w.*/^(])")
+PAIR = re.compile(r"(?<![\w.])([^\W\d][\w.]{0,20})[ \t]*(?:=|:)[ \t]*([-+−]?\d[\d.,]*(?:[eE][-+]?\d{1,3})?)(?![\w.*/^(])")
 _FEWEST, _MOST_LISTS, _BEFORE = 3, 5000, 40
 
 
@@ -141,7 +141,7 @@ def named_rows(text: str, most_rows: int) -> tuple[tuple[str, ...], ...]:
     (('t', 'w1'), ('0', '5'), ('1', '6'), ('2', '7'))
     """
     records: list[dict[str, str]] = [{}]
-    for found in islice(_PAIR.finditer(text), 40 * most_rows):
+    for found in islice(PAIR.finditer(text), 40 * most_rows):
         if found[1] in records[-1]:
             records.append({})
         records[-1][found[1]] = found[2].rstrip(",")

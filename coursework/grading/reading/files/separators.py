@@ -59,7 +59,8 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
         if judged and (best is None or (*judged[0], -place) > best[0]):
             best = (*judged[0], -place), sign, judged[1]
     if best is None:
-        rows = named_rows("\n".join(lines), most_rows)
+        # Each number may stand in a line of its own.
+        rows = named_rows("\n".join(_lines(text, most_rows * most_columns)), most_rows)
         return Split("cells", rows) if rows else None
     return Split(NAMES.get(best[1], best[1]), _cells(lines, best[1], most_columns), best[2])
 

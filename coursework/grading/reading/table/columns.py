@@ -6,6 +6,7 @@ Used by `table.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Literal
 
@@ -15,8 +16,11 @@ from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import differ
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME, Head, may_be
 from coursework.grading.reading.table.layout import Layout
+from coursework.grading.reading.unit_names import fold
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
+
+_FAR = 12  # times the step of the task: no step of the student's own is so long
 
 
 @frozen
@@ -50,6 +54,8 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     places, repeated = _by_head(layout, filled, dict(grid.units))
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
     _add_time(layout, places, free, len(names), grid.step)
+    if TIME in places and INDEX not in places and _is_of_steps(_numbers(layout, places[TIME].at), grid.step):
+        places[INDEX] = places.pop(TIME)
     rest = [at for at in free if at not in {place.at for place in places.values()}]
     places |= _by_words(layout, rest, places)
     known, asked = [name for name in names if name in places], None
@@ -108,11 +114,24 @@ def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[
             known = PRINTED.get(units.get(name, ""), {})
             factors = [known.get(layout.heads[place].unit, 1.0) for place in (first.at, at)]
             if name not in {TIME, INDEX} and any(differ(row[first.at], row[at], *factors) for row in layout.body):
-                raise doubtful("two_columns", name=name, first=first.at + 1, second=at + 1)
+                named = [_is_named(layout.heads[place].text, name) for place in (first.at, at)]
+                if named[0] == named[1]:
+                    raise doubtful("two_columns", name=name, first=first.at + 1, second=at + 1)
+                places[name] = first if named[0] else Place(at, "header")  # a word may mean what another head is called
+                continue
             if factors[0] != factors[1] and _last_place(layout, at) * factors[1] < _last_place(layout, first.at) * factors[0]:
                 places[name], at = Place(at, "header"), first.at
             repeated.add(at)
     return places, repeated
+
+
+def _is_named(text: str, name: str) -> bool:
+    """Return whether a head has the very name of a column, in whatever letters.
+
+    >>> _is_named("s, m", "s"), _is_named("φ_2", "phi2"), _is_named("x", "s"), _is_named("s2", "s")
+    (True, True, False, False)
+    """
+    return re.match(rf"\W*{re.escape(fold(name))}(?!\w)", fold(text).replace("_", "")) is not None
 
 
 def _last_place(layout: Layout, at: int) -> float:
@@ -137,6 +156,11 @@ def _is_time(values: list[float], step: float) -> bool:
     """Return whether numbers are the times of the grid."""
     ordered = sorted(values)
     return len(ordered) > 2 and ordered[0] == 0 and abs(ordered[-1] / (len(ordered) - 1) / step - 1) < 0.05
+
+
+def _is_of_steps(values: list[float], step: float) -> bool:
+    """Return whether what stands under the time counts the rows: no step, s, is taken for so many seconds."""
+    return _counts(values) and step * _FAR < 1.0
 
 
 def _numbers(layout: Layout, at: int) -> list[float]:

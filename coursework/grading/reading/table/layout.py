@@ -99,16 +99,26 @@ def _beside_each_other(layout: Layout) -> list[Layout]:
 
 
 def goes_on(first: Layout, second: Layout) -> bool:
-    """Return whether the second table begins where the first ends: with heads of its own behind it, without them one step on."""
+    """Return whether the second table begins where the first ends: with heads of its own behind it, without them one step on.
+
+    Under heads of its own a page may begin with the last row of the page before.
+    """
     keys = first.keys
     for name in keys if second.has_heads else ("0", "1"):
         at, other = (keys[name], second.keys.get(name)) if second.has_heads else (int(name), int(name))
         before, after = _numbers(first, at), _numbers(second, other)
         steps = [later - earlier for numbers in (before, after) for earlier, later in pairwise(numbers)]
         step = median(steps) if before and after and steps and min(steps) >= 0 else 0.0
-        if step > 0 and (gap := (after[0] - before[-1]) / step) > 1 - _ROUNDED and (second.has_heads or gap < 1 + _ROUNDED):
+        gap = (after[0] - before[-1]) / step if step > 0 else 0.0
+        if gap > 1 - _ROUNDED and (second.has_heads or gap < 1 + _ROUNDED):
+            return True
+        if step > 0 and abs(gap) < _ROUNDED and second.has_heads and _texts(first.body[-1]) == _texts(second.body[0]):
             return True
     return False
+
+
+def _texts(row: Sequence[PrintedNumber]) -> list[str]:
+    return [cell.text for cell in row]
 
 
 def _numbers(layout: Layout, at: int | None) -> list[float]:

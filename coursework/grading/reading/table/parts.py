@@ -7,6 +7,7 @@ in blocks).  Used by `table.py`, `tables_of_file.py`, `read_document.py` and `re
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -22,6 +23,7 @@ from coursework.words.sentence import Sentence
 
 _Row = tuple[PrintedNumber, ...]
 _MOST = 200  # parts that are looked at
+_NEGATIVE = re.compile(r"\(\s*(\d[\d.,' ]*)\)")
 NOTHING = PrintedNumber("", float("nan"), 0, 0, "missing")
 
 
@@ -54,8 +56,19 @@ class Part:
 def parts_of(sheet: Sheet, origin: Origin, grid: Grid) -> list[Part]:
     """Return the tables of a sheet.  Raises `Refused` where its decimal mark cannot be told."""
     mark, mixed = _decimal_mark(sheet, origin.separator)
-    rows = [[_printed(cell, mark, mixed) for cell in row] for row in sheet.rows]
+    rows = [[_printed(cell, mark, mixed) for cell in row] for row in _with_minus(sheet.rows)]
     return [Part(layout, origin, sheet.name) for layout in layouts_of(rows, mark, grid.units)]
+
+
+def _with_minus(rows: Sequence[Sequence[Cell]]) -> Sequence[Sequence[Cell]]:
+    """Return rows of cells with a minus for the parentheses of accountants, where these stand and no minus does."""
+    texts = [plain for row in rows for cell in row if cell.kind == "text" and (plain := cell.text.strip())]
+    if not any(map(_NEGATIVE.fullmatch, texts)) or any(text[0] in "-−–‐" and looks_numeric(text) for text in texts):
+        return rows
+    return [
+        [cell._replace(text=f"-{found[1]}") if (found := _NEGATIVE.fullmatch(cell.text.strip())) else cell for cell in row]
+        for row in rows
+    ]
 
 
 def _printed(cell: Cell, mark: str, mixed: bool) -> PrintedNumber:

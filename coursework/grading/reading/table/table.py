@@ -25,7 +25,7 @@ from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout
 from coursework.grading.reading.table.parts import NOTHING, Part, joined
 from coursework.grading.reading.table.rows import Rows, place_rows
-from coursework.grading.reading.table.units import factor_of, stands_beside, unit_of_column, whole_turns
+from coursework.grading.reading.table.units import factor_of, stands_beside, turns_of_jumps, unit_of_column, whole_turns
 from coursework.words.sentences import ranges
 
 _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
@@ -120,8 +120,10 @@ def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Seq
     units = {column.name: column for column in grid.columns}
     for column in read:
         cells = [layout.body[row][places.places[column.name].at] for row in rows.own]
-        factor, turn = factor_of(units[column.name], column.unit), 2 * math.pi * column.turns
-        values = tuple(cell.value * factor - turn for cell in cells)
+        factor, beside = factor_of(units[column.name], column.unit), column.turns[0] if column.turns else 0
+        whole = [cell.value * factor for cell in cells]
+        jumps = turns_of_jumps(whole) if len({*column.turns}) > 1 else [0] * len(whole)
+        values = tuple(value - 2 * math.pi * (beside + turns) for value, turns in zip(whole, jumps, strict=True))
         columns[column.name] = values, tuple(step * factor for step in last_places(cells)[1])
     return OwnTimes(rows.own_step, columns)
 
@@ -135,7 +137,7 @@ def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> Tab
     turns = whole_turns(column, values)
     return TableColumn(
         column.name, place.at + 1, place.by, unit,
-        tuple(value - turns * 2 * math.pi for value in values),
+        tuple(value - 2 * math.pi * off for value, off in zip(values, turns or [0] * len(values), strict=True)),
         tuple(step * factor for step in steps),
         tuple(cell.text for cell in cells), tuple(cell.flag for cell in cells), decimals, turns,
     )  # fmt: skip
@@ -247,4 +249,4 @@ def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], 
     keys = {column.name: column for column in grid.columns}
     for column in read:
         if column.turns and stands_beside(keys[column.name], column.values):
-            yield note("turns", column=column.name, number=column.turns)
+            yield note("turns", column=column.name, number=", ".join(map(str, sorted({*column.turns} - {0}))))

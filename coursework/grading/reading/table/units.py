@@ -7,7 +7,7 @@ Used by `table.py`; `precheck.py` and `feedback.py` say it.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from statistics import median
 
 from coursework.grading.reading.expected import GridColumn
@@ -17,7 +17,8 @@ AS_READ = {"1/s": "rad/s", "deg": "°"}  # unit of a column -> as the heads of t
 _LARGE = 0.05  # of the column's largest value: smaller cells say nothing about a ratio
 _WIDTH = 0.12
 _TURN = 2 * math.pi
-_BEGINS = 0.05  # rad
+_BEGINS, _AS_BEGUN = 0.05, 0.01  # rad; part of a start value, which is printed as the task has it
+_MOVED, _TURNED = 1 / 6, 1 / 2  # of a turn: what an angle moves at most in a row, from where on it has jumped
 
 
 def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> str:
@@ -30,18 +31,20 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
     ratios = _ratios(column.values, values)
     # What begins as the task begins is in that unit; a wrong table may grow to any multiple of the right one later.  A velocity
     # that begins at 57 times the right one shows a calculator in degrees as well as a unit.
-    begins = ratios[:1] if column.unit == "rad" else []
-    for seen in (ratios, _ratios(_increments(column.values), _increments(values)), begins):
+    first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
+    begins = [first] if math.isfinite(first) else []
+    increments = _ratios(_increments(column.values), _increments(values))
+    for seen, width in ((ratios, _WIDTH), (begins, _AS_BEGUN), (increments, _WIDTH)):
         for unit, factor in known.items():
-            if seen and _in_unit(seen, factor):
+            if seen and _in_unit(seen, factor, width):
                 return unit
     return next(iter(known))
 
 
-def _in_unit(ratios: Sequence[float], factor: float) -> bool:
+def _in_unit(ratios: Sequence[float], factor: float, width: float) -> bool:
     """Return whether most ratios are those of a unit; where they are nearer to ten, a point has slipped: rpm is 9.55."""
     middle = median(ratios)
-    most = 2 * sum(abs(ratio * factor - 1) <= _WIDTH for ratio in ratios) > len(ratios)
+    most = 2 * sum(abs(ratio * factor - 1) <= width for ratio in ratios) > len(ratios)
     return most and abs(middle * factor - 1) <= abs(middle / 10 - 1)
 
 
@@ -50,22 +53,56 @@ def factor_of(column: GridColumn, unit: str) -> float:
     return PRINTED.get(column.unit, {}).get(unit, 1.0)
 
 
-def whole_turns(column: GridColumn, values: Sequence[float]) -> int:
-    """Return how many whole turns an angle (rad) stands beside the key, one number for the whole column.
+def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
+    """Return how many whole turns an angle (rad) stands beside the key in each row, () for none.
 
-    Where it begins as the task begins, the beginning tells; a wrong table may be turns away later.
+    It is one number for all rows, and one more or less behind each jump of an angle that is kept within a turn, where that puts
+    it beside the key: a wild motion jumps, too.
     """
+    if column.unit != "rad" or not _apart(column, values):
+        return ()
+    jumps = turns_of_jumps(values)
+    if any(jumps):
+        whole = [value - _TURN * turns for value, turns in zip(values, jumps, strict=True)]
+        beside = _turns_beside(column, whole)
+        if stands_beside(column, [value - _TURN * beside for value in whole], median):
+            return tuple(beside + turns for turns in jumps)
+    beside = _turns_beside(column, values)
+    return (beside,) * len(values) if beside else ()
+
+
+def _turns_beside(column: GridColumn, values: Sequence[float]) -> int:
+    """Return the whole turns for a whole column: where it begins as the task begins, the beginning tells, else most of it."""
     apart = _apart(column, values)
-    if column.unit != "rad" or not apart:
-        return 0
     at_first = round(apart[0] / _TURN)
     return at_first if abs(apart[0] - at_first * _TURN) < _BEGINS else round(median(apart) / _TURN)
 
 
-def stands_beside(column: GridColumn, values: Sequence[float]) -> bool:
-    """Return whether an angle without its whole turns is the key's, about: other numbers stand no whole turns away from it."""
-    apart = _apart(column, values)
-    return min(abs(apart[0]), abs(median(apart))) < _TURN / 8
+def turns_of_jumps(values: Sequence[float]) -> list[int]:
+    """Return the whole turns by which an angle (rad) that is kept within one turn has jumped up to each row.
+
+    >>> turns_of_jumps([3.0, 3.1, -3.1, -3.0, 3.1]), turns_of_jumps([3.0, 3.1, 0.31, 3.2])
+    ([0, 0, -1, -1, 0], [0, 0, 0, 0])
+    """
+    known = [value for value in values if math.isfinite(value)]
+    is_within = bool(known) and max(known) - min(known) <= _TURN
+    turns, total, before = list[int](), 0, math.nan
+    for value in values:
+        jump = (value - before) / _TURN
+        if is_within and abs(jump) > _TURNED and abs(jump - round(jump)) < _MOVED:
+            total += round(jump)
+        turns.append(total)
+        before = value if math.isfinite(value) else before
+    return turns
+
+
+def stands_beside(column: GridColumn, values: Sequence[float], judged: Callable[[Sequence[float]], float] | None = None) -> bool:
+    """Return whether an angle without its whole turns is the key's, about: other numbers stand no whole turns away from it.
+
+    It is judged by its beginning or its median, whichever is nearer, or as said.
+    """
+    apart = list(map(abs, _apart(column, values)))
+    return (judged(apart) if judged else min(apart[0], median(apart))) < _TURN / 8
 
 
 def _apart(column: GridColumn, values: Sequence[float]) -> list[float]:

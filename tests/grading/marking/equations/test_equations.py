@@ -155,3 +155,36 @@ def test_a_wrong_line_written_twice_is_one_fault(judge):
     other = judge.mark([line(text, place) for place, text in enumerate((*RIGHT[:3], wrong, RIGHT[3].replace("- r2", "+ r2")), 1)])
     assert (once.share, twice.share, other.share) == (0.75, 0.75, 0.6)
     assert (len(twice.wrong), twice.different) == (2, 1)
+
+
+def test_a_ratio_of_velocities_is_the_equation_that_it_stands_for(judge):
+    """Right in every form, wrong where it is wrong; a velocity divided by itself says nothing."""
+    ratios = [
+        "w4/w3 = 2*(cos(phi3) - 2*sin(phi3))",
+        "2*tan(phi3) - 1 + 0.5*w4/(w3*cos(phi3)) = 0",
+        "w3/VMy = 1/(r3*(2*cos(phi3) + sin(phi3)))",
+    ]
+    ratios += ["(r3*w3*sin(phi3) - r1*w1*cos(phi1))/w2 = r2*cos(phi2)", "VMy/w3 - r3*sin(phi3) = w3*2*r3*cos(phi3)/w3"]
+    assert [judge.mark([line(text)]).independent for text in ratios] == [1] * 5
+    assert judge.mark([line("w4/w3 = 2*(cos(phi3) + 2*sin(phi3))")]).marks[0].verdict == "wrong"
+    assert judge.mark([line("w3/w3 = 1")]).independent == 0
+
+
+def test_what_repeats_is_told_of_the_line_that_repeats_and_of_no_other_of_its_number(judge):
+    """Lines of two files have the same numbers."""
+    twice = [line(text, number) for number, text in enumerate(RIGHT, start=1)] + [line(RIGHT[0], 3)]
+    assert [bool(mark.lack) for mark in judge.mark(twice).marks] == [False] * 4 + [True]
+
+
+def test_what_is_no_velocity_equation_costs_nothing_beside_them(judge):
+    """A period, a drive, a position with a slip; without them the same, with an equation that is wrong a quarter less."""
+    right = [line(text, number) for number, text in enumerate(RIGHT, start=1)]
+    beside = [
+        line("2*pi/p = 0.5", 5),
+        line("VMx = V1*sin(p*t + alpha)", 6),
+        line("r1*cos(phi1) + r2*cos(phi2) = r3*cos(phi3)", 7),
+    ]
+    found = judge.mark(right + beside)
+    assert (found.share, found.different, len(found.marks)) == (1.0, 0, 4)
+    assert judge.mark([*right[:3], *beside]).share == 0.75
+    assert judge.mark([*right, line("w1 = 3*w2", 5)]).share == 0.8

@@ -26,13 +26,16 @@ from coursework.system.arrays import Array, shifted
 SCHEMES_TRIED = ("heun", "midpoint", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
+# Only velocities of such a table are right.
+OTHER_STEP, DEGREE_STEPS = "other_step", "degree_steps"
 _WHOLE = 0.01
 # Velocities from this part of a column's largest on tell how long a step was.
 _FAST = 0.2
 # How often a step with the velocities of its own end is repeated, until it stands to so much (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
-MISREAD = ("sign_drive", "degree_mode", "degree_drive", "degree_geometry", "radian_mode")
+MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", "radian_mode")
+_DEGREE = np.pi / 180
 
 
 def claims(
@@ -98,6 +101,13 @@ def _from_rows_before(key: Key) -> Array:
     return march(key, key.table[0, :m], key.velocities_at, increments)
 
 
+def _of_rows_above(key: Key) -> Array:
+    """Return the table (n, m + r) whose velocities are those of the row above from the second row on, in print and in steps."""
+    m, table = len(key.coordinates), _from_rows_before(key)
+    table[1:, m:] = table[:-1, m:].copy()
+    return table
+
+
 def _implicit(key: Key, m: int, new: float, t: Array, q: Array, w: Array) -> Array:
     """Return the increments (n, m) of steps with this part of the new row's velocities, NaN where repetition finds none."""
     h, found = key.step, key.step * w[:, :m]
@@ -115,6 +125,8 @@ def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     for code, ahead in (("time_ahead", h), ("time_behind", -h)):
         yield from printed.velocity_claim(code, partial(_of_times, printed.key, 1.0, ahead))
     found, tolerance = printed.true_velocities
+    claim = printed.claim("rows_above", None, (shifted(found, 1), shifted(tolerance, 1)))
+    yield replace(claim, table=partial(_of_rows_above, printed.key))
     for code, by in (("omega_late", 1), ("omega_early", -1)):
         used = shifted(printed.w, -by)
         units = np.nan_to_num(shifted(printed.w_units[:, :m], -by))
@@ -131,6 +143,8 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
                 f"rounded_omega_{decimals}", printed.steps(h * np.round(printed.w, decimals), np.zeros_like(units))
             )
             yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_rounded, h, m, decimals)))
+    claim = printed.claim(DEGREE_STEPS, _steps_of_degrees(printed))
+    yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_longer, h * _of_degrees(printed.key), m)))
     for part in _parts(printed):
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h, m)
@@ -148,12 +162,23 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             at_once = printed.stacked(several)
             claim = printed.claim("other_step", printed.steps(at_once(printed.q), printed.spread(at_once)))
             claims.append(replace(claim, table=printed.marched(made[0], several)))
-        yield from (replace(claim, part=part, names=(in_seconds(part * h),)) for claim in claims)
+        yield from (replace(claim, part=part, names=(told_step(part * h),)) for claim in claims)
 
 
-def in_seconds(step: float) -> str:
-    """Return a step (s) as a sentence says it."""
-    return f"{step:.4g} s"
+def _of_degrees(key: Key) -> Array:
+    """Return what of each coordinate's step (m,) is made where velocities in rad/s are added to angles in degrees."""
+    return np.array([_DEGREE if one.unit == "rad" else 1.0 for one in key.variant.coordinates])
+
+
+def _steps_of_degrees(printed: TableUnderTest) -> tuple[Array, Array]:
+    """Return coordinates (n, m) made by such steps, and their tolerance."""
+    each = printed.key.step * _of_degrees(printed.key)
+    return printed.steps(each * printed.w, each * printed.w_units[:, : printed.m])
+
+
+def told_step(step: float) -> str:
+    """Return a step (s) with the digits that a sentence says."""
+    return f"{step:.4g}"
 
 
 def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:
@@ -161,7 +186,7 @@ def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:
     return key.velocities_at(np.asarray(part * t + ahead), q)
 
 
-def _longer(step: float, m: int, t: Array, q: Array, w: Array) -> Array:
+def _longer(step: float | Array, m: int, t: Array, q: Array, w: Array) -> Array:
     """Return the increments (n, m) of steps of another length, s."""
     return step * w[:, :m]
 
@@ -190,7 +215,7 @@ def _parts(printed: TableUnderTest) -> list[float]:
     with np.errstate(invalid="ignore", divide="ignore"):
         made = (steps / rates)[np.abs(rates) > _FAST * np.nanmax(np.abs(rates), axis=0, initial=0.0)]
     read = float(f"{np.median(made[np.isfinite(made)]):.2g}") / h if np.isfinite(made).any() else 1.0
-    if read > 0 and all(abs(read / part - 1) > _WHOLE for part in (1.0, *parts)):
+    if read > 0 and all(abs(read / part - 1) > _WHOLE for part in (1.0, _DEGREE, *parts)):
         parts.append(read)
     return parts
 
@@ -220,6 +245,11 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
     for code in MISREAD:
         if code not in apart and (velocities := key.misread(code)):
             yield from printed.velocity_claim(code, velocities)
+            if code == "radian_mode" and printed.nearly(misread := printed.stacked(velocities)(printed.q)):
+                # Who works with degrees as if they were radians adds rad/s to them, too.
+                spread = printed.spread(printed.stacked(velocities))
+                claim = printed.claim(code, _steps_of_degrees(printed), printed.velocities(misread, spread))
+                yield replace(claim, table=printed.marched(velocities, partial(_longer, h * _of_degrees(key), m)))
     for place, name in enumerate(key.velocities):
         alone = np.where(np.arange(m + len(key.velocities)) == m + place, 1.0, np.nan)
         claim = printed.claim(f"sign_{name}", None, (-found * alone[m:], tolerance))

@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.causes.hypotheses import claims, in_seconds
+from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, claims, told_step
 from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.own_equations import OWN
@@ -37,14 +37,16 @@ ALIKE = 0.98
 # How many of those that explain most have their whole table made.
 _CLOSER = 3
 _ROUND_OFF = 1e-9
-OTHER_STEP, ROWS_SHIFTED, ROUNDED_OMEGA = "other_step", "rows_shifted", "rounded_omega_"
+ROWS_SHIFTED, ROUNDED_OMEGA = "rows_shifted", "rounded_omega_"
+# Whose steps are of another length: of such a table the velocities alone are right.
+OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS)
 
 
 @frozen
 class Misconception:
     """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much.
 
-    `names` are the columns exchanged, the starts or equations that it speaks of, a datum's value or a step's, () for most.
+    `names` are the columns, starts or equations that it speaks of, a datum's value and unit, a step's value, () for most.
     """
 
     code: str
@@ -63,7 +65,7 @@ class Misconception:
 class Fit:
     """A hypothesis and the share of the table's cells that it or the key explains, behind the gates of the points.
 
-    Of "other_step" only velocities: its steps are wrong, whichever rows of it stand on the grid.
+    Of steps of another length only velocities: the steps are wrong, whichever rows of them stand on the grid.
     """
 
     code: str
@@ -83,6 +85,11 @@ class Found:
     fits: tuple[Fit, ...] = ()
     from_own_start: OwnStart | None = None
     untold: Flags | None = None
+
+    @property
+    def own_line(self) -> str:
+        """Return the line of the student's own equations that all follows from, "" where it does not."""
+        return next((fit.names[0] for fit in self.fits if fit.code == OWN and fit.share >= NAMED), "")
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
@@ -139,7 +146,7 @@ def explanations(
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
-        fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
+        fit = explained_share(key, put_right, holds, only_velocities=claim.code in OTHER_STEPS)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())
@@ -149,7 +156,7 @@ def explanations(
             held[claim.code] = count, claim, holds
     for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
         holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
-        fit = explained_share(key, cells, holds, only_velocities=code == OTHER_STEP)
+        fit = explained_share(key, cells, holds, only_velocities=code in OTHER_STEPS)
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
@@ -160,7 +167,7 @@ def explanations(
             # Its own times say so, where its digits do not too; of rows that leave steps of the task out, other rules explain
             # the velocities alone.
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
-            named.setdefault(OTHER_STEP, (share, euler_share, (in_seconds(own.step),)))
+            named[OTHER_STEP] = max(share, named.get(OTHER_STEP, (0.0,))[0]), euler_share, (told_step(own.step),)
             untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)

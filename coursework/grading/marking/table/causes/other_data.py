@@ -49,9 +49,10 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
     read_off = [(datum, value) for datum, read in _values_read_off(printed) for value in {read: None, float(f"{read:.3g}"): None}]
     for datum, value in read_off:  # as it is read off, and as it may have been typed
-        shown = f"{value / (size_of(datum.unit) or 1.0):.4g} {datum.unit or datum.si}".rstrip()
+        unit = datum.unit or datum.si
+        shown = (f"{value / (size_of(datum.unit) or 1.0):.4g}", unit) if unit else ()
         at = partial(printed.key.velocities_at, data={datum.name: value})
-        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=(shown,)):
+        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=shown):
             yield replace(claim, is_read_off=True)
 
 
@@ -129,7 +130,7 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
     """Two columns exchanged; whole turns are taken off after they are put back."""
     key, student, m = printed.key, printed.student, printed.m
-    turns = np.zeros(len(key.names)) if student.turns is None else student.turns
+    turns = np.zeros(student.values.shape) if student.turns is None else student.turns
     tolerance = as_printed(key, np.nan_to_num(student.units))
     with np.errstate(invalid="ignore"):
         as_it_is = np.abs(student.values - key.table) <= tolerance

@@ -19,7 +19,7 @@ TEXT = (folder("variants") / "31.toml").read_text(encoding="utf-8")
 
 @pytest.mark.parametrize(("code", "in_drive", "in_equations"), [
     ("degree_mode", True, True), ("degree_drive", True, False), ("degree_geometry", False, True),
-    ("radian_mode", False, True), ("sign_drive", False, False),
+    ("radian_mode", False, True), ("sign_drive", False, False), ("cosine_drive", False, False),
 ])  # fmt: skip
 def test_every_sine_of_its_kind_is_taken_for_degrees(code: str, in_drive: bool, in_equations: bool) -> None:
     """On both sides of an equation, in every point."""
@@ -41,3 +41,5 @@ def test_every_sine_of_its_kind_is_taken_for_degrees(code: str, in_drive: bool, 
     assert {factor in spelled(point) for _, point in changed.points if "@" in spelled(point)} == {in_equations}
     signs = [spelled(formula).startswith("-") for law in changed.drive for formula in law.formulas]
     assert any(signs) is (code == "sign_drive")
+    laws = {law.name: [spelled(formula) for formula in law.formulas] for law in changed.drive}
+    assert laws["VMy"][-1].lstrip("-").startswith("V1*cos(" if code == "cosine_drive" else ("V1*sin(", "(V1*sin("))

@@ -1,0 +1,52 @@
+r"""Short names that a text gives to its own signs, \newcommand{\om}[1]{\omega_{#1}} -> the text with the signs themselves.
+
+Enters: LaTeX, or what Mathematica writes for a Greek letter.  Leaves: the text without such names, bounded in size.
+Used by `latex.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+
+_BODY = r"\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\}){0,20}\}){0,200})\}"
+_COMMAND = re.compile(
+    rf"\\(?:(?:re)?newcommand|providecommand|DeclareMathOperator)\*?\s*\{{?\s*\\([A-Za-z]{{1,20}})\s*\}}?\s*(?:\[([1-3])\])?\s*{_BODY}"
+    rf"|\\def\s*\\([A-Za-z]{{1,20}})\s*((?:#[1-3]){{0,3}})\s*{_BODY}"
+)
+_ARGUMENT = r"\s*(?:\{([^{}]{0,80})\}|([^\s\\{}]))"
+_LETTER = re.compile(r"\\\[(?:Curly|Capital|Script)?([A-Z][a-z]{1,10})\]")  # of Mathematica: \[CurlyPhi]
+_MOST_NAMES, _MOST_CHARACTERS, _WITHIN = 40, 200_000, 3  # names within names, so deep
+
+
+def with_own_commands(text: str) -> str:
+    r"""Return a text with what its own commands stand for, their definitions left out.
+
+    >>> with_own_commands(r"\newcommand{\om}[1]{\omega_{#1}}\def\p{\varphi} \om3 \sin\p_3, \om{2} \[Omega]4")
+    ' \\omega_{3} \\sin\\varphi _3, \\omega_{2} Omega4'
+    """
+    text = _LETTER.sub(lambda found: found[1], text)
+    names = {found[1] or found[4]: found for found in _COMMAND.finditer(text)}
+    if not names or len(names) > _MOST_NAMES:
+        return text
+    text = _COMMAND.sub(lambda found: "\n" * found[0].count("\n"), text)
+    for _ in range(_WITHIN):
+        before = text
+        for name, found in names.items():
+            count, body = (int(found[2] or 0), found[3]) if found[1] else (len(found[5]) // 2, found[6])
+            text = re.sub(rf"\\{name}(?![A-Za-z]){_ARGUMENT * count}", partial(_put, body), text)
+            if len(text) > _MOST_CHARACTERS:
+                return before
+        if text == before:
+            break
+    return text
+
+
+def _put(body: str, used: re.Match[str]) -> str:
+    """Return what a command stands for; a letter behind it stays apart from its last one."""
+    groups = used.groups()
+    for place in range(len(groups) // 2):
+        given = groups[2 * place]
+        body = body.replace(f"#{place + 1}", groups[2 * place + 1] if given is None else given)
+    body = " ".join(body.split("\n"))
+    return f"{body} " if body[-1:].isalpha() else body

@@ -1,0 +1,111 @@
+"""Faults of spreadsheets and calculators: the row above, degrees beside radians, sine for cosine; named, and worth the same."""
+
+import re
+
+import numpy as np
+import pytest
+
+from coursework.grading.marking.reasons.table import table_reasons
+from coursework.words.sentences import load_phrases
+from tests.grading.marking.machines import DEGREE, Machine
+from tests.grading.marking.table.test_equal_faults import close, codes, variants
+
+
+def of_rows_above(machine):
+    """Velocities with the time and the positions of the row above, in print and in the steps; the first row has its own."""
+    q, rows, before = machine.start, [], None
+    for k in range(machine.rows):
+        own = machine.velocities(k * machine.h, q)
+        before, used = own, own if before is None else before
+        rows.append(np.concatenate([q, used]))
+        q = q + machine.h * used[: machine.m]
+    return np.array(rows)
+
+
+def with_sines_exchanged(machine):
+    laws = {name: re.sub("sin|cos", lambda f: {"sin": "cos", "cos": "sin"}[f[0]], law) for name, law in machine.laws.items()}
+    return Machine(machine.variant, drive=laws).table()
+
+
+def of_degrees(machine, table):
+    """A table with its angles printed in degrees."""
+    return table / np.where(
+        [c.unit == "rad" for c in machine.variant.coordinates] + [False] * len(table[0, machine.m :]), DEGREE, 1
+    )
+
+
+def moved_by_radians(machine):
+    """Each step adds rad/s to degrees."""
+    part = np.where([c.unit == "rad" for c in machine.variant.coordinates], DEGREE, 1.0)
+    return of_degrees(machine, machine.table(lambda t, q: part * machine.h * machine.velocities(t, q)[: machine.m]))
+
+
+def radians_everywhere(machine):
+    """The same, and sines that take radians are given degrees."""
+    return moved_by_radians(Machine(machine.variant, degrees=("radians",)))
+
+
+@pytest.mark.parametrize(
+    ("made", "code", "worth"),
+    [(of_rows_above, "rows_above", 24), (with_sines_exchanged, "cosine_drive", 30), (radians_everywhere, "radian_mode", 24)],
+)
+def test_what_is_mixed_up_is_named_and_worth_the_same_everywhere(made, code, worth):
+    points = []
+    for desk in variants():
+        if code == "cosine_drive" and not any("sin" in law for law in desk.machine.laws.values()):
+            continue
+        found, table = desk.marked(made(desk.machine), digits=5)
+        assert code in codes(table)
+        points.append(found)
+    close(points)
+    assert np.mean(points) == pytest.approx(worth, abs=1.2)
+
+
+def test_steps_that_add_radians_to_degrees_leave_the_velocities_right():
+    """As half a step does, where the velocities are not the same at any time."""
+    for desk in variants():
+        if desk.variant.known_rates:
+            continue
+        found, table = desk.marked(moved_by_radians(desk.machine), digits=5)
+        assert codes(table) == ("degree_steps",)
+        half, _ = desk.marked(desk.machine.table(lambda t, q, m=desk.machine: 0.5 * m.h * m.velocities(t, q)[: m.m]))
+        assert found == pytest.approx(half, abs=0.5)
+
+
+def test_columns_exchanged_are_not_taken_for_degrees():
+    """Of two angles one may begin 60 times as large as the other."""
+    desk = variants()[2]
+    assert desk.variant.unit_of(desk.key.names[0]) == desk.variant.unit_of(desk.key.names[2]) == "rad"
+    variant = desk.variant.with_data(start={desk.key.names[0]: 1.4, desk.key.names[2]: 1.4 / 60})
+    own = type(desk)(variant)
+    order = [2, 1, 0, *range(3, len(own.key.names))]
+    _, table = own.marked(Machine(variant).table()[:, order])
+    assert codes(table) == ("swapped_columns",) and not table.table.notes
+
+
+def test_what_follows_from_ones_own_wrong_equation_is_told_so():
+    """A slip in a sum of two equations of the task explains the only wrong column, though the cells by themselves earn more."""
+    desk = variants()[2]
+    line = "c*w3*sin(phi3) - r2*w2*cos(phi2) + r1*w1*cos(phi1)"
+    machine = Machine(desk.variant, lines={"2": f"{line} - u"})
+    _, table = desk.marked(machine.table(), equations={"2": f"{line} = u"})
+    told = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, 1.0, 50.0, 60.0))
+    assert table.earned.rule == "cells" and not codes(table)
+    assert "your own equations, of which line 2 is not right" in told and "None of the usual causes" not in told
+
+
+def test_a_table_with_times_of_its_own_is_told_the_step_of_these_times():
+    """Twice the step, and every second row of the task: the digits alone would as well be those of a tenth of it."""
+    desk = variants()[0]
+    twice = desk.machine.table(step=2 * desk.machine.h, rows=(desk.machine.rows + 1) // 2)
+    _, table = desk.marked(twice, times=2 * desk.machine.h * np.arange(len(twice)))
+    assert (table.misconception.code, table.misconception.names) == ("other_step", (f"{2 * desk.machine.h:.4g}",))
+
+
+@pytest.mark.parametrize(("language", "said"), [("ru", "получаются при 5,09 м/с."), ("zh", "取 5.09 m/s 时")])
+def test_a_value_is_told_with_the_unit_and_the_mark_of_the_language(language, said):
+    desk = variants()[0]
+    value = 5.09
+    _, table = desk.marked(Machine(desk.variant, data={"V1": value}).table())
+    phrases = load_phrases(language)
+    assert said in " ".join(phrases.written(reason.text) for reason in table_reasons(desk.key, table, 1.0, 24.0, 60.0))

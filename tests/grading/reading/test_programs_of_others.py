@@ -1,0 +1,152 @@
+"""Right sets in what more programs write: macros, letters of Mathematica, doubles of Fortran, numbers that count the lines."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from coursework.grading.reading.equations.lines import read_lines
+from tests.grading.reading.latex_work import each
+from tests.grading.reading.notations import PLAIN, _calls, _greek, _lines, _named, _tex
+from tests.grading.reading.test_notations import marked
+from tests.grading.scenes import expected
+
+
+def _zero(form):
+    """Each line as a program that seeks roots has it: what is to vanish, under a name of its own."""
+    return each(
+        lambda k, line: form.format(k=k, e=re.sub(r"^(.*) = (.*)$", lambda m: m[1] if m[2] == "0" else f"{m[1]} - {m[2]}", line))
+    )
+
+
+MACROS = r"""\documentclass{article}
+\newcommand{\om}[1]{\omega_{#1}}
+\newcommand\ph[1]{\varphi_{#1}}
+\def\v#1#2{V_{#1#2}}
+\begin{document}
+\begin{align}
+%s
+\end{align}
+\end{document}"""
+FORMS = {
+    "macros": lambda t: MACROS
+    % " \\\\\n".join(
+        re.sub(r"\\(omega|varphi)_\{(\d)\}", lambda m: f"\\{'om' if m[1] == 'omega' else 'ph'}{{{m[2]}}}", line)
+        for line in re.sub(r"V_\{M(.)\}", r"\\v{M}\1", _tex(t)).split("\n")
+    ),
+    "short letters": lambda t: "\\def\\o{\\omega}\n" + _tex(t).replace("\\omega", "\\o"),
+    "letters of Mathematica": lambda t: each(lambda k, line: f"eq{k} = {line};")(
+        _calls(re.sub(r"\bw(\d)", r"\\[Omega]\1", t), lambda m: f"{m[1].title()}[{m[2]}]")
+        .replace("phi", "\\[CurlyPhi]").replace("=", "==").replace("*", " ")
+    ),
+    "Solve": lambda t: "sol = Solve[{" + ", ".join(t.replace("=", "==").split("\n")) + "}, {w1, w2}]",
+    "equals of Mathcad": lambda t: "Given\n" + _named(t, _greek).replace("=", "⩵") + "\nFind(w1, w2)",
+    "functions of Mathcad": lambda t: _zero("f{k}(w) := {e}")(t),
+    "Fortran": lambda t: _zero("      F({k}) = {e}")(
+        re.sub(r"(?<!\w)2\*", "2.D0*", t).replace("sin", "DSIN").replace("cos", "DCOS").replace("0.5*", "0.5D0*")
+    ),
+    "C++": lambda t: _zero("double eq{k} = {e};  // = 0")(
+        re.sub(r"\b(r|w|phi)(\d)", r"\1[\2]", t).replace("sin", "std::sin").replace("cos", "std::cos")
+    ),
+    "R": lambda t: _zero("f[{k}] <- {e}")(t),
+    "StarMath": lambda t: _calls(
+        re.sub(r"\b(w|phi)(\d)", lambda m: f"%{'omega' if m[1] == 'w' else 'phi'}_{m[2]}", t), r"\1 left ( \2 right )"
+    ).replace("*", " cdot "),
+    "Typst": lambda t: each(lambda k, line: f"$ {line} $")(
+        re.sub(r"VM(.)", r"V_(M \1)", re.sub(r"\b(w|phi|r)(\d)", r"\1_\2", t)).replace("w_", "omega_")
+        .replace("phi_", "phi.alt_").replace("*", " dot ")
+    ),
+    "a list of Maple": lambda t: _lines("> eq[{k}] := {e};")(re.sub(r"\b(r|w|phi)(\d)", r"\1[\2]", t)),
+    **{form: _lines(form) for form in (
+        "1.{k} {e}", "3.1.{k} {e}", "{k} {e}", "L{k} {e}", "Q{k}. {e}", "(Ox) {e}", "{e} ✓", "В проекции на ось Oy имеем {e}",
+        "У проєкції на вісь Oy маємо {e}, оскільки шарнір нерухомий", "由于D点固定，有 {e} ，其中各角以弧度计",
+        "The velocity of point C must vanish in y, so {e}",
+    )},
+}  # fmt: skip
+
+
+def test_a_right_set_is_right_in_what_more_programs_write():
+    refused = [
+        (form, name)
+        for form, made in FORMS.items()
+        for name in ("31", "v102")
+        if (found := marked(made(PLAIN[name]), name)).share != 1.0 or found.wrong
+    ]
+    assert refused == []
+
+
+MATRIX = """A = [2*cos(phi3) + sin(phi3), 0, 0, 0;
+     2*sin(phi3) - cos(phi3), 0.5, 0, 0;
+     r3*cos(phi3), -0.5*r3, r2*sin(phi2), r1*sin(phi1);
+     r3*sin(phi3), 0, -r2*cos(phi2), -r1*cos(phi1)]
+k = [VMy/r3; 0; 0; 0]
+"""
+ROWS, RIGHT = MATRIX[5:].split("]\nk = [")
+LISTS = ROWS.replace(";", "],").replace("     ", "     [")
+ARRAY = f"import numpy as np\nA = np.array([[{LISTS}]])\nk = np.array([{RIGHT.replace(';', ',')[:-2]}])\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"{MATRIX}x = [w3; w4; w2; w1]\nA*x = k", f"{MATRIX}x = A\\k;\nw3 = x(1); w4 = x(2);\nw2 = x(3);\nw1 = x(4);",
+        f"{MATRIX}[w3, w4, w2, w1] = linsolve(A, k);", f"{ARRAY}w3, w4, w2, w1 = np.linalg.solve(A, k)",
+        f"{ARRAY}x = np.linalg.solve(A, k)\nw3 = x[0]\nw4 = x[1]\nw2 = x[2]\nw1 = x[3]",
+    ],
+)  # fmt: skip
+def test_a_system_that_a_program_solves_is_its_equations(text):
+    assert marked(text).share == 1.0
+    slip = marked(text.replace("-r1*cos(phi1)", "r1*cos(phi1)"))
+    assert ([mark.verdict for mark in slip.marks].count("wrong"), slip.independent) == (1, 3)
+
+
+def test_a_root_is_one_in_spreadsheets_of_other_countries():
+    for root in ("КОРЕНЬ", "WURZEL", "RACINE", "SQRT"):
+        assert marked(f"VMy = {root}(5)*r3*w3*sin(phi3 + arctan(2))").independent == 1
+
+
+def test_what_only_looks_like_a_list_keeps_its_factors():
+    """Lengths before velocities count up, too; and a slip in such a line is told where it stands."""
+    lines = "r1 w1 sin phi1 + r2 w2 sin phi2 = 0.5 r3 w4 - r3 w3 cos phi3\nr2 w2 cos phi2 - r1 w1 cos phi1 = r3 w3 sin phi3"
+    found = marked(lines)
+    assert [mark.verdict for mark in found.marks] == ["right", "wrong"]
+    assert found.marks[1].hint.kind == "sign"
+
+
+def test_a_letter_of_another_size_is_ones_own_where_the_text_says_what_it_is():
+    """S2 is sin(phi2) where the task has a length s2, and DSIN is a function where it has a length d."""
+    plain = "S2 = sin(phi3), C2 = cos(phi3)\n-r1*w1*sin(phi1) - u2*C2 + s2*w3*S2 = 0\nr1*w1*cos(phi1) - u2*S2 - s2*w3*C2 = 0"
+    assert marked(plain, "whitworth").independent == 2
+    assert marked("F(3) = -R3*W3*DSIN(PHI3) - R4*W4*DSIN(PHI4) - U5", "whitworth").independent == 1
+
+
+def test_a_value_with_its_unit_is_one_where_a_letter_of_the_unit_is_a_name():
+    """In 1/s stands the length s of the task."""
+    found = read_lines("u*cos(phi3) - s*w3*sin(phi3) = VMx\nw2 = 2.0308 1/s", "report.md", expected("v107"))
+    assert [one.may_be_datum for one in found.equations] == [False, True]
+
+
+def test_a_product_that_is_checked_at_some_row_is_no_equation():
+    found = read_lines("VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0\ncheck: w1*r1 = 1.08\nw4 - 2*w3 = 1.5 м/с", "x", expected())
+    assert [one.may_be_datum for one in found.equations] == [False, True, False]
+
+
+def test_a_slip_in_an_equation_with_a_name_of_its_own_is_told_at_its_sign():
+    """The name is used again, solve([eqn1, eqn2]), and means what stands behind it."""
+    first = "eqn1 = VMx + a*w3*sin(phi3) - c*w3*cos(phi3) == 0;"
+    found = marked(f"{first}\neqn2 = VMy - a*w3*cos(phi3) + c*w3*sin(phi3) == u;\nS = solve([eqn1, eqn2])", "v102")
+    assert [mark.verdict for mark in found.marks][:2] == ["wrong", "right"]
+    assert found.marks[0].hint.column == first.index("- c") + 1
+
+
+@pytest.mark.parametrize("form", ["F({k}) = {e};", "f[{k}] := {e};", "const f{k} = {e};", "f[{k}] <- {e}", "double eq{k} = {e};"])
+def test_a_slip_in_what_is_to_vanish_is_one_where_the_lines_beside_it_are_right(form):
+    """Alone such a line may be anything; F(1) of a program is no phi1."""
+    for name, wrong, right in (
+        ("31", "- r1*w1*cos(phi1)", "+ r1*w1*cos(phi1)"),
+        ("v102", "+ c*w3*cos(phi3)", "- c*w3*cos(phi3)"),
+    ):
+        found = marked(_zero(form)(PLAIN[name].replace(wrong, right)), name)
+        assert sorted(mark.verdict for mark in found.marks) == ["right", "right", "right", "wrong"]
+        assert [(mark.hint.kind, mark.line.text[mark.hint.column - 1]) for mark in found.wrong] == [("sign", right[0])]
