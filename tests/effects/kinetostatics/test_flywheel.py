@@ -20,7 +20,7 @@ def test_the_excess_of_a_cosine_is_twice_its_size_and_it_crosses_twice(count, be
 
 
 def test_two_harmonics_cross_where_both_cancel():
-    """cos x + cos 2x = 2 cos(3x/2) cos(x/2): zero at 60, 180 (touched) and 300 degrees; sin x + sin 2x/2 at 60 degrees is 3^1.5/4."""
+    """cos x + cos 2x = 2 cos(3x/2) cos(x/2): zero at 60, 180 (touched) and 300 deg; sin x + sin 2x/2 at 60 deg is 3^1.5/4."""
     x = 2 * math.pi * np.arange(12) / 12
     excess, crossings = _excess(np.cos(x) + np.cos(2 * x) + 1e-9, 0.0, 2 * math.pi)
     assert excess == pytest.approx(2 * 3**1.5 / 4, rel=1e-4)
