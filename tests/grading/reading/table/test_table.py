@@ -15,7 +15,14 @@ from coursework.grading.reading.student_work import TableColumn
 from coursework.grading.reading.table.columns import Place
 from coursework.grading.reading.table.headers import read_head
 from coursework.grading.reading.table.table import (
-    _filled, _is_steady, _is_strange, _is_table, _own_times, _without_zeros, _zeros, weight,
+    _filled,
+    _is_steady,
+    _is_strange,
+    _is_table,
+    _own_times,
+    _without_zeros,
+    _zeros,
+    weight,
 )  # fmt: skip
 
 NAN = math.nan
@@ -25,7 +32,8 @@ def column(name: str, texts: list[str], at: int, **changes: Any) -> TableColumn:
     cells = [printed(text, ".") for text in texts]
     known = {
         "name": name, "at": at, "by": "header", "unit": "rad", "values": tuple(cell.value for cell in cells),
-        "last_place": tuple(cell.last_place for cell in cells), "texts": tuple(texts), "flags": tuple(cell.flag for cell in cells),
+        "last_place": tuple(cell.last_place for cell in cells), "texts": tuple(texts),
+        "flags": tuple(cell.flag for cell in cells),
         "decimals": max(-cell.place for cell in cells), "turns": 0,
     }  # fmt: skip
     return TableColumn(**known | changes)
@@ -63,7 +71,8 @@ def test_zeros_that_end_all_of_five_numbers_are_counted_behind_the_decimal_mark(
 def test_zeros_are_taken_from_uneven_columns_alone_and_as_many_as_all_of_them_have() -> None:
     """The first row is the start, which has more digits than the work."""
     texts = [
-        ["0.4321", "1.5000", "2.3700", "0.1100", "4.2500", "5.9100"], ["7.1234", "1.1000", "2.2000", "0.9000", "4.1000", "5.3000"],
+        ["0.4321", "1.5000", "2.3700", "0.1100", "4.2500", "5.9100"],
+        ["7.1234", "1.1000", "2.2000", "0.9000", "4.1000", "5.3000"],
         ["0.0000", "0.0200", "0.0400", "0.0600", "0.0800", "0.1000"],
     ]  # fmt: skip
     columns = [column(name, cells, at) for at, (name, cells) in enumerate(zip("abc", texts, strict=True), 1)]
