@@ -25,7 +25,7 @@ MOST_SHOTS, REPEATS = 30, 1e-11  # of the speed: so well it repeats
 
 @frozen
 class Regime:
-    """Speed at the first angle (rad/s), `period` (s), mean size, largest and least by size, where (rad), `delta` the unevenness."""
+    """Speed at the first angle (rad/s), `period` (s), mean, largest and least by size, where (rad), `delta` the unevenness."""
 
     speed: float
     period: float
