@@ -14,7 +14,7 @@ from coursework.variant.formula.tree import Formula, spelled
 ALONG = "l1*sin(phi1)*w1 + l2*sin(phi2)*w2 = l3*sin(phi3)*w3 + cos(phi1)*u"
 ACROSS = "l1*cos(phi1)*w1 + l2*cos(phi2)*w2 = l3*cos(phi3)*w3"
 VARIANT = SimpleNamespace(
-    coordinates=[SimpleNamespace(name=name, unit=unit) for name, unit in {"phi1": "rad", "phi2": "rad", "phi3": "rad", "s": "m"}.items()],
+    coordinates=[SimpleNamespace(name=name, unit="m" if name == "s" else "rad") for name in ("phi1", "phi2", "phi3", "s")],
     drive=[SimpleNamespace(name="w1")], known_rates=("w1", "u"),
 )  # fmt: skip
 
