@@ -5,7 +5,19 @@ from fractions import Fraction
 import pytest
 
 from coursework.variant.dimensions.exponents import (
-    LENGTH, MASS, NUMBER, TIME, System, added, dimension_of, is_known, si_unit, symbols, unit_like, units_shown, what,
+    LENGTH,
+    MASS,
+    NUMBER,
+    TIME,
+    System,
+    added,
+    dimension_of,
+    is_known,
+    si_unit,
+    symbols,
+    unit_like,
+    units_shown,
+    what,
 )  # fmt: skip
 
 
