@@ -12,7 +12,8 @@ from tests.solved import solved
 
 
 @pytest.mark.parametrize(("value", "root", "most"), [
-    (lambda x: x - 0.3, 0.3, 2), (lambda x: 0.3 - x, 0.3, 2), (lambda x: x**3 - 0.027, 0.3, 14), (lambda x: 1 - 1e-3 / x, 1e-3, 40),
+    (lambda x: x - 0.3, 0.3, 2), (lambda x: 0.3 - x, 0.3, 2), (lambda x: x**3 - 0.027, 0.3, 14),
+    (lambda x: 1 - 1e-3 / x, 1e-3, 40),
     (lambda x: math.expm1(20 * (x - 0.9)), 0.9, 40), (lambda x: -math.expm1(20 * (x - 0.1)), 0.1, 40),
     (lambda x: (x - 0.5) * 1e-300, 0.5, 2), (lambda x: x**9 - 1e-9, 0.1, 60), (lambda x: math.copysign(1.0, x - 0.7), 0.7, 60),
 ])  # fmt: skip

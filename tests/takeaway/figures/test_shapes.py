@@ -78,9 +78,8 @@ def test_strokes_of_one_direction_are_hatching_and_of_two_are_none():
 
 
 def test_words_have_pieces_that_stand_lower_one_by_one():
-    (found,) = shapes(
-        '<text x="5" y="10" font-size="4" font-style="italic">v<tspan dy="1" font-size="3">A</tspan><tspan dy="-1">x</tspan></text>'
-    )
+    spans = 'v<tspan dy="1" font-size="3">A</tspan><tspan dy="-1">x</tspan>'
+    (found,) = shapes(f'<text x="5" y="10" font-size="4" font-style="italic">{spans}</text>')
     assert found == Words(5 + 90j, (("v", 4.0, 0.0), ("A", 3.0, 1.0), ("x", 4.0, 0.0)), 4.0, True, False, found.pen)
     (found,) = shapes('<text font-weight="bold"><tspan dy="2">a</tspan></text>')
     assert (found.at, found.pieces, found.bold, found.italic) == (100j, (("a", 3.2, 2.0),), True, False)
