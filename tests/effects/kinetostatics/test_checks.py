@@ -128,8 +128,8 @@ def test_no_rows_and_reactions_that_are_not_unique_have_no_digits():
 def driven(largest=10.0, **columns):
     names = tuple(columns)
     return SimpleNamespace(
-        drive_names=names, rows=SimpleNamespace(count=len(next(iter(columns.values()), []))), units=("N·m",) * len(names), names=names,
-        column=lambda name: np.array(columns[name], dtype=float), reactions=SimpleNamespace(largest=largest),
+        drive_names=names, rows=SimpleNamespace(count=len(next(iter(columns.values()), []))), names=names,
+        units=("N·m",) * len(names), column=lambda name: np.array(columns[name], dtype=float), reactions=SimpleNamespace(largest=largest),
     )  # fmt: skip
 
 
@@ -181,3 +181,18 @@ def test_a_pair_that_stands_is_told_with_its_first_row(monkeypatch):
     found = _friction(rubbed([[1, 2]] * 3), None)
     assert (found.sentence.key, found.sentence.values["count"], found.sentence.values["still"]) == ("check.FRICTION.still", 2, 2)
     assert checks.POWER_SHARE == 1e-3
+
+
+@pytest.mark.parametrize(("left", "largest", "spoilt", "verdict"), [
+    (0.99e-9, 10.0, False, "PASS"), (1.01e-9, 10.0, False, "FAIL"), (0.0, 0.0, False, "SKIP"), (0.0, 10.0, True, "SKIP"),
+])  # fmt: skip
+def test_what_is_left_of_all_forces_is_a_share_of_the_largest_moments_over_the_length(
+    monkeypatch, left, largest, spoilt, verdict
+):
+    """A mechanism 0.5 m long: half of a moment counts, in row 2."""
+    monkeypatch.setattr(checks, "outer_sum", lambda own: np.array([[0.0, 0.0, 0.0], [left / 2, 0.0, -left / 2], [0.0, 0.0, 0.0]]))
+    reactions = SimpleNamespace(rows=np.array([[NAN if spoilt else 1.0, 2.0]]), largest=largest)
+    found = checks._sum(SimpleNamespace(reactions=reactions, rows=SimpleNamespace(length=0.5)), None)
+    assert found.verdict == verdict
+    if largest and not spoilt:
+        assert (found.row, found.value) == (2, pytest.approx(left / largest))
