@@ -128,8 +128,9 @@ def test_no_rows_and_reactions_that_are_not_unique_have_no_digits():
 def driven(largest=10.0, **columns):
     names = tuple(columns)
     return SimpleNamespace(
-        drive_names=names, rows=SimpleNamespace(count=len(next(iter(columns.values()), []))), names=names,
-        units=("N·m",) * len(names), column=lambda name: np.array(columns[name], dtype=float), reactions=SimpleNamespace(largest=largest),
+        drive_names=names, names=names, units=("N·m",) * len(names), reactions=SimpleNamespace(largest=largest),
+        rows=SimpleNamespace(count=len(next(iter(columns.values()), []))),
+        column=lambda name: np.array(columns[name], dtype=float),
     )  # fmt: skip
 
 
