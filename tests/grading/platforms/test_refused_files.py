@@ -59,7 +59,7 @@ def test_blank_lines_between_decisions_end_nothing():
 def test_a_file_is_read_up_to_its_most_bytes(monkeypatch):
     monkeypatch.setattr("coursework.grading.platforms.cells_of_csv.MOST_BYTES", 9)
     assert read_cells(b"a" * 9, "f").text == "a" * 9
-    with pytest.raises(InputError, match="G014.* 10 .* 9 "):
+    with pytest.raises(InputError, match=r"G014.* 10 .* 9 "):
         read_cells(b"a" * 10, "f")
 
 
