@@ -5,6 +5,7 @@ Enters: answer lines, a `Key`, the rubric.  Leaves: `AnswerMarks`.  Used by `gra
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any, Literal
@@ -53,11 +54,15 @@ class AnswerMarks:
 
 
 def mark_answers(key: Key, asked: Sequence[Answer], lines: Sequence[AnswerLine]) -> AnswerMarks:
-    """Return the marks of every answer asked for but of rows that the motion does not reach; the last line of a name counts."""
+    """Return the marks of every answer asked for; the last line of a name counts.
+
+    Nobody is asked for what has no value in its row: one that the motion does not reach, a reaction that is not unique.
+    """
     handed_in = {line.name: line for line in lines}
     rows = [(answer.row or key.variant.time.row_of_check) - 1 for answer in asked]
     reached = [(answer, row) for answer, row in zip(asked, rows, strict=True) if row < len(key.exact)]
-    return AnswerMarks(tuple(_mark(key, answer, row, handed_in.get(answer.name)) for answer, row in reached))
+    marks = (_mark(key, answer, row, handed_in.get(answer.name)) for answer, row in reached)
+    return AnswerMarks(tuple(mark for mark in marks if math.isfinite(mark.expected)))
 
 
 def _mark(key: Key, answer: Answer, row: int, line: AnswerLine | None) -> AnswerMark:

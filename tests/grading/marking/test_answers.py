@@ -1,5 +1,8 @@
 """Measured answers against the numbers of the coursework's graph-analytical check (row 4 of variant 31)."""
 
+import math
+from types import SimpleNamespace
+
 import pytest
 
 import coursework
@@ -60,6 +63,20 @@ def test_an_answer_about_a_row_that_the_motion_does_not_reach_is_not_asked():
     found = mark_answers(stopped, asked, lines)
     assert ([mark.name for mark in found.marks], found.share) == (["a"], 1.0)
     assert mark_answers(stopped, asked[1:], lines).share == 1.0
+
+
+def test_a_force_without_a_value_in_its_row_is_not_asked():
+    """Of a reaction that is not unique nothing can be told, whatever is handed in."""
+    nothing = SimpleNamespace(
+        names=("R01",),
+        right=lambda of, row: (math.nan, math.nan, math.nan),
+        columns=lambda of: ((), (), {"slip": [math.nan] * 9}),
+    )
+    blind = SimpleNamespace(
+        exact=[0] * 9, forces=nothing, names=(), variant=SimpleNamespace(time=SimpleNamespace(row_of_check=4))
+    )
+    found = mark_answers(blind, [Answer("r", "R01", 4)], [answer("r", 5.0)])
+    assert (found.marks, found.share) == ((), 1.0)
 
 
 def test_of_two_lines_the_last_counts_and_half_is_half(key):
