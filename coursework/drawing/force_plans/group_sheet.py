@@ -132,7 +132,7 @@ def _chord(plan: GroupPlan, shown: Sequence[ForceVector], tips: Sequence[complex
     """Return where the inner reaction lies in the polygon: across what acts on the first link."""
     first = [place for place, vector in enumerate(shown) if vector.body == plan.bodies[0]]
     last = next((place for place in first if place + 1 not in first), None)
-    if last is None or last + 1 >= len(tips):
+    if last is None:
         return None
     closing = [place for place in first if place > last]
     begin = tips[closing[0]] if closing else tips[0]

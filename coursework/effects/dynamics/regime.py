@@ -25,7 +25,7 @@ MOST_SHOTS, REPEATS = 30, 1e-11  # of the speed: so well it repeats
 
 @frozen
 class Regime:
-    """Speed at the first angle (rad/s), `period` (s), mean, largest and least speed, where (rad), `delta` the unevenness."""
+    """Speed at the first angle (rad/s), `period` (s), mean, largest and least by size, where (rad), `delta` the unevenness."""
 
     speed: float
     period: float
@@ -37,8 +37,8 @@ class Regime:
 
     @property
     def delta(self) -> float:
-        """Return (w_max - w_min)/w_mean."""
-        return (self.largest - self.least) / self.mean
+        """Return (w_max - w_min)/w_mean, of sizes: which way it turns is not said."""
+        return (abs(self.largest) - abs(self.least)) / self.mean
 
 
 def find_regime(motion: EquationsOfMotion, places: list[float], speed: float) -> Regime | None:
@@ -85,7 +85,7 @@ def _told(motion: EquationsOfMotion, places: list[float], speed: float) -> Regim
     for sign in (1, -1):
         crossed = np.flatnonzero((sign * slope[:-1] > 0) & (sign * slope[1:] <= 0))
         places_of = [_between(angle, w, slope, int(k)) for k in crossed]
-        ends.append(max(places_of, key=lambda one: sign * one[1], default=(float(angle[0]), float(w[0]))))
+        ends.append(max(places_of, key=lambda one: sign * abs(one[1]), default=(float(angle[0]), float(w[0]))))
     (largest_at, largest), (least_at, least) = ends
     period = float(t[-1])
     return Regime(speed, period, float(abs(angle[-1] - angle[0])) / period, largest, largest_at, least, least_at)

@@ -5,6 +5,7 @@ Enters: answer lines, a `Key`, the rubric.  Leaves: `AnswerMarks`.  Used by `gra
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any, Literal
@@ -47,21 +48,24 @@ class AnswerMarks:
 
     @property
     def share(self) -> float:
-        """Return the part of the points earned."""
+        """Return the part of the points earned, all of them where nothing can be asked."""
         worth = {"right": 1.0, "half": 0.5}
-        return sum(worth.get(mark.verdict, 0.0) for mark in self.marks) / max(len(self.marks), 1)
+        return sum(worth.get(mark.verdict, 0.0) for mark in self.marks) / len(self.marks) if self.marks else 1.0
 
 
 def mark_answers(key: Key, asked: Sequence[Answer], lines: Sequence[AnswerLine]) -> AnswerMarks:
-    """Return the marks of every answer asked for; the last line of a name counts."""
+    """Return the marks of every answer asked for; the last line of a name counts.
+
+    Nobody is asked for what has no value in its row: one that the motion does not reach, a reaction that is not unique.
+    """
     handed_in = {line.name: line for line in lines}
-    return AnswerMarks(tuple(_mark(key, answer, handed_in.get(answer.name)) for answer in asked))
+    rows = [(answer.row or key.variant.time.row_of_check) - 1 for answer in asked]
+    reached = [(answer, row) for answer, row in zip(asked, rows, strict=True) if row < len(key.exact)]
+    marks = (_mark(key, answer, row, handed_in.get(answer.name)) for answer, row in reached)
+    return AnswerMarks(tuple(mark for mark in marks if math.isfinite(mark.expected)))
 
 
-def _mark(key: Key, answer: Answer, line: AnswerLine | None) -> AnswerMark:
-    row = (answer.row or key.variant.time.row_of_check) - 1
-    if row >= len(key.exact):
-        return AnswerMark(answer.name, None, float("nan"), float("nan"), "unreadable")
+def _mark(key: Key, answer: Answer, row: int, line: AnswerLine | None) -> AnswerMark:
     expected, table, largest = _expected(key, answer.of, row)
     tolerance = answer.tolerance * largest
     if line is None or line.state == "blank":

@@ -124,7 +124,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     forces = table.get("forces", [])
     asked = tuple(map(str, forces if isinstance(forces, list) else [forces]))
     late = _late(found["late"], name, faults) if "late" in found else None
-    if weights["answers"] and not answers:
+    if weights["answers"] and not found.get("answers"):
         faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
     if faults:
         raise InputError(faults)
@@ -209,7 +209,8 @@ def _answers(section: Any, name: str, faults: list[Fault]) -> list[Answer]:
         if row is not None and (isinstance(row, bool) or not isinstance(row, int) or row < 1):
             faults.append(Fault(say("fault.G044", row=row), name, place=f"{place}.row"))
             continue
-        found.append(Answer(key, entry["of"], row, _number(entry, "tolerance", READING_TOLERANCE, place, name, faults, 1.0)))
+        tolerance = _number(entry, "tolerance", READING_TOLERANCE, f"{place}.tolerance", name, faults, 1.0)
+        found.append(Answer(key, entry["of"], row, tolerance))
     return found
 
 

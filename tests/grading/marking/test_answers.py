@@ -1,5 +1,8 @@
 """Measured answers against the numbers of the coursework's graph-analytical check (row 4 of variant 31)."""
 
+import math
+from types import SimpleNamespace
+
 import pytest
 
 import coursework
@@ -49,3 +52,36 @@ def test_blank_and_unreadable_are_told_apart(key):
 def test_the_speed_of_a_point(key):
     marks = mark_answers(key, [Answer("vM", "v_M", 4)], [answer("vM", 4.1)])
     assert marks.marks[0].expected == pytest.approx(SPEED_OF_M, abs=1e-6)
+
+
+def test_an_answer_about_a_row_that_the_motion_does_not_reach_is_not_asked():
+    """With alpha = 0.02 variant 31 stops at 0.11688925 s: at steps of 0.02 s rows 1 to 6 are there."""
+    stopped = key_of(coursework.load("31").with_data({"alpha": 0.02}))
+    last = int(0.11688925 / stopped.step) + 1
+    asked = [Answer("a", "w1", last), Answer("b", "w1", last + 1)]
+    lines = [answer("a", float(stopped.exact[-1, stopped.names.index("w1")])), answer("b", 1.0)]
+    found = mark_answers(stopped, asked, lines)
+    assert ([mark.name for mark in found.marks], found.share) == (["a"], 1.0)
+    assert mark_answers(stopped, asked[1:], lines).share == 1.0
+
+
+def test_a_force_without_a_value_in_its_row_is_not_asked():
+    """Of a reaction that is not unique nothing can be told, whatever is handed in."""
+    nothing = SimpleNamespace(
+        names=("R01",),
+        right=lambda of, row: (math.nan, math.nan, math.nan),
+        columns=lambda of: ((), (), {"slip": [math.nan] * 9}),
+    )
+    blind = SimpleNamespace(
+        exact=[0] * 9, forces=nothing, names=(), variant=SimpleNamespace(time=SimpleNamespace(row_of_check=4))
+    )
+    found = mark_answers(blind, [Answer("r", "R01", 4)], [answer("r", 5.0)])
+    assert (found.marks, found.share) == ((), 1.0)
+
+
+def test_of_two_lines_the_last_counts_and_half_is_half(key):
+    asked = [Answer("a", "w3", 4), Answer("b", "w3", 4), Answer("c", "w3", 4)]
+    lines = [answer("a", 99.0), answer("a", W["w3"]), answer("b", W["w3"] + 0.08 * abs(W["w4"]))]
+    marks = mark_answers(key, asked, lines)
+    assert ([mark.verdict for mark in marks.marks], marks.share) == (["right", "half", "blank"], 0.5)
+    assert [mark.tolerance for mark in marks.marks] == pytest.approx([0.05 * abs(W["w4"])] * 3, rel=1e-6)

@@ -69,3 +69,56 @@ def test_each_confusion_is_told_of_for_itself_and_none_about_data_of_other_varia
         ("confusion.r1", "parsec"), ("confusion.alpha", "kg"),
     ]  # fmt: skip
     assert rubric.confused(SimpleNamespace(given=[SimpleNamespace(name="r2", si="m")])) == {"r2": 0.9}
+
+
+def answer(**changes):
+    return "[parts]\nanswers = 1\n[answers.a]\n" + "\n".join(
+        f"{key} = {value}" for key, value in ({"of": '"w2"'} | changes).items()
+    )
+
+
+@pytest.mark.parametrize(("text", "codes"), [
+    ("parts = 3", "G037 parts"), ("table = 3\nlate = 4", "G037 table, G037 late, G081 late.deadline"),
+    ("answers = 3", "G039 answers"), ("[answers]\na = 3\nb = { of = 1 }", "G043 answers.a, G043 answers.b"),
+    ("confusion = 3", "G045 confusion.1"), ("[[confusion]]\ndatum = 1\nvalue = '2'", "G045 confusion.1"),
+    ("[[confusion]]\ndatum = 'a'\nvalue = '2'\n[[confusion]]\ndatum = 'a'\nvalue = 2", "G045 confusion.2"),
+    ("[[confusion]]\ndatum = 'a'\nvalue = '2'\nwhy = ''", "G042 confusion.1"),
+    (answer(row=1), ""), (answer(row=0), "G044 answers.a.row"), (answer(row="true"), "G044 answers.a.row"),
+    (answer(row=1.5), "G044 answers.a.row"), (answer(tolerance=1), ""), (answer(tolerance=1.01), "G038 answers.a.tolerance"),
+    (answer(tolerance=0), ""), (answer(tolerance=-0.01), "G038 answers.a.tolerance"), (answer(rows=1), "G042 answers.a"),
+    ("points = 1e6", ""), ("points = 1.1e6", "G038 points"), ("[parts]\ntable = 1e6", ""),
+    ("[parts]\ntable = 1.1e6", "G038 parts.table"),
+    ("[parts]\ntable = 0\nequations = 0", "G034 parts"), ("[parts]\ntable = 0", ""),
+    ("missing_part = 'none'", "G035 missing_part"),
+    ("[conventions]\nclockwise = 'x'", "G089 conventions.clockwise"),
+    ("[late]\ndeadline = 2026-05-05T12:00:00", "G081 late.deadline"),
+    ("[late]\ndeadline = '2026-05-05T12:00:00+02:00'", ""), ("[late]\ndeadline = 'noon'", "G081 late.deadline"),
+    ("[late]\ndeadline = 2026-05-05T12:00:00Z\ngrace = 5", "G082 late.grace"),
+    ("[late]\ndeadline = 2026-05-05T12:00:00Z\nlost_per_day = 1\nat_most = 1", ""),
+    ("[late]\ndeadline = 2026-05-05T12:00:00Z\nlost_per_day = 1.1\nat_most = -1", "G038 late.lost_per_day, G038 late.at_most"),
+    ("a = [", "G046 "), ("a = " + "[" * 5000, "G065 "), ("[table]\nforces = 'M1'", ""),
+])  # fmt: skip
+def test_each_fault_of_a_rubric_is_told_where_it_stands(text, codes):
+    try:
+        read_rubric(text)
+    except InputError as error:
+        assert ", ".join(f"{fault.code} {fault.place}" for fault in error.faults) == codes
+    else:
+        assert codes == ""
+
+
+def test_rows_up_to_the_last_may_be_asked_for():
+    variant = coursework.load("31")
+    last = variant.time.steps + 1
+    check_rubric(read_rubric(answer(row=last)), variant)
+    with pytest.raises(InputError, match="G041"):
+        check_rubric(read_rubric(answer(row=last + 1)), variant)
+
+
+def test_forces_are_a_name_or_a_list_of_them_and_are_asked_of_what_has_them():
+    assert read_rubric("[table]\nforces = 'M1'").forces == ("M1",)
+    rubric = read_rubric("[table]\nforces = ['N03', 'N9']")
+    for name, refused in (("example-2-forces", ["N9"]), ("31", ["N03", "N9"])):
+        with pytest.raises(InputError) as caught:
+            check_rubric(rubric, coursework.load(name))
+        assert [fault.message.values["of"] for fault in caught.value.faults] == refused

@@ -85,6 +85,7 @@ def test_pictures_are_known_by_their_first_bytes() -> None:
     (["0 0.1", "1 5", "4 4"], False),  # two are none
     (["0 0.1 0.2", "1 5 7"], False), (["0 0.1 0.2", "1 5 7", "4 4 9", "1 1 2", "3 1 3"], True),
     (["0 0.1 0.2", "1 5 7", "4 4 9", "1 1 2", "3 1 3", "3 1 3"], False),  # two rows more than columns of the task, not three
+    (["0 0.1 0.2", "0.1 5 7", "0.2 4 9"], False), (["9 0.1 0.2 0.3", "7 0 1 7", "6 1 4 9", "8 2 5 3"], False),  # or down
     (["0 0.1 0.7", "1 5 7", "4 4 9"], False), (["20 3 1", "0 0.1 0.2", "4 4 9"], True), (["20 3 1", "4 4 9", "0 0.1 0.2"], False),
 ])  # fmt: skip
 def test_a_table_without_heads_lies_where_the_time_runs_along_one_of_its_first_rows(rows: list[str], lies: bool) -> None:

@@ -40,6 +40,8 @@ def test_the_shaper_teaches_the_ratio_of_its_stroke_times() -> None:
     assert "S = 0.400000 m" in told[0]
     assert f"{180 + beyond:.2f}°" in told[0] and f"{180 - beyond:.2f}°" in told[0]
     assert f"is {(180 + beyond) / (180 - beyond):.3f}." in told[0]
+    ends = [360 - beyond / 2, 180 + beyond / 2]  # the crank stands across the lever there
+    assert [re.findall(r"φ1 = ([\d.]+)°", told[0])] == [[f"{angle:.2f}" for angle in ends]]
     assert told[-1].startswith("Row 49, t = 0.5 s, repeats row 1 in positions and velocities")
     (lever,) = (row for row in rows if row[0].startswith("φ3"))
     assert lever[1] == f"{math.pi / 2 - math.asin(0.4):.5f}" and lever[4] == f"{math.pi / 2 + math.asin(0.4):.5f}"

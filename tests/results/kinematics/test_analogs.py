@@ -86,3 +86,14 @@ def test_positions_alone_have_no_analogs() -> None:
     positions = rrr(pin, Pair((1.2, 0.0)), lengths=(1.0, 0.7), mode=1, positions_only=True)
     with pytest.raises(ValueError, match=r"^analogs: the motion holds positions only; compute it without"):
         in_seconds(positions, 10.0)
+
+
+def test_a_crank_at_a_steady_speed_needs_no_acceleration_said():
+    """Of a crank of 0.1 m at 5 rad/s the pin has 0.1*25 m/s² towards the pivot; its analog is 0.1 m."""
+    turned = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0], rate=1.0)
+    moved = in_seconds(turned, omega_1=5.0)
+    assert moved.meets.acceleration.tolist() == [[-2.5, 0.0]] and moved.accelerations.tolist() == [[0.0]]
+    back = in_analogs(moved, omega_1=5.0)
+    assert back.meets.acceleration.tolist() == [[-0.1, 0.0]] and back.accelerations.tolist() == [[0.0]]
+    assert true_acceleration(0.3, 0.2, 5.0) == 5.0 and acceleration_analog(1.5, 5.0, 5.0) == 0.2
+    assert true_acceleration(0.3, 0.2, 5.0, 2.0) == 5.6 and acceleration_analog(1.5, 5.6, 5.0, 2.0) == pytest.approx(0.2)

@@ -139,6 +139,22 @@ def test_changed_cells_give_the_run_with_these_data(name):
     assert off(computed.rows("Euler", *rows.shape), rows) < 1e-9
 
 
+@pytest.mark.parametrize(
+    ("name", "kinds"), [("jansen", {"RRR"}), ("engine-start", {"RRP"}), ("example-6", {"RPR", "RPP"}), ("prp", {"PRP"})]
+)
+def test_starts_that_follow_from_lengths_are_formulas_of_them(name, kinds):
+    """A formula that does not give the start of the run is not taken: a number stands there then, which no datum moves."""
+    computed, run = Evaluated(book(name)), solved(name)
+    start = dict(zip(run.motion.coordinate_names, run.scene.start, strict=True))
+    groups = [group for group in run.variant.groups if group.kind in kinds]
+    assert {group.kind for group in groups} == kinds
+    for coordinate in (coordinate for group in groups for coordinate in group.coordinates):
+        sheet, _, cell = computed.names[f"_{coordinate}_0"].replace("$", "").partition("!")
+        place = computed.book[sheet][cell]
+        assert place.data_type == "f"
+        assert computed.value(sheet, place.row, place.column) == pytest.approx(start[coordinate], abs=1e-9)
+
+
 @pytest.mark.parametrize(("name", "scheme"), [("robot-arm", "rk4"), ("v104", "heun"), ("variable-crank-table", "midpoint")])
 def test_other_schemes_have_their_slopes_in_further_columns(name, scheme):
     run = solved(name, scheme=scheme, quantities=["table"])

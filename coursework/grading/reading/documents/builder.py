@@ -72,7 +72,7 @@ class DocumentBuilder:
             add_lines(self.document, pieces, place_of("paragraph", number=self._number))
             return
         table = self._tables[-1]
-        text = pieces[0][0] if len(pieces) == 1 else "".join([text for text, _ in pieces])
+        text = "".join([text for text, _ in pieces])
         table.cell.append(text)
         if "=" in text:
             add_lines(self.document, pieces, table.place)
@@ -112,8 +112,7 @@ class DocumentBuilder:
         if not self._tables:
             return
         table = self._tables[-1]
-        text = table.cell[0] if len(table.cell) == 1 else " ".join(table.cell)
-        text = on_one_line(plain_signs(text[:CELL_CHARACTERS])).strip()
+        text = on_one_line(plain_signs(" ".join(table.cell)[:CELL_CHARACTERS])).strip()
         at = len(table.row)
         cell = Cell(text)
         if continued and not text and table.rows and at < len(table.rows[-1]):

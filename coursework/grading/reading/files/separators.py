@@ -102,7 +102,7 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
         block = list(group)
         if is_row and len(block) < _FEWEST:  # single rows with lines between
             return _aligned(lines, most)
-        if not is_row and count:
+        if count:  # what follows rows of numbers is none
             blocks.append([])
         count = len(block) if is_row else 0
         blocks[-1] += block

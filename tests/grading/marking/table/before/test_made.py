@@ -1,0 +1,129 @@
+"""What rows make, which cells stand beside their makers, and what is found first: with w = 2 p, u = 2 w and steps of a tenth."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coursework.grading.marking.table.before.guesses import _by_next_row, _is_open, _ranked
+from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
+from coursework.grading.marking.table.before.restored import _joined, _made_into, _other, _silent, _slips, _touched
+from coursework.grading.marking.table.ways import StudentTable
+
+NAN = math.nan
+KEY = SimpleNamespace(
+    coordinates=("p",), velocities=("w", "u"), blocks=(("w",), ("u",)), stride=0.1, t=np.arange(4.0),
+    velocities_at=lambda t, q: np.hstack([2 * q, 4 * q]), block_at=lambda index, t, q, w: 2 * w[:, :1],
+    variant=SimpleNamespace(unit_of={"p": "rad"}.get),
+)  # fmt: skip
+
+
+def table(*rows, unit=1e-3):
+    values = np.array(rows, dtype=float)
+    return StudentTable(values, np.full(values.shape, unit))
+
+
+def test_cells_beside_their_makers_and_back():
+    """The first coordinates are made from nothing, and from the last row only velocities are."""
+    cells = np.array([[1, 2, 3], [4, 5, 6], [7, 8, 9]])
+    assert beside_makers(cells, 1).tolist() == [[2, 3, 4], [5, 6, 7], [8, 9, 0]]
+    assert _made_into(beside_makers(cells, 1), 1).tolist() == [[0, 2, 3], [4, 5, 6], [7, 8, 9]]
+
+
+def test_a_row_makes_its_velocities_in_two_ways_and_the_next_coordinate_in_three():
+    """By p = 3: w = 6, u = 12; u from the printed w = 5: 10; steps with 5, with 6, and with the first of the later ones: none."""
+    found = made_from_rows(KEY, KEY.t[:1], np.array([[3.0, 5.0, 7.0]]))
+    assert found[0] == pytest.approx([6, 12, NAN, 10, 3.5, 3.6, 3.5], nan_ok=True)
+
+
+@pytest.mark.parametrize(("told", "other", "found"), [
+    ([[0, 1, 0]], [[0, 1, 1]], [[3, 5, 10]]), ([[0, 1, 0]], [[0, 1, 0]], [[3, 5, 7]]), ([[0, 1, 1]], [[0, 1, 1]], [[3, 5, 7]]),
+    ([[1, 0, 0]], [[1, 1, 1]], None), ([[0, 0, 0]], [[1, 1, 1]], None),
+])  # fmt: skip
+def test_what_follows_from_a_velocity_that_was_told_is_set_in_where_it_may_be_other(told, other, found):
+    given = table([3, 5, 7])
+    got = with_later(
+        SimpleNamespace(**{**vars(KEY), "t": KEY.t[:1]}), given, np.array(other, dtype=bool), np.array(told, dtype=bool)
+    )
+    assert found == (None if got is None else got.values.tolist())
+    assert given.values.tolist() == [[3, 5, 7]]
+
+
+def ways(student, step=(), true=()):
+    """Return ways by which the coordinates of some rows follow from the row above, and velocities may be off by a tenth."""
+
+    def holds(rows):
+        flags = np.zeros(student.values.shape, dtype=bool)
+        flags[list(rows), 0] = True
+        return SimpleNamespace(holds=lambda values: flags)
+
+    wide = SimpleNamespace(tolerance=np.full(student.values.shape, 0.1))
+    none = SimpleNamespace(tolerance=np.full(student.values.shape, NAN))
+    return SimpleNamespace(angles=wide, earlier=none, step=holds(step), step_true=holds(true))
+
+
+def test_cells_put_right_are_again_what_the_rows_above_made():
+    """Row 2 is the task's: 1.32 and its velocities, where the rows above make 1.2 + 0.12 = 1.44."""
+    student = table([1.0, 2, 4], [1.2, 2.4, 4.8], [1.32, 2.64, 5.28], [1.73, 3.4, 6.9])
+    right = np.array([[False] * 3, [False] * 3, [True] * 3, [False] * 3])
+    found = as_it_was(KEY, student, right, ways(student))
+    assert found.values[2] == pytest.approx([1.44, 2.88, 5.76])
+    assert found.values[[0, 1, 3]].tolist() == student.values[[0, 1, 3]].tolist()
+    assert found.units[2, 0] == pytest.approx(2.1e-3) and found.units[1, 0] == 1e-3
+    assert as_it_was(KEY, student, np.zeros_like(right), ways(student)) is None
+    follows = np.zeros_like(right)
+    follows[1:3] = True  # of two, the second one that follows from the first is left; edges are made anew
+    assert as_it_was(KEY, student, follows, ways(student, step=[2])).values[2, 0] == pytest.approx(1.44)
+
+
+def test_a_broken_step_tells_what_its_coordinate_was():
+    """From 1.5 with 5 rad/s back: 1.0; its digits are those of the next row and of the velocity."""
+    was = table([1.1, 5, 0], [1.5, 3, 0], [1.8, 1, 0])
+    other = np.array([[True, True, True]] * 3)
+    found = _by_next_row(KEY, was, other)
+    assert found.values[:, 0] == pytest.approx([1.0, 1.5, 1.8]) and found.values[:, 1:].tolist() == was.values[:, 1:].tolist()
+    assert found.units[:, 0] == pytest.approx([1.1e-3, 1e-3, 1e-3]) and was.values[0, 0] == 1.1
+    assert _by_next_row(KEY, was, ~other).values.tolist() == was.values.tolist()
+    just = replace(was, values=was.values + np.array([[-0.1 + 0.99 * 0.505 * 2.1e-3, 0, 0], [0, 0, 0], [0, 0, 0]]))
+    assert _by_next_row(KEY, just, other).values.tolist() == just.values.tolist()
+
+
+def test_an_angle_is_open_by_whole_turns_where_a_velocity_tells_it():
+    assert _is_open(KEY, np.array([0, 0, 0, 1]), np.array([0, 3, 4, 0])).tolist() == [True, True, False, False]
+
+
+def test_of_each_row_the_cell_of_which_most_speaks_comes_first_and_of_equal_ones_the_most_exact():
+    row, place = np.array([0, 0, 0, 1, 1, 1, 0]), np.array([0, 1, 0, 2, 1, 0, 2])
+    x, counts = np.array([10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0]), np.array([2, 3, 4, 2, 2, 1, 2])
+    half = np.array([0.1, 0.1, 0.1, 0.2, 0.1, 0.1, 0.3])
+    first, second, third = _ranked((2, 3), row, place, x, counts, half)
+    assert first.tolist()[0] == pytest.approx([12, NAN, NAN], nan_ok=True) and first.tolist()[1] == pytest.approx(
+        [NAN, 14, NAN], nan_ok=True
+    )
+    assert second[0, 1] == 11.0 and second[1, 2] == 13.0 and third[0, 2] == 16.0 and np.isnan(third[1]).all()
+    assert _ranked((2, 3), row, place, x, np.ones(7, dtype=int), half) == []
+
+
+@pytest.mark.parametrize(("moved", "gains", "silent"), [
+    ("xxx", "---", "xxx"), ("xxx", "-x-", "x--"), ("-xx-x", "-----", "-xx-x"), ("xx-xx", "x----", "---xx"), ("---", "xxx", "---"),
+    ("xx", "xx", "--"),
+])  # fmt: skip
+def test_of_rows_that_moved_the_first_ones_without_gain_are_silent(moved, gains, silent):
+    found = _silent(*(np.array([sign == "x" for sign in text]) for text in (moved, gains)))
+    assert "".join("x" if one else "-" for one in found) == silent
+
+
+def test_tables_beside_each_other():
+    one, two = table([1, 2, 3], [4, 5, NAN]), table([1, 9, 3], [7, 5, 6], unit=1e-2)
+    assert _other(two, one).tolist() == [[False, True, False], [True, False, True]]
+    assert _other(one, two).tolist() == [[False, True, False], [True, False, False]]
+    joined = _joined(np.array([False, True]), two, one)
+    assert joined.values.tolist() == [[1, 2, 3], [7, 5, 6]] and joined.units[:, 0].tolist() == [1e-3, 1e-2]
+    held = SimpleNamespace(holds=lambda values: np.array([[False, True, False], [False, False, False]]))
+    assert _slips(two, one, held).tolist() == [0, 2]
+    for row, is_touched in ((0, True), (1, False)):
+        made = np.zeros((2, 3), dtype=bool)
+        made[row, 2] = True
+        assert _touched(made, table([1, 9, 3], [4, 5, 6]), table([1, 2, 3], [4, 5, 6])) is is_touched

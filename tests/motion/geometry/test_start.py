@@ -1,0 +1,57 @@
+"""Start values of a chain: as near as they are written, in the order of its groups, told in the unit that was typed."""
+
+import math
+
+import pytest
+
+import coursework
+from coursework.motion.geometry.start import start_values
+from tests.scene.model.test_start import TEXT, angles
+
+FROM, NAMES = 'from = ["A", "D"]', 'coordinates = ["g", "h"]'
+
+
+def faults(off=0.0, *, unit="deg", changes=(), place=0):
+    """Return codes, values and the starts of a file whose start is `off` (rad) beside where the dyad closes."""
+    start = list(angles(0.1, 1))
+    start[place] += off
+    first = repr(start[0] if unit == "rad" else math.degrees(start[0]))
+    text = TEXT.format(g=first, h=repr(math.degrees(start[1])), mode='mode = "+1"').replace(f'{first} deg"', f'{first} {unit}"')
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    try:
+        run = coursework.solve(coursework.parse_variant(text, "own.toml"))
+        found = start_values(run.scene.equations)
+    except coursework.InputError as error:
+        return [(fault.code, fault.message.values) for fault in error.faults]
+    assert found == pytest.approx([math.radians(40), *angles(0.1, 1)], abs=1e-12)
+    return []
+
+
+@pytest.mark.parametrize("place", [0, 1])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_start_is_where_the_dyad_closes_but_for_a_millionth(sign, place):
+    assert faults(sign * 0.9e-6, place=place) == []
+    ((code, told),) = faults(sign * 1.1e-6, place=place)
+    wanted = math.degrees(angles(0.1, 1)[place])
+    assert (code, told["name"], told["unit"]) == ("V332", "gh"[place], "deg")
+    assert (told["start"], told["closed"]) == (pytest.approx(wanted + math.degrees(sign * 1.1e-6)), pytest.approx(wanted))
+
+
+def test_a_start_is_told_in_the_unit_that_was_typed():
+    ((_, told),) = faults(0.1, unit="rad")
+    assert (told["unit"], told["closed"]) == ("rad", pytest.approx(angles(0.1, 1)[0]))
+
+
+@pytest.mark.parametrize(("old", "new", "key"), [
+    (FROM, 'from = ["D", "A"]', "from"), (NAMES, 'coordinates = ["h", "g"]', "coordinates"),
+])  # fmt: skip
+@pytest.mark.parametrize(("off", "is_swap"), [(0.0, True), (0.019, True), (-0.019, True), (0.021, False), (-0.021, False)])
+def test_points_or_coordinates_in_the_other_order_are_told_where_the_start_shows_it(old, new, key, off, is_swap):
+    found = faults(off, changes=[(old, new)])
+    assert [code for code, _ in found] == (["V334"] if is_swap else ["V332", "V332"])
+    if is_swap:
+        told = found[0][1]
+        assert (told["number"], told["kind"], told["key"]) == (2, "RRR", key)
+        assert told["swapped"] == {"from": '["A", "D"]', "coordinates": '["g", "h"]'}[key]

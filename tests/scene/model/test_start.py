@@ -1,0 +1,89 @@
+"""Where a four-bar without a written mode begins with other data: in the branch of its file's start, in the same turn."""
+
+import math
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.scene.model.start import _least, start_of
+
+TEXT = """
+[given]
+a = "0.1 m"
+b = "0.35 m"
+c = "0.25 m"
+d = "0.4 m"
+n = "60 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+f = {{ start = "40 deg", rate = "w1" }}
+g = {{ start = "{g} deg", rate = "w2" }}
+h = {{ start = "{h} deg", rate = "w3" }}
+[time]
+step = "0.05 s"
+end = "1 s"
+[points]
+O = "(0, 0)"
+D = "(d, 0)"
+[[group]]
+kind = "crank"
+from = ["O"]
+lengths = ["a"]
+meets = "A"
+coordinates = ["f"]
+[[group]]
+kind = "RRR"
+from = ["A", "D"]
+lengths = ["b", "c"]
+meets = "B"
+coordinates = ["g", "h"]
+{mode}
+[ask]
+quantities = ["table"]
+"""
+CRANKS = np.array([0.1, 0.12, 0.9, 0.2])
+
+
+def angles(a, side):
+    """Return g and h of the coupler and the rocker of a crank (m) at 40 degrees, B on one side of the line from A to D."""
+    crank = a * np.exp(1j * math.radians(40))
+    base = 0.4 - crank
+    at_a = math.acos((0.35**2 + abs(base) ** 2 - 0.25**2) / (2 * 0.35 * abs(base)))
+    point = crank + 0.35 * np.exp(1j * (np.angle(base) + side * at_a))
+    return float(np.angle(point - crank)), float(np.angle(point - 0.4))
+
+
+@pytest.mark.parametrize("is_written", [True, False])
+@pytest.mark.parametrize(("side", "turns"), [(1, 0), (-1, 0), (1, 1), (-1, -2)])
+def test_a_group_is_put_together_in_the_branch_and_the_turn_of_the_file(side, turns, is_written):
+    begin = np.array(angles(0.1, side)) + 2 * math.pi * turns
+    mode = f'mode = "{side:+d}"' if is_written else ""
+    text = TEXT.format(g=repr(math.degrees(begin[0])), h=repr(math.degrees(begin[1])), mode=mode)
+    model = coursework.compile_model(coursework.parse_variant(text, "own.toml"))
+    data = model.data({"a": CRANKS})
+    with np.errstate(all="ignore"):
+        found = start_of(model, data, model.numbers(data))
+    assert found.doubtful.tolist() == [False, False, True, False]  # a crank of 0.9 m leaves no triangle
+    for index in np.flatnonzero(~found.doubtful):
+        wanted = np.array(angles(CRANKS[index], side))
+        assert found.begin[0, index] == pytest.approx(math.radians(40))
+        assert found.begin[1:, index] == pytest.approx(
+            wanted + 2 * math.pi * np.round((begin - wanted) / (2 * math.pi)), abs=1e-12
+        )
+    assert found.closed is found.begin
+
+
+@pytest.mark.parametrize(("matrix", "right", "found"), [
+    ([[2.0, 0.0], [0.0, 4.0]], [2.0, 2.0], [1.0, 0.5]), ([[1.0, 2.0]], [5.0], [1.0, 2.0]),  # the smallest of all that fit
+    ([[1.0], [1.0], [1.0]], [1.0, 2.0, 6.0], [3.0]),  # the mean is nearest
+    ([[1.0, 1.0], [1.0, 1.0]], [1.0, 1.0], None), ([[1.0, math.inf]], [1.0], None),
+    ([[1.0, 0.0], [0.0, 1.0]], [math.nan, 1.0], None),
+])  # fmt: skip
+def test_the_smallest_correction_that_comes_nearest(matrix, right, found):
+    """Beside a set that has one, a set without leaves it alone."""
+    good = np.eye(len(matrix), len(matrix[0]))
+    both = _least(np.array([matrix, good]), np.array([right, np.ones(len(right))]))
+    assert both[0] == pytest.approx([math.nan] * len(matrix[0]) if found is None else found, nan_ok=True)
+    assert both[1] == pytest.approx(np.linalg.pinv(good) @ np.ones(len(right)))
