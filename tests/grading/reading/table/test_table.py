@@ -112,7 +112,7 @@ def test_a_refused_table_weighs_its_named_cells_whole_and_others_a_quarter() -> 
 
 def test_rows_with_times_of_their_own_are_in_the_units_and_turns_of_their_column() -> None:
     """540 deg, two turns below: 3 pi - 4 pi; a tenth of a degree is the last place."""
-    own = column("phi1", ["540.0"], 1, unit="deg", turns=2)
+    own = column("phi1", ["540.0"], 1, unit="deg", turns=(2,))
     grid = Grid(0.1, 2, (GridColumn("phi1", "rad", (1.0, 2.0)), GridColumn("w1", "1/s", (1.0, 2.0))))
     rows: Any = SimpleNamespace(own=(0, 2), own_step=0.05)
     places: Any = SimpleNamespace(places={"phi1": Place(0, "header")})
