@@ -26,7 +26,7 @@ from coursework.system.plain_lines import record_of
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.custom_templates import templates_standing_in
 from coursework.words.errors import Fault, InputError
-from coursework.words.sentences import load_phrases, say
+from coursework.words.sentences import joined, load_phrases, say
 
 KEPT = 8  # keys at once: a class shares one, or each student has an own one
 
@@ -56,6 +56,9 @@ class Workshop:
             grade = self.grade(submission, source, task.accepted_decimals)
         except MemoryError:
             return failed(task, self.setup, "unreadable", say("grading.memory"))
+        except InputError as error:  # of the instructor's file: nobody's work is at fault, nor this program
+            why_not = joined([fault.message for fault in error.faults])
+            return failed(task, self.setup, "needs-review", say("grading.unusable", reason=why_not))
         why = [reason.plain() for reason in reasons(grade)]
         hidden = list((grade.table.hidden if grade.table else None) or ())
         marked = grade.plain() | {"reasons": why, "hidden": hidden}
