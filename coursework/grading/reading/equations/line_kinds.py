@@ -57,8 +57,10 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     name, sign, formula = bare.partition("=")
     name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
     meant = spellings.canonical(name)
-    # A letter that only its size tells from a datum or a coordinate is the student's own: nobody solves for these.
-    is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and key(name) != key(meant))
+    # A letter that only its size tells from a datum or a coordinate is the student's own: nobody solves for these.  But S = 0.4
+    # is where a coordinate s begins.
+    is_start = meant in spellings.rates and _QUANTITY.fullmatch(formula) is not None
+    is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and key(name) != key(meant) and not is_start)
     return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
 
 
