@@ -58,8 +58,8 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     name, sign, formula = bare.partition("=")
     name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
     meant = spellings.canonical(name)
-    # A letter that only its size tells from a datum or a coordinate is the student's own: nobody solves for these.  But S = 0.4 is
-    # where a coordinate s begins, as S = S0 is, and S = 0.4 + u*h where it goes.
+    # A letter that only its size tells from a datum or a coordinate is the student's own: nobody solves for these.
+    # But S = 0.4 is where a coordinate s begins, as S = S0 is, and S = 0.4 + u*h where it goes.
     is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and key(name) != key(meant))
     if meant in spellings.rates and is_own:
         named = names_in(formula, spellings)
