@@ -182,6 +182,11 @@ def test_a_letter_that_only_looks_like_a_name_of_the_task_changes_nothing(text, 
     assert (found.marks[-1].verdict, found.independent) == ("right", 1)
 
 
+def test_a_period_beside_the_equations_is_said_without_a_warning():
+    found = marked("T = 2*pi/p\nomega = 2*pi/T\nw4 = 2*w3*(cos(phi3) - 2*sin(phi3))")
+    assert (found.marks[-1].verdict, found.independent) == ("right", 1)
+
+
 def test_nought_with_decimals_is_no_value_of_some_row():
     right, wrong = "w4 - 2*w3*cos(phi3) + 4*w3*sin(phi3) = 0", "r3*w3*sin(phi3) - r2*w2*cos(phi2) + r1*w1*cos(phi1) = 0.00"
     assert [mark.verdict for mark in marked(f"{right}\n{wrong}").marks] == ["right", "wrong"]
