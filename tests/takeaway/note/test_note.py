@@ -13,9 +13,8 @@ import pypandoc
 import pytest
 
 from coursework.report.output.formats import formats_for
-from coursework.report.text.parts import Checks, Claims, Column, Equations, Figure, Panels, Table
+from coursework.report.text.parts import Checks, Claims, Equations, Figure, Panels, Table
 from coursework.takeaway.figures.drawings import Picture
-from coursework.takeaway.note.blocks import _widths
 from coursework.takeaway.note.formulas import WIDE, _places, latex_of, letters_wide
 from coursework.takeaway.note.open_document import MANIFEST, _with_drawings
 from coursework.takeaway.note.writer import LANGUAGES
@@ -293,13 +292,3 @@ def test_a_drawing_whose_title_has_what_does_not_print_leaves_the_text_readable(
     drawn = {b"PNG": Picture("a", "<svg/>", 1.0, 1.0, "the <wheel>\x07\u202e")}
     text = _with_drawings(files, '<draw:image xlink:href="a.png"/>', drawn)
     assert text.endswith("<svg:desc>the &lt;wheel&gt;</svg:desc>") and "a.svg" in files
-
-
-@pytest.mark.parametrize(("head", "cell", "as_wide"), [
-    ("步数", "1", "12345"), ("t", "容差", "1234"), ("steps", "1", "123456"), ("h", "", "12"),
-])  # fmt: skip
-def test_a_chinese_letter_takes_the_room_of_two_digits(head, cell, as_wide):
-    """A head is bold: a letter more."""
-    columns = [Column([{"text": head}]), Column([{"text": "x"}])]
-    first, second = (_widths(Table(columns, [[text, "0"]]), 160.0)[0] for text in (cell, as_wide))
-    assert first == pytest.approx(second)
