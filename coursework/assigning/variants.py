@@ -16,7 +16,7 @@ from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
 from coursework.assigning.reader import ranges_file, ranges_of, read_ranges
 from coursework.grading.marking.decimals import decimals_accepted
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key import key_to_mark_by
 from coursework.grading.platforms.names import file_stem
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings, scheme_for
@@ -80,7 +80,7 @@ class Assignment:
     def accepted_decimals(self) -> int:
         """Return with how many decimals, at the least, the table of everyone is marked: one number, from the template."""
         try:
-            gap = key_of(self.template).gap
+            gap = key_to_mark_by(self.template).gap
         except CourseworkError:  # a template that does not move itself; its middle draw stands for it
             gap = self.acceptance.centre.numbers["one_step_gap"]
         return decimals_accepted(gap)

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from coursework.grading.marking.key import Key, key_of
+from coursework.grading.marking.key import Key, key_to_mark_by
 from coursework.grading.marking.student_table import lacking, student_of, with_given
 from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.causes.clockwise import turned_back
@@ -42,8 +42,11 @@ class Prechecked:
 
 
 def precheck(submission: Submission, variant: Variant, named: Callable[[str, tuple[str, ...]], str]) -> Prechecked:
-    """Return what a student may know before handing in; `named` writes the names in a text as its reader knows them."""
-    key = key_of(variant)
+    """Return what a student may know before handing in; `named` writes the names in a text as its reader knows them.
+
+    Raises `InputError` where the variant has no table.
+    """
+    key = key_to_mark_by(variant)
     grid = key.grid
     work = read_submission(submission, Expected(grid, key.variant))
     told: list[Sentence] = [say("screen.file", name=entry.name, kind=_kinds(entry), bytes=entry.bytes) for entry in work.files]

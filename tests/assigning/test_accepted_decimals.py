@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.assigning.variants import Assignment, load_ranges
 from coursework.grading.batch.work import Setup, Task, VariantSource
 from coursework.grading.marking.grade import fewer_decimals
 from coursework.grading.marking.key import key_of
@@ -163,3 +164,12 @@ def test_a_number_in_the_roster_that_cannot_be_is_told(tmp_path, text, is_right)
         result = call("grade", tmp_path / "in", "--roster", tmp_path / "roster.csv", "--out", tmp_path / "out")
     assert result.exit_code == (0 if is_right else 2), result.output
     assert is_right or ("roster.csv:2" in result.output and f'found "{text}"' in result.output)
+
+
+def test_a_template_that_stops_at_once_has_the_decimals_of_a_draw_that_does_not(tmp_path):
+    """At tan(phi3) = -2 the first block is singular; the last decimal is at most 0.6 of the gap of the middle draw."""
+    text = coursework.load("31").path.read_text(encoding="utf-8").replace("2.87 rad", "2.034443935795703 rad")
+    (tmp_path / "dead.toml").write_text(text, encoding="utf-8")
+    template = coursework.load(tmp_path / "dead.toml")
+    made = Assignment(template, load_ranges("31", template), 1)
+    assert made.accepted_decimals == math.ceil(-math.log10(0.6 * made.acceptance.centre.numbers["one_step_gap"]))

@@ -9,16 +9,17 @@ import pytest
 from click.testing import CliRunner, Result
 
 from coursework.commands.cli import main
+from coursework.words.data_folders import folder
 from tests.grading.batch.classroom import EQUATIONS, csv
 from tests.grading.marking import students
 
 
-def precheck(folder: Path, table: bytes | None, equations: str = "\n".join(EQUATIONS), *options: str) -> Result:
+def precheck(place: Path, table: bytes | None, equations: str = "\n".join(EQUATIONS), *options: str) -> Result:
     paths = []
     for name, content in (("table.csv", table), ("equations.txt", equations.encode())):
         if content:
-            (folder / name).write_bytes(content)
-            paths.append(str(folder / name))
+            (place / name).write_bytes(content)
+            paths.append(str(place / name))
     return CliRunner().invoke(main, ["precheck", *paths, *(options or ("--variant", "31"))])
 
 
@@ -94,6 +95,14 @@ def test_forms_that_were_mended_are_shown(tmp_path: Path) -> None:
     assert found.exit_code == 0
     line = next(line for line in found.output.splitlines() if "0.5 * r3 * w4" in line)
     assert "sin(phi3)" in line
+
+
+def test_a_variant_that_stops_at_once_is_at_fault_and_not_the_column_of_times(tmp_path: Path) -> None:
+    """At tan(phi3) = -2 the first block is singular."""
+    dead = (folder("variants") / "31.toml").read_text(encoding="utf-8").replace("2.87 rad", "2.034443935795703 rad")
+    (tmp_path / "dead.toml").write_text(dead, encoding="utf-8")
+    found = precheck(tmp_path, csv(students.table()), "", "--variant", str(tmp_path / "dead.toml"))
+    assert (found.exit_code, found.output.count("G006"), found.output.count("Check the column")) == (2, 1, 0)
 
 
 def test_the_variant_is_asked_for(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.batch.decisions import overridden
 from coursework.grading.batch.work import Outcome, Setup, Task, VariantSource, failed
 from coursework.grading.marking.grade import Grade, Marker
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key import key_to_mark_by
 from coursework.grading.marking.reasons.reasons import reasons
 from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
@@ -25,8 +25,8 @@ from coursework.grading.reading.submission import Submission
 from coursework.system.plain_lines import record_of
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.custom_templates import templates_standing_in
-from coursework.words.errors import Fault, InputError
-from coursework.words.sentences import load_phrases, say
+from coursework.words.errors import InputError
+from coursework.words.sentences import joined, load_phrases, say
 
 KEPT = 8  # keys at once: a class shares one, or each student has an own one
 
@@ -56,6 +56,9 @@ class Workshop:
             grade = self.grade(submission, source, task.accepted_decimals)
         except MemoryError:
             return failed(task, self.setup, "unreadable", say("grading.memory"))
+        except InputError as error:  # of the instructor's file: nobody's work is at fault, nor this program
+            why_not = joined([fault.message for fault in error.faults])
+            return failed(task, self.setup, "needs-review", say("grading.unusable", reason=why_not))
         why = [reason.plain() for reason in reasons(grade)]
         hidden = list((grade.table.hidden if grade.table else None) or ())
         marked = grade.plain() | {"reasons": why, "hidden": hidden}
@@ -70,9 +73,7 @@ class Workshop:
 
     def _made(self, source: VariantSource, accepted_decimals: int | None) -> tuple[Marker, Expected]:
         variant = parse_variant(source.content, source.name, source.tables)
-        key = key_of(variant, accepted_decimals)
-        if not len(key.table):
-            raise InputError([Fault(say("fault.G006", stopped=key.stopped), source.name)])
+        key = key_to_mark_by(variant, accepted_decimals)
         grid = key.grid
         if self.rubric.forces and key.forces is not None:
             from coursework.grading.marking.forces import with_forces

@@ -161,10 +161,12 @@ class Marker:
         equations = equations if equations and equations.marks else None
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
         table = self._table(work.table, with_given(self.key, back or student), equations) if work.table and student else None
+        # Beside other work nothing is missing where nothing can be asked.
+        is_answered = work.answers or ((table or equations) and answers and not answers.marks)
         shares: dict[str, float | None] = {
             "table": table.share if table else None,
             "equations": equations.share if equations else None,
-            "answers": answers.share if answers and work.answers else None,
+            "answers": answers.share if answers and is_answered else None,
         }
         judged = verdicts(self.key, table, equations)
         status, reason, notes = self._status(work, shares)

@@ -31,7 +31,8 @@ from coursework.system.arrays import Array, Flags
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import CourseworkError
+from coursework.words.errors import CourseworkError, Fault, InputError
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.grading.marking.forces import ForceKey
@@ -240,6 +241,14 @@ def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
     solved = _solved(model, [variant])
     stop = solved.stops[0]
     return Key(variant, model, _complete(solved.values[0]), stop.sentence if stop else "", accepted_decimals)
+
+
+def key_to_mark_by(variant: Variant, accepted_decimals: int | None = None) -> Key:
+    """Return the key of a variant.  Raises `InputError` where its motion stops at once, too: there is no table then."""
+    key = key_of(variant, accepted_decimals)
+    if not len(key.table):
+        raise InputError([Fault(say("fault.G006", stopped=key.stopped), variant.file)])
+    return key
 
 
 def tables_of(variants: Mapping[str, Variant]) -> dict[str, Array]:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatchmethod
 from typing import Any
+from unicodedata import east_asian_width
 
 from coursework.report.text.parts import (
     Bullets,
@@ -228,8 +229,10 @@ def kind_of(part: Part) -> str:
 
 def _widths(part: Table, width: float) -> list[float]:
     """Return the widths of columns as parts of a text (mm): what the longest cell takes, of many columns in proportion."""
-    heads = [1 + max(map(len, f"{_said(one.head)} {one.unit}".split()), default=0) for one in part.columns]  # bold, and broken
-    letters = [max([head, *(len(_said(row[place])) for row in part.rows)]) for place, head in enumerate(heads)]
+    heads = [
+        1 + max(map(_letters, f"{_said(one.head)} {one.unit}".split()), default=0) for one in part.columns
+    ]  # bold, and broken
+    letters = [max([head, *(_letters(_said(row[place])) for row in part.rows)]) for place, head in enumerate(heads)]
     many = len(letters) > MANY
     room, letter = SMALL if many else USUAL
     found = [room + letter * longest for longest in letters]
@@ -239,6 +242,11 @@ def _widths(part: Table, width: float) -> list[float]:
 
 def _said(cell: Cell) -> str:
     return cell if isinstance(cell, str) else "".join(said for run in cell for key, said in run.items() if key != "lang")
+
+
+def _letters(text: str) -> int:
+    """Return how many letters as wide as a digit a text takes: one of Chinese is as wide as two."""
+    return len(text) + sum(east_asian_width(letter) in "WF" for letter in text)
 
 
 BREAK: Node = {"t": "LineBreak"}

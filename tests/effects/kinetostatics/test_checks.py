@@ -181,7 +181,6 @@ def test_a_pair_that_stands_is_told_with_its_first_row(monkeypatch):
     monkeypatch.setattr("coursework.effects.friction.friction.standing", lambda found: np.array([False, True, True]))
     found = _friction(rubbed([[1, 2]] * 3), None)
     assert (found.sentence.key, found.sentence.values["count"], found.sentence.values["still"]) == ("check.FRICTION.still", 2, 2)
-    assert checks.POWER_SHARE == 1e-3
 
 
 @pytest.mark.parametrize(("left", "largest", "spoilt", "verdict"), [

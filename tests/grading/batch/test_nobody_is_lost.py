@@ -237,3 +237,18 @@ def test_an_id_made_for_a_twin_is_nobody_else_s(tmp_path):
     found = submissions(tmp_path / "out")
     assert sorted(found) == ["René", "René~2", "René~3"]
     assert [found[student]["status"] for student in sorted(found)] == ["needs-review", "graded", "needs-review"]
+
+
+def test_a_variant_that_stops_at_once_is_told_and_costs_nobody(tmp_path):
+    """At tan(phi3) = -2 the first block is singular: its file is at fault, not the program, and the others have their marks."""
+    dead = (folder("variants") / "31.toml").read_text(encoding="utf-8").replace("2.87 rad", "2.034443935795703 rad")
+    (tmp_path / "dead.toml").write_text(dead, encoding="utf-8")
+    for student in ("ada", "bert"):
+        hand_in(tmp_path / "in" / student)
+    (tmp_path / "roster.csv").write_text("id,name,email,variant\nada,A,a@b,dead.toml\nbert,B,b@b,31\n", encoding="utf-8")
+    assert grade(tmp_path / "in", tmp_path / "out", "--roster", tmp_path / "roster.csv").exit_code == 0
+    found = rows(tmp_path / "out")
+    assert {student: row["status"] for student, row in found.items()} == {"ada": "needs-review", "bert": "graded"}
+    assert "the motion stops at once" in found["ada"]["sentence"]
+    assert "dead point" in found["ada"]["sentence"]
+    assert (tmp_path / "out" / found["ada"]["page"]).is_file()

@@ -7,9 +7,13 @@ import pytest
 
 import coursework
 from coursework.grading.marking.answers import mark_answers
+from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key import key_of
-from coursework.grading.marking.rubric import Answer
+from coursework.grading.marking.rubric import Answer, Rubric
+from coursework.grading.reading.expected import Expected
+from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import AnswerLine
+from coursework.grading.reading.submission import Submission, SubmittedFile
 
 # The exact motion in row 4, from the reference plans of velocities.
 W = {"w1": 0.17465532, "w2": 0.086914667, "w3": 4.4111308, "w4": -8.1550535}
@@ -63,6 +67,20 @@ def test_an_answer_about_a_row_that_the_motion_does_not_reach_is_not_asked():
     found = mark_answers(stopped, asked, lines)
     assert ([mark.name for mark in found.marks], found.share) == (["a"], 1.0)
     assert mark_answers(stopped, asked[1:], lines).share == 1.0
+
+
+@pytest.mark.parametrize(("row", "text", "part", "state"), [
+    (7, "w4 = 2*w3*(cos(phi3) - 2*sin(phi3))", 10.0, "graded-with-notes"),
+    (6, "w4 = 2*w3*(cos(phi3) - 2*sin(phi3))", None, "needs-review"), (7, "", None, "missing"),
+])  # fmt: skip
+def test_nothing_is_missing_where_nothing_can_be_asked(row, text, part, state):
+    """Of a motion of six rows the seventh cannot be; who hands in nothing at all has no points for that."""
+    stopped = key_of(coursework.load("31").with_data({"alpha": 0.02}))
+    weights = {"table": 0.0, "equations": 90.0, "answers": 10.0} if text else Rubric().weights | {"answers": 10.0}
+    marker = Marker(stopped, Rubric(weights=weights, answers=(Answer("a", "w1", row),)))
+    files = (SubmittedFile("e.txt", text.encode(), len(text)),) if text else ()
+    grade = marker.grade(read_submission(Submission("ada", None, files), Expected(stopped.grid, stopped.variant, ("a",))))
+    assert (grade.part("answers")[0], grade.status) == (part, state)
 
 
 def test_a_force_without_a_value_in_its_row_is_not_asked():

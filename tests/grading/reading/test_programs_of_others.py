@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+import tracemalloc
 
 import pytest
 
+from coursework.grading.reading.equations.latex_names import with_own_commands
 from coursework.grading.reading.equations.lines import read_lines
+from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.plain_text import plain
 from tests.grading.reading.latex_work import each
 from tests.grading.reading.notations import PLAIN, _calls, _greek, _lines, _named, _tex
 from tests.grading.reading.test_notations import marked
@@ -150,3 +154,43 @@ def test_a_slip_in_what_is_to_vanish_is_one_where_the_lines_beside_it_are_right(
         found = marked(_zero(form)(PLAIN[name].replace(wrong, right)), name)
         assert sorted(mark.verdict for mark in found.marks) == ["right", "right", "right", "wrong"]
         assert [(mark.hint.kind, mark.line.text[mark.hint.column - 1]) for mark in found.wrong] == [("sign", right[0])]
+
+
+def test_what_a_text_defines_without_end_is_left_as_it_stands():
+    """A name of names would be megabytes; between a command and what it needs no blanks are tried against each other."""
+    bomb = r"\def\a{{{" + "w1 = 2*r1 " * 1000 + "}}}" + r"\a " * 10_000
+    tracemalloc.start()
+    assert with_own_commands(bomb) == r"\a " * 10_000
+    assert tracemalloc.get_traced_memory()[1] < 100 * len(bomb)  # all of it would be a hundred million letters
+    tracemalloc.stop()
+    for text in (r"\newcommand%s", r"\newcommand{\a%s", r"\def\a%s", "A =%s x = A\\b", "F1%sx = w1", "w1 = 1%sm%s"):
+        for blank in ("\n", " "):
+            found = read_lines(text.replace("%s", blank * 20_000), "x", expected())
+            assert len(found.equations) <= text.count("=")
+
+
+@pytest.mark.parametrize(("text", "variant"), [
+    ("S = 0.4 m\nu*cos(phi3) - S*w3*sin(phi3) = VMx", "v107"),  # where s begins, in its other letter
+    ("S0 = 0.4\nS = S0\nu*cos(phi3) - S*w3*sin(phi3) = VMx", "v107"),
+    ("PHI2 = 3.37 + W2*0.02\nr3*w3*sin(phi3) - r2*w2*cos(PHI2) - r1*w1*cos(phi1) = 0", "31"),
+    ("Phi2 = pi + 0.2\nr3*w3*sin(phi3) - r2*w2*cos(Phi2) - r1*w1*cos(phi1) = 0", "31"),
+    ("rolling at point P 2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4 = 0", "31"),  # p is a datum
+    ("качение в точке P 2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4 = 0", "31"),
+])  # fmt: skip
+def test_a_letter_that_only_looks_like_a_name_of_the_task_changes_nothing(text, variant):
+    found = marked(text, variant)
+    assert (found.marks[-1].verdict, found.independent) == ("right", 1)
+
+
+def test_a_period_beside_the_equations_is_said_without_a_warning():
+    found = marked("T = 2*pi/p\nomega = 2*pi/T\nw4 = 2*w3*(cos(phi3) - 2*sin(phi3))")
+    assert (found.marks[-1].verdict, found.independent) == ("right", 1)
+
+
+def test_nought_with_decimals_is_no_value_of_some_row():
+    right, wrong = "w4 - 2*w3*cos(phi3) + 4*w3*sin(phi3) = 0", "r3*w3*sin(phi3) - r2*w2*cos(phi2) + r1*w1*cos(phi1) = 0.00"
+    assert [mark.verdict for mark in marked(f"{right}\n{wrong}").marks] == ["right", "wrong"]
+
+
+def test_half_of_a_length_d1_is_no_double_of_fortran():
+    assert plain("0.5d1*w1 + 2.D0*sin(phi1)", Spellings(frozenset({"d1", "w1", "phi1"}), {}, {})) == "0.5d1*w1 + 2.e0*sin(phi1)"

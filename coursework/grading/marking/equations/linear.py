@@ -78,7 +78,8 @@ class Linear:
 
 
 def _part(value: Array, whole: Array) -> Array:
-    part = np.where(whole > 0, np.abs(value) / np.where(whole > 0, whole, 1.0), 0.0)
+    with np.errstate(invalid="ignore"):  # of a line without a value somewhere
+        part = np.where(whole > 0, np.abs(value) / np.where(whole > 0, whole, 1.0), 0.0)
     return np.where(np.isfinite(part), part, np.inf)
 
 

@@ -8,8 +8,10 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 from functools import reduce
+from itertools import islice
 
 from coursework.grading.reading.student_work import EquationLine
+from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula
 
 _MOST = 4  # different velocities, or sums of them, below strokes
@@ -24,7 +26,7 @@ def without_ratios(line: EquationLine, sought: Collection[str]) -> EquationLine:
 
 
 def multiplied_out(tree: Formula, sought: Collection[str]) -> Formula:
-    """Return a line times the velocities that stand below strokes in it, the very line where none do.
+    """Return a line times the velocities that stand below strokes in it, the very line where none do or it were too long then.
 
     >>> from coursework.variant.formula.reader import parse
     >>> from coursework.variant.formula.tree import spelled
@@ -32,7 +34,10 @@ def multiplied_out(tree: Formula, sought: Collection[str]) -> Formula:
     ('w4 - 2*k*w3', 'w4 - w3/k')
     """
     below = {node.args[1] for node in tree.walk() if node.op == "/" and not {*sought}.isdisjoint(node.args[1].names())}
-    return _fraction(tree, below)[0] if 0 < len(below) <= _MOST else tree
+    if not 0 < len(below) <= _MOST:
+        return tree
+    made = _fraction(tree, below)[0]
+    return tree if any(islice(made.walk(), MAX_NODES, None)) else made
 
 
 def _fraction(tree: Formula, below: Collection[Formula]) -> tuple[Formula, list[Formula]]:

@@ -12,7 +12,7 @@ from typing import Protocol
 
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 
-_STEM = re.compile(r"\s*([^\d=]{1,20})\d{1,2}\s*[)\]]?\s*(?:\([\w\s,]*\))?\s*(?::?=|<-)")
+_STEM = re.compile(r"\s*([^\d=]{1,20})\d{1,2}\s*+[)\]]?\s*+(?:\([\w\s,]*\))?\s*(?::?=|<-)")
 
 
 class Marked(Protocol):

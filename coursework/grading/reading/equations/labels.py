@@ -48,6 +48,7 @@ _TABBED = re.compile(r"^\s*\d{1,3}\t")
 _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
+_NUMBER_BEHIND = re.compile(r"\s+\d")  # which no factor has: "at point P 2*r3*w3"
 _AXES = ("x", "y", "z", "ox", "oy")
 _PREPOSITIONS = (*"авзікосу",)  # of Cyrillic
 _LONG = 5  # letters of a word that is no symbol
@@ -134,12 +135,13 @@ def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
 
 
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:
-    """Return whether what may be a name stands among words: a point, "am Punkt C gilt"; "в" of Cyrillic; "velocity" of a head."""
+    """Return whether what may be a name stands among words: a point, "am Punkt C gilt"; "в"; "velocity" of a head."""
     following = _WORDS.match(text, found.end())
     among = following is not None and len(following[1]) > 1 and _is_prose(following[1], is_name, after)
     word = found[1]
-    is_point = after > 0 and len(word) == 1 and word.isupper()
-    return among and (is_point or word.casefold() in _PREPOSITIONS or len(word) >= _LONG)
+    if after > 0 and len(word) == 1 and word.isupper():
+        return among or _NUMBER_BEHIND.match(text, found.end()) is not None
+    return among and (word.casefold() in _PREPOSITIONS or len(word) >= _LONG)
 
 
 def _without(label: re.Pattern[str], text: str) -> str:

@@ -11,10 +11,10 @@ from functools import partial
 
 _BODY = r"\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\}){0,20}\}){0,200})\}"
 _COMMAND = re.compile(
-    rf"\\(?:(?:re)?newcommand|providecommand|DeclareMathOperator)\*?\s*\{{?\s*\\([A-Za-z]{{1,20}})\s*\}}?\s*(?:\[([1-3])\])?\s*{_BODY}"
-    rf"|\\def\s*\\([A-Za-z]{{1,20}})\s*((?:#[1-3]){{0,3}})\s*{_BODY}"
+    rf"\\(?:(?:re)?newcommand|providecommand|DeclareMathOperator)\*?\s*+\{{?\s*+\\([A-Za-z]{{1,20}})\s*+\}}?\s*+(?:\[([1-3])\])?\s*+{_BODY}"
+    rf"|\\def\s*+\\([A-Za-z]{{1,20}})\s*+((?:#[1-3]){{0,3}})\s*+{_BODY}"
 )
-_ARGUMENT = r"\s*(?:\{([^{}]{0,80})\}|([^\s\\{}]))"
+_ARGUMENT, _LONGEST = r"\s*(?:\{([^{}]{0,80})\}|([^\s\\{}]))", 80
 _LETTER = re.compile(r"\\\[(?:Curly|Capital|Script)?([A-Z][a-z]{1,10})\]")  # of Mathematica: \[CurlyPhi]
 _MOST_NAMES, _MOST_CHARACTERS, _WITHIN = 40, 200_000, 3  # names within names, so deep
 
@@ -34,9 +34,9 @@ def with_own_commands(text: str) -> str:
         before = text
         for name, found in names.items():
             count, body = (int(found[2] or 0), found[3]) if found[1] else (len(found[5]) // 2, found[6])
+            if len(text) + text.count(f"\\{name}") * (len(body) + _LONGEST * body.count("#")) > _MOST_CHARACTERS:
+                return text
             text = re.sub(rf"\\{name}(?![A-Za-z]){_ARGUMENT * count}", partial(_put, body), text)
-            if len(text) > _MOST_CHARACTERS:
-                return before
         if text == before:
             break
     return text

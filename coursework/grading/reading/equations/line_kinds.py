@@ -12,6 +12,7 @@ from itertools import pairwise
 from coursework.grading.reading.equations.equations import (
     DASH,
     OWN_NAME,
+    TURNED,
     WORD,
     Names,
     names_in,
@@ -58,7 +59,11 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
     meant = spellings.canonical(name)
     # A letter that only its size tells from a datum or a coordinate is the student's own: nobody solves for these.
+    # But S = 0.4 is where a coordinate s begins, as S = S0 is, and S = 0.4 + u*h where it goes.
     is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and key(name) != key(meant))
+    if meant in spellings.rates and is_own:
+        named = names_in(formula, spellings)
+        is_own = bool(TURNED.search(formula) or named & {*spellings.rates}) and named.isdisjoint(spellings.rates.values())
     return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
 
 

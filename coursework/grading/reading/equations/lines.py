@@ -36,6 +36,7 @@ from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
 
 _SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
+_BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # more than anybody types, on which patterns would spend themselves
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
@@ -132,7 +133,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
     function = ""
-    for number, line in _continued(logical_lines(in_rows(text)), names):
+    for number, line in _continued(logical_lines(in_rows(_BLANKS.sub("", text))), names):
         if defined := _DEFINED.fullmatch(line):
             function = f"{defined[1]} = "
             continue
@@ -252,8 +253,8 @@ def _is_of_one_row(read: EquationLine, names: Names) -> bool:
         named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, where s is a length
     if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is one velocity by another
         named -= {one.rate for one in variant.coordinates} - {*variant.sought}
-    is_checked = _CHECKED.search(read.text) is not None  # r1*w1 = 1.08
-    return bool(named) and (is_checked or named <= {*variant.sought}) and _MEASURED.search(read.text) is not None
+    is_checked = _CHECKED.search(read.text) and not _VANISHED.search(read.text)  # r1*w1 = 1.08
+    return bool(named) and bool(is_checked or named <= {*variant.sought}) and _MEASURED.search(read.text) is not None
 
 
 def relates(read: EquationLine, names: Names) -> bool:

@@ -40,7 +40,7 @@ _DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
 _STAR_MATH = re.compile(r"%(?=[a-z]{3,8}(?:_|\b))|\b(?:left|right)\s*(?=[()\[\]])")
 _TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=[\w(])|(?<=\bphi)\.alt(?![a-z])")
 # A double of Fortran, 2.D0, and its functions, DSIN, which no product of a datum d has in capitals.
-_DOUBLE, _OF_DOUBLES = re.compile(r"(?<=\d\.)(\d*)[dD](?=[-+]?\d{1,2}(?!\w))"), re.compile(r"\bD(?=(?:SIN|COS|TAN|SQRT)\b)")
+_DOUBLE, _OF_DOUBLES = re.compile(r"(?<=\d\.)(\d*)[dD](?=([-+]?\d{1,2})(?!\w))"), re.compile(r"\bD(?=(?:SIN|COS|TAN|SQRT)\b)")
 _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # of Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
@@ -73,7 +73,7 @@ def plain(text: str, spellings: Spellings) -> str:
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
     text = _TYPST.sub(lambda found: " * " if found[0].strip() == "dot" else "", text)
-    text = _OF_DOUBLES.sub("", _DOUBLE.sub(r"\1e", text))
+    text = _OF_DOUBLES.sub("", _DOUBLE.sub(lambda found: _double(found, spellings), text))
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
     text = _EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text))
@@ -82,6 +82,11 @@ def plain(text: str, spellings: Spellings) -> str:
     for pattern in _SHORT_DERIVATIVES:
         text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)
     return text
+
+
+def _double(found: re.Match[str], spellings: Spellings) -> str:
+    """Return the digits of a double with the e of other languages; 0.5d1 is half of d1 where the task has one."""
+    return found[0] if spellings.canonical(f"d{found[2]}") else f"{found[1]}e"
 
 
 def of_radians(text: str) -> str:

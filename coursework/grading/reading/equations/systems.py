@@ -11,7 +11,7 @@ import re
 from coursework.grading.reading.equations.parts import at_commas
 from coursework.grading.reading.equations.signs import depths
 
-_DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*:?=[ \t]*(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*)?\(?\s*(?=\[)")
+_DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*+:?=[ \t]*+(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)")
 _NAME = r"([^\W\d]\w{0,20})"
 _PRODUCTS = (
     re.compile(rf"(?m)^[ \t]*{_NAME}[ \t]*(?:[*@·⋅×]|\.dot\()[ \t]*{_NAME}\)?[ \t]*={{1,2}}[ \t]*{_NAME}[ \t]*[;.]?[ \t]*$"),

@@ -24,6 +24,7 @@ from coursework.words.sentence import Sentence
 _Row = tuple[PrintedNumber, ...]
 _MOST = 200  # parts that are looked at
 _NEGATIVE = re.compile(r"\(\s*(\d[\d.,' ]*)\)")
+_FEWEST = 2  # rows with such numbers
 NOTHING = PrintedNumber("", float("nan"), 0, 0, "missing")
 
 
@@ -61,13 +62,19 @@ def parts_of(sheet: Sheet, origin: Origin, grid: Grid) -> list[Part]:
 
 
 def _with_minus(rows: Sequence[Sequence[Cell]]) -> Sequence[Sequence[Cell]]:
-    """Return rows of cells with a minus for the parentheses of accountants, where these stand and no minus does."""
-    texts = [plain for row in rows for cell in row if cell.kind == "text" and (plain := cell.text.strip())]
-    if not any(map(_NEGATIVE.fullmatch, texts)) or any(text[0] in "-−–‐" and looks_numeric(text) for text in texts):
+    """Return rows of cells with a minus for the parentheses of accountants, where these stand and no minus does.
+
+    The first column has times and numbers of rows, which are never less than nought; a row that stands in parentheses alone is
+    one that was given.
+    """
+    texts = [plain for row in rows for cell in row if (plain := cell.text.strip())]
+    found = [[_NEGATIVE.fullmatch(cell.text.strip()) if at else None for at, cell in enumerate(row)] for row in rows]
+    is_one_row = sum(map(any, found)) < _FEWEST
+    if is_one_row or any(text[0] in "-−–‐" and looks_numeric(text) for text in texts):
         return rows
     return [
-        [cell._replace(text=f"-{found[1]}") if (found := _NEGATIVE.fullmatch(cell.text.strip())) else cell for cell in row]
-        for row in rows
+        [cell._replace(text=f"-{negative[1]}") if negative else cell for cell, negative in zip(row, here, strict=True)]
+        for row, here in zip(rows, found, strict=True)
     ]
 
 

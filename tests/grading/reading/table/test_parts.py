@@ -1,4 +1,4 @@
-"""Which sign is the decimal mark of a sheet, and when it cannot be told."""
+"""Which sign is the decimal mark of a sheet, when it cannot be told, and what parentheses mean."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.limits import Refused
-from coursework.grading.reading.table.parts import _decimal_mark
+from coursework.grading.reading.table.parts import _decimal_mark, _with_minus
 
 
 @pytest.mark.parametrize(("cells", "separator", "mark"), [
@@ -25,3 +25,13 @@ def test_the_mark_that_most_cells_can_only_have(cells: str, separator: str, mark
     except Refused as refused:
         found = refused.trouble.code
     assert found == mark
+
+
+@pytest.mark.parametrize(("rows", "shown"), [
+    ("0 (1.5)|1 (2.5)", "0 -1.5|1 -2.5"), ("(0) (1.5)|(1) 2.5|(2) (3)", "(0) -1.5|(1) 2.5|(2) -3"),
+    ("0 (1.5)|1 2.5", "0 (1.5)|1 2.5"), ("0 (1.5)|1 (2.5)|2 -3", "0 (1.5)|1 (2.5)|2 -3"),
+    ("(t) (a1)|0 (1.5)|1 (w)", "(t) (a1)|0 (1.5)|1 (w)"),
+])  # fmt: skip
+def test_parentheses_are_a_minus_where_no_minus_stands_and_several_rows_have_them(rows: str, shown: str) -> None:
+    made = _with_minus([[Cell(text) for text in row.split()] for row in rows.split("|")])
+    assert "|".join(" ".join(cell.text for cell in row) for row in made) == shown

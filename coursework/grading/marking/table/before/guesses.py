@@ -57,7 +57,7 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
             yield guess
 
 
-def worth(key: Key, cells: Counts) -> Counts:
+def weights(key: Key, cells: Counts) -> Counts:
     """Return what cells made from a row are worth, by their places: its velocities, the next coordinates, and others."""
     r = len(key.velocities)
     return np.where((cells >= r) & (cells < r + len(key.coordinates)), _STEP, CELL)
@@ -120,7 +120,7 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         x = np.where(one, np.clip(x, low, high), x)
         other_than = np.abs(x - printed[row, place]) > HALF * was.units[row, place]
         told = np.unique(cells)
-        counts = np.column_stack([meet[:, cells == cell].any(axis=1) for cell in told]) @ worth(key, told)
+        counts = np.column_stack([meet[:, cells == cell].any(axis=1) for cell in told]) @ weights(key, told)
         counts *= (off[at, by] <= own_half) & other_than
     far = np.where(turning, np.rint(np.abs(x - printed[row, place])), 0.0)
     return _ranked(printed.shape, row, place, x, counts, far, own_half)
