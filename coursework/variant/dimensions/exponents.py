@@ -132,8 +132,8 @@ def symbols(dimension: Dimension) -> str:
     """Return a known dimension in kg, m and s, such as m^2/s."""
     powers = [(symbol, dimension.get(key, 0)) for symbol, key in (("kg", MASS), ("m", LENGTH), ("s", TIME))]
     above = "·".join(_power(symbol, exponent) for symbol, exponent in powers if exponent > 0) or "1"
-    below = "·".join(_power(symbol, -exponent) for symbol, exponent in powers if exponent < 0)
-    return f"{above}/{below}" if below else above
+    below = [_power(symbol, -exponent) for symbol, exponent in powers if exponent < 0]
+    return f"{above}/({'·'.join(below)})" if len(below) > 1 else "/".join([above, *below])
 
 
 def _power(symbol: str, exponent: Exponent) -> str:
