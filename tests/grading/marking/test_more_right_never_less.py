@@ -24,8 +24,8 @@ PAIRS, MANY = 40, 1000
 BLOWN_UP = 300
 
 
-def earned(desk, table, equations=None, digits=4):
-    cells = mark_cells(desk.key, StudentTable(np.round(table, digits), np.full(table.shape, 10.0**-digits)))
+def earned(desk, table, equations=None):
+    cells = mark_cells(desk.key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4)))
     points = table_points(desk.key, cells)
     found = explanations(desk.key, cells, equations=equations) if looked_for(desk.key, cells, points.cells) else Found()
     return best_rule(desk.key, Rubric(), cells, table_points(desk.key, cells, untold=found.untold), found, {}), cells

@@ -21,8 +21,6 @@ Counts = NDArray[np.intp]
 # So many cells must agree on what another was when they were made.  Where more of the rows than this part
 # have wrong cells, only cells that are the task's may have been put right, and only in columns where few are.
 AGREE, FEW = 2, 0.5
-# What a cell is worth, and a step, which says a little less: its digits may not tell it from other steps.
-CELL, _STEP = 10, 9
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 8, 1e-6
 # From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
@@ -55,12 +53,6 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     for some in columns:
         if (guess := as_it_was(key, was, untold & some, own)) is not None:
             yield guess
-
-
-def weights(key: Key, cells: Counts) -> Counts:
-    """Return what cells made from a row are worth, by their places: its velocities, the next coordinates, and others."""
-    r = len(key.velocities)
-    return np.where((cells >= r) & (cells < r + len(key.coordinates)), _STEP, CELL)
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
@@ -119,8 +111,7 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         meet = np.where(one[:, None], meet, off <= half)
         x = np.where(one, np.clip(x, low, high), x)
         other_than = np.abs(x - printed[row, place]) > HALF * was.units[row, place]
-        told = np.unique(cells)
-        counts = np.column_stack([meet[:, cells == cell].any(axis=1) for cell in told]) @ weights(key, told)
+        counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
         counts *= (off[at, by] <= own_half) & other_than
     far = np.where(turning, np.rint(np.abs(x - printed[row, place])), 0.0)
     return _ranked(printed.shape, row, place, x, counts, far, own_half)
@@ -163,7 +154,7 @@ def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts
     Of several that one cell may have been, as much speaking for each, it is the one less `far` from what is printed.
     """
     best = np.lexsort((half, far, -counts))
-    best = best[counts[best] >= AGREE * _STEP]
+    best = best[counts[best] >= AGREE]
     _, first = np.unique(row[best] * shape[1] + place[best], return_index=True)
     best = best[first]
     tables = [np.full(shape, np.nan) for _ in range(_TRIED)]

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.before.guesses import AGREE, CELL, FEW, Counts, guesses, weights
+from coursework.grading.marking.table.before.guesses import AGREE, FEW, Counts, guesses
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers
 from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way, as_printed, near, own_ways
 from coursework.system.arrays import Flags
@@ -88,10 +88,10 @@ class _Looked:
         return self.wrong | self.told
 
     def worth(self, table: StudentTable, ways: OwnWays) -> Counts:
-        """Return what the right cells made from each row (n,) are worth if a table stood there, without those that it costs."""
+        """Return how many cells made from each row (n,) are right if a table stood there, without those that it costs."""
         held = ways.holds(self.printed.values)
-        found = beside_makers((self.speaking & held) * 1 - (self.sure & ~held), len(self.key.coordinates))
-        return np.asarray(found @ weights(self.key, np.arange(found.shape[1])) - CELL * _slips(table, self.student, ways))
+        found = beside_makers((self.speaking & held) * 1 - (self.sure & ~held), len(self.key.coordinates)).sum(axis=1)
+        return np.asarray(found - _slips(table, self.student, ways))
 
     def made_by(self, table: StudentTable) -> OwnWays:
         """Return what a table makes."""
