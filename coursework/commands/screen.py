@@ -16,6 +16,7 @@ import click
 
 from coursework.variant.catalogue import own_file
 from coursework.words.errors import CourseworkError, Fault, InputError
+from coursework.words.scripts import wide_letters
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 _TIED = "\ue00e"
 _BEFORE_NUMBER = re.compile(r"(?<=\S) (?=[-−]?\d)")
-WIDE = {"W", "F"}  # what Unicode calls letters two columns wide
 _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
 
@@ -88,10 +88,9 @@ def tell_wrapped(text: str, *, hanging: str = "") -> None:
     """
     import shutil  # a program that reads the lines does without
     import textwrap
-    import unicodedata
 
     line = in_language(text)
-    if not any(unicodedata.east_asian_width(letter) in WIDE for letter in line):
+    if not wide_letters(line):
         width = shutil.get_terminal_size().columns - 1  # some terminals break a line that fills theirs
         kept = _BEFORE_NUMBER.sub(_TIED, line)  # a number stays with the word before it
         lines = textwrap.wrap(kept, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)

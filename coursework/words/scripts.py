@@ -1,7 +1,8 @@
 """Text in which Chinese may stand: its signs are letters to Python, but no part of a word beside them, and know few spaces.
 
 Enters: a pattern with `HAN_HERE` where its signs stand, and the text it is for; a text.  Leaves: the compiled pattern; the text.
-Used by `sentences.py`, `templates.py`, `line_ends.py`, `report/text/text_runs.py` and `variant/reading/reader.py`.
+Used by `sentences.py`, `templates.py`, `line_ends.py`, `report/text/text_runs.py` and `variant/reading/reader.py`; what sets
+columns, `commands/screen.py`, `commands/line/kinds.py`, `mechanism/drafts/text.py` and `takeaway/note/blocks.py`, for widths.
 
 A class with 29 000 signs takes a millisecond to make, ten of them as long as the checks of a table: without a Chinese sign in
 the text the same pattern without them says the same.
@@ -23,6 +24,17 @@ _WIDE, _STOPS = "\u3000-\u303f\u3400-\u9fff\uff00-\uff65", "、。，；：！�
 def is_chinese(text: str) -> bool:
     """Return whether a sign of Chinese stands in a text: marks of our own lie above most of them, and wait for no pattern."""
     return max(text, default="") >= HAN[0] and any(HAN[0] <= sign <= HAN[2] or HAN[3] <= sign <= HAN[5] for sign in text)
+
+
+def wide_letters(text: str) -> int:
+    """Return how many letters of a text are as wide as two, as Unicode has it.
+
+    >>> wide_letters("步 h"), wide_letters("step h")
+    (1, 0)
+    """
+    from unicodedata import east_asian_width  # only what sets columns pays for it
+
+    return sum(east_asian_width(letter) in "WF" for letter in text)
 
 
 def without_chinese(text: str, sign: str) -> str:

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import shutil
 import textwrap
-import unicodedata
 
-from coursework.commands.screen import WIDE, in_language, speak
+from coursework.commands.screen import in_language, speak
 from coursework.mechanism.groups import GROUPS
 from coursework.variant.record.roles import roles, title
+from coursework.words.scripts import wide_letters
 from coursework.words.sentences import say
 
 _KIND, _KEY = 8, 13  # columns of the name of a kind, and of a key
@@ -30,7 +30,7 @@ def kinds_table(language: str) -> str:
 
 
 def _wrapped(head: str, text: str) -> list[str]:
-    if any(unicodedata.east_asian_width(letter) in WIDE for letter in text):
+    if wide_letters(text):
         return [head + text]  # the terminal itself breaks what has no gaps between words
     width = max(shutil.get_terminal_size().columns, 72)
     return textwrap.wrap(text, width, initial_indent=head, subsequent_indent=" " * len(head), break_on_hyphens=False)

@@ -7,11 +7,11 @@ Used by `commands/new.py` and the desk.  What the file says stands in `reports/n
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from unicodedata import east_asian_width
 
 from coursework.mechanism.drafts.chain import SWING, TURNED, Draft, GroupDraft
 from coursework.variant.record.roles import role, roles, title
 from coursework.variant.record.vocabulary import SCHEME_NAMES
+from coursework.words.scripts import wide_letters
 from coursework.words.sentences import say
 from coursework.words.templates import filled
 
@@ -56,5 +56,4 @@ def additions(draft: Draft, number: int, said: Callable[[str], str]) -> dict[str
 def _written(code: str, comment: str) -> str:
     if not comment:
         return code
-    wide = sum(east_asian_width(letter) in "WF" for letter in code)
-    return f"{code:<{_COMMENT - wide}} # {comment}" if code else f"# {comment}"
+    return f"{code:<{_COMMENT - wide_letters(code)}} # {comment}" if code else f"# {comment}"

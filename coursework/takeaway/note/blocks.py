@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatchmethod
 from typing import Any
-from unicodedata import east_asian_width
 
 from coursework.report.text.parts import (
     Bullets,
@@ -37,6 +36,7 @@ from coursework.takeaway.note.dialects import Dialect
 from coursework.takeaway.note.formulas import WIDE, letters_wide
 from coursework.takeaway.note.styles import MANY, REACH
 from coursework.takeaway.note.tree import Node
+from coursework.words.scripts import wide_letters
 
 BLANK = "_" * 24  # to be written on
 LEGEND = (10.0, 3.0)  # mm
@@ -246,7 +246,7 @@ def _said(cell: Cell) -> str:
 
 def _letters(text: str) -> int:
     """Return how many letters as wide as a digit a text takes: one of Chinese is as wide as two."""
-    return len(text) + sum(east_asian_width(letter) in "WF" for letter in text)
+    return len(text) + wide_letters(text)
 
 
 BREAK: Node = {"t": "LineBreak"}

@@ -20,7 +20,7 @@ from coursework.system.arrays import Array, Flags
 Counts = NDArray[np.intp]
 # So many cells must agree on what another was when they were made.  Where more of the rows than this part
 # have wrong cells, only cells that are the task's may have been put right, and only in columns where few are.
-AGREE, FEW = 2, 0.5
+_AGREE, FEW = 2, 0.5
 # How often what a cell was is mended until they do, with slopes over so small a part.
 _ROUNDS, _DIFFERENCE = 8, 1e-6
 # From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
@@ -36,7 +36,7 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     """
     m = len(key.coordinates)
     places = np.arange(untold.shape[1])
-    rows, columns = beside_makers(wrong, m).sum(axis=1) >= AGREE, [places >= 0, *(places == place for place in range(m))]
+    rows, columns = makers_of_several(wrong, m), [places >= 0, *(places == place for place in range(m))]
     if rows.mean() > FEW:
         of_task = near(was.values, key.table, as_printed(key, was.units))
         other = other & of_task & (of_task.mean(axis=0) <= FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
@@ -53,6 +53,11 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     for some in columns:
         if (guess := as_it_was(key, was, untold & some, own)) is not None:
             yield guess
+
+
+def makers_of_several(wrong: Flags, m: int) -> Flags:
+    """Return from which rows (n,) several `wrong` cells (n, m + r) are made."""
+    return np.asarray(beside_makers(wrong, m).sum(axis=1) >= _AGREE)
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
@@ -154,7 +159,7 @@ def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts
     Of several that one cell may have been, as much speaking for each, it is the one less `far` from what is printed.
     """
     best = np.lexsort((half, far, -counts))
-    best = best[counts[best] >= AGREE]
+    best = best[counts[best] >= _AGREE]
     _, first = np.unique(row[best] * shape[1] + place[best], return_index=True)
     best = best[first]
     tables = [np.full(shape, np.nan) for _ in range(_TRIED)]

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.before.guesses import AGREE, FEW, Counts, guesses
+from coursework.grading.marking.table.before.guesses import FEW, Counts, guesses, makers_of_several
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers
 from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way, as_printed, near, own_ways
 from coursework.system.arrays import Flags
@@ -122,8 +122,7 @@ class _Looked:
         if _touched(beside_makers(speaking, m), self.printed, last):
             yield self.printed
         misprints = self.wrong & ~told & (np.arange(self.wrong.shape[1]) < m)
-        open_rows = beside_makers(speaking & ~own.holds(self.printed.values), m).sum(axis=1) >= AGREE
-        misprints &= open_rows[:, None]
+        misprints &= makers_of_several(speaking & ~own.holds(self.printed.values), m)[:, None]
         if 0 < misprints.any(axis=1).mean() <= FEW and (above := as_it_was(self.key, last, misprints, own)):
             yield above
 
