@@ -6,23 +6,23 @@ Each limit is asserted by `pytest tests/benchmarks`; README.md names some of the
 |---|---|---|---|
 | loop by hand, a call a step | generated Euler loop | 2.4 | at least 1.3 |
 | march of a table, rows kept and determinants watched | a bare loop in C | 18 | at most 25 |
-| exact rows of a closure | a bare loop in C | 67 | at most 170 (20 µs) |
-| reduction of variant 31 | a bare linear_eq_to_matrix | 2.9 | at most 20 |
-| `solve_many`, 1000 sets of variant 31 | Euler by hand over arrays, nothing watched | 6.0 | at most 10 |
-| 1000 sets of variant 31, one by one | `solve_many` | 490 | at least 200 |
-| one variant of a class, from its file to table and checks | 20 000 Euler steps by hand | 1.0 | at most 1.25 |
-| a page of the desk for another datum, 31 | 20 000 Euler steps by hand | 5.4 | at most 7 |
-| the same of jansen | 20 000 Euler steps by hand | 19 | at most 24 |
-| a workbook beyond its page, 31 | XlsxWriter, a thousand formulas | 0.66 | at most 1 |
-| the same of andrews | XlsxWriter, a thousand formulas | 1.9 | at most 2.7 |
-| a note beyond its page, 31 | pandoc twice, one formula | 7.3 | at most 10 |
-| `coursework run 31 --format csv` | importing numpy, click | 2.5 | at most 2.8 |
-| `coursework run 31 --set r1=0.95m --format csv` | importing numpy, click | 2.6 | at most 2.8 |
-| `coursework run jansen --format csv` | importing numpy, click | 2.6 | at most 2.8 |
-| `coursework check 31` | importing numpy, click | 1.9 | at most 2.2 |
-| `coursework run 31` | importing numpy, click | 7.2 | at most 9 |
+| exact rows of a closure | a bare loop in C | 71 | at most 170 (20 µs) |
+| reduction of variant 31 | a bare linear_eq_to_matrix | 0.55 | at most 20 |
+| `solve_many`, 1000 sets of variant 31 | Euler by hand over arrays, nothing watched | 7.5 | at most 10 |
+| 1000 sets of variant 31, one by one | `solve_many` | 580 | at least 200 |
+| one variant of a class, from its file to table and checks | 20 000 Euler steps by hand | 1.0 | at most 1.7 |
+| a page of the desk for another datum, 31 | 20 000 Euler steps by hand | 4.3 | at most 6.8 |
+| the same of jansen | 20 000 Euler steps by hand | 10 | at most 20 |
+| a workbook beyond its page, 31 | XlsxWriter, a thousand formulas | 0.79 | at most 1 |
+| the same of andrews | XlsxWriter, a thousand formulas | 2.1 | at most 2.7 |
+| a note beyond its page, 31 | pandoc twice, one formula | 9.0 | at most 10 |
+| `coursework run 31 --format csv` | importing numpy, click | 1.5 | at most 2.2 |
+| `coursework run 31 --set r1=0.95m --format csv` | importing numpy, click | 1.6 | at most 2.3 |
+| `coursework run jansen --format csv` | importing numpy, click | 1.7 | at most 2.4 |
+| `coursework check 31` | importing numpy, click | 1.2 | at most 2.2 |
+| `coursework run 31` | importing numpy, click | 5.8 | at most 7 |
 | `coursework --help` | click alone, as many commands | 1.0 | at most 1.5 |
-| the first page of a process | a further one with other data | 1.33 | at most 1.4 |
+| the first page of a process | a further one with other data | 2.0 | at most 2.3 |
 | a table of 25 000 rows with its checks | the 25 rows of variant 31, csv | 2.9 | at most 4 |
 """
 

