@@ -1,7 +1,7 @@
 """What `import coursework` offers for one variant: solve it, and its exact motion.
 
 Enters: a name, a path or a `Variant`.  Leaves: `Run`, tables.  Raises `InputError`.
-Used by `commands/`, `desk/` and `grading/marking/`.
+Used by `commands/`, `desk/` and `grading/marking/key/`.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
 from coursework.assigning.reader import ranges_file, ranges_of, read_ranges
 from coursework.grading.marking.decimals import decimals_accepted
-from coursework.grading.marking.key import key_to_mark_by
+from coursework.grading.marking.key.key import key_to_mark_by
 from coursework.grading.platforms.names import file_stem
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings, scheme_for

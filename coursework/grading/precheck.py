@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from coursework.grading.marking.key import Key, key_to_mark_by
+from coursework.grading.marking.key.key import Key, key_to_mark_by
 from coursework.grading.marking.student_table import lacking, student_of, with_given
 from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.causes.clockwise import turned_back

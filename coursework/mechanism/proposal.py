@@ -1,7 +1,7 @@
 """The line of [unknowns] that says which velocity an unknown is, with the names of the file: what a student may write.
 
 Enters: a `Variant` and the name of a velocity that nothing in its geometry gives.  Leaves: a sentence.
-Used by `results/checks/computed_right/equations.py` and `report/sections/motion_equations.py`.
+Used by `results/checks/computed_right/equations.py` and `report/sections/derivation/motion_equations.py`.
 """
 
 from __future__ import annotations

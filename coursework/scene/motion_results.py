@@ -2,7 +2,7 @@
 
 Enters: the `WayToMotion` of a scene and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed
 when looked at, once.
-Used by `scene.py`, which makes it, `quantities.py`, `scene_run.py`, `report/` and `grading/marking/key.py`.
+Used by `scene.py`, which makes it, `quantities.py`, `scene_run.py`, `report/` and `grading/marking/key/key.py`.
 """
 
 from __future__ import annotations

@@ -10,9 +10,9 @@ import pytest
 
 import coursework
 from coursework.effects.kinetostatics.misread import SLIPS
-from coursework.grading.marking.forces import with_forces as force_grid
 from coursework.grading.marking.grade import Marker
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.forces import with_forces as force_grid
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.reasons.reasons import reasons, summary
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.marking.table.by_rows import marked, points_of

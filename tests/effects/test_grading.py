@@ -5,7 +5,7 @@ import pytest
 import coursework
 from coursework.effects.kinetostatics.misread import SLIPS, slipped
 from coursework.grading.marking.answers import mark_answers
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import Answer, Rubric, check_rubric
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.student_work import AnswerLine

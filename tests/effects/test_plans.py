@@ -10,7 +10,7 @@ import coursework
 from coursework.drawing.force_plans.force_plans import make_force_plans
 from coursework.drawing.force_plans.group_sheet import LINK
 from coursework.report.pages import build_model
-from coursework.report.sections.forces import _convention
+from coursework.report.sections.effects.forces import _convention
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.quantities import FORCES

@@ -25,7 +25,7 @@ from coursework.grading.marking.equations.edits import Edit, applied
 from coursework.grading.marking.equations.equations import RIGHT, Judge
 from coursework.grading.marking.equations.linear import NOTHING, Linear, is_same, linear
 from coursework.grading.marking.equations.numbers import value_of
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.mechanism.mechanism import build
 from coursework.scene.quantities import TABLE
 from coursework.variant.formula.tree import Formula, spelled

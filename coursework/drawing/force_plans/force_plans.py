@@ -1,7 +1,7 @@
 """The plans of forces of a run, group by group, with what a ruler reads off them.
 
 Enters: a `ForceAnalysis` and a row.  Leaves: `ForcePlans`: drawings, readings, the lines of `polygons.csv`.
-Used by `report/sections/forces.py`, which draws them when a page is made.
+Used by `report/sections/effects/forces.py`, which draws them when a page is made.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What a step costs when forces move a mechanism: schemes beside each other, error of the rates against slopes, energy gained.
 
 Enters: equations of motion, the start, the exact rows.  Leaves: `Row`s, and each `Trial` they are made of.
-Used by `report/sections/dynamics.py` and `energy_study.py`.
+Used by `report/sections/effects/dynamics.py` and `energy_study.py`.
 """
 
 from __future__ import annotations

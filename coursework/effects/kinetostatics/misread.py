@@ -1,7 +1,7 @@
 """Forces as somebody finds them who has one thing wrong: what a marker holds a wrong answer against.
 
 Enters: a `ForceAnalysis`.  Leaves: the unknown forces (n, unknowns) of each slip, by its code.  Computed on request only.
-Used by `grading/marking/forces.py`.
+Used by `grading/marking/key/forces.py`.
 """
 
 from __future__ import annotations

@@ -170,6 +170,6 @@ def class_tables(variants: Mapping[str, Variant]) -> dict[str, list[list[float]]
     """Return the tables, nothing where everybody has the same variant."""
     if not 1 < len(variants) <= MOST:
         return {}
-    from coursework.grading.marking.key import tables_of
+    from coursework.grading.marking.key.key import tables_of
 
     return {name: rows.tolist() for name, rows in tables_of(variants).items()}

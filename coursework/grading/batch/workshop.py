@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.batch.decisions import overridden
 from coursework.grading.batch.work import Outcome, Setup, Task, VariantSource, failed
 from coursework.grading.marking.grade import Grade, Marker
-from coursework.grading.marking.key import key_to_mark_by
+from coursework.grading.marking.key.key import key_to_mark_by
 from coursework.grading.marking.reasons.reasons import reasons
 from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
@@ -76,7 +76,7 @@ class Workshop:
         key = key_to_mark_by(variant, accepted_decimals)
         grid = key.grid
         if self.rubric.forces and key.forces is not None:
-            from coursework.grading.marking.forces import with_forces
+            from coursework.grading.marking.key.forces import with_forces
 
             grid = with_forces(grid, key.forces, self.rubric.forces)
         others = {name: table for name, table in self._tables.items() if name != source.name}

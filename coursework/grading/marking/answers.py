@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.probe import names_at
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Answer
 from coursework.grading.reading.student_work import AnswerLine
 from coursework.system.frozen import frozen

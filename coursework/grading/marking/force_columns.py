@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.ways import HALF
 from coursework.grading.reading.student_work import Table
 from coursework.grading.reading.submission import Note, note

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of

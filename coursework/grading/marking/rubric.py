@@ -138,7 +138,7 @@ def _forces(variant: Variant) -> tuple[str, ...]:
     """Return the forces that can be asked for of a variant, nothing of one that names none."""
     if variant.forces is None:
         return ()
-    from coursework.grading.marking.forces import force_names
+    from coursework.grading.marking.key.forces import force_names
 
     return force_names(variant)
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.ways import OwnRows, StudentTable
 from coursework.grading.reading.student_work import Table
 from coursework.system.arrays import Array

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.misconceptions import FEWEST, FEWEST_SHARE
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.points import true_steps

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.grade import Grade
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.equations import why_of_line
 from coursework.grading.marking.reasons.reasons import summary
 from coursework.grading.marking.reasons.table import counts, shut

@@ -1,7 +1,7 @@
 """The closed position nearest to the start values of a file, and the refusal of a start that is wide open.
 
 Enters: a `Closure`.  Leaves: what is open at the start, and a closed position.
-Used by `scene/way_to_motion.py`, `open_loops.py`, START and `grading/marking/branches.py`.
+Used by `scene/way_to_motion.py`, `open_loops.py`, START and `grading/marking/key/branches.py`.
 """
 
 from __future__ import annotations

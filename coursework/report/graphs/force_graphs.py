@@ -1,6 +1,6 @@
 """Graphs of forces: what drives against time with its mean, and the reaction in each pin as a polar curve.
 
-Enters: a `PageContext`, a `ForceAnalysis`.  Leaves: figures of panels.  Used by `report/sections/forces.py`.
+Enters: a `PageContext`, a `ForceAnalysis`.  Leaves: figures of panels.  Used by `report/sections/effects/forces.py`.
 """
 
 from __future__ import annotations

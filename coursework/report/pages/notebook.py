@@ -11,11 +11,11 @@ from typing import Any
 
 from coursework.report.graphs.figures import drawn
 from coursework.report.pages.model import heading_of
-from coursework.report.sections.checks import checks
 from coursework.report.sections.dead_point import dead_point
 from coursework.report.sections.graphs import graphs
 from coursework.report.sections.remarks import remarks
 from coursework.report.sections.sections import Writer
+from coursework.report.sections.verdict.checks import checks
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part
 from coursework.report.text.text_runs import runs

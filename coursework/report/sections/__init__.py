@@ -1,1 +1,1 @@
-"""The sections of the report, a file each, in the order of `sections.py`."""
+"""The sections of the report, in the order of `sections.py`."""

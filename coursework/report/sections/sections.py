@@ -13,19 +13,19 @@ from typing import Any
 
 from coursework.report.graphs.figures import drawn_parts
 from coursework.report.sections.accuracy import accuracy
-from coursework.report.sections.checks import checks
-from coursework.report.sections.conclusion import conclusion
 from coursework.report.sections.construction import graph_check
-from coursework.report.sections.control import control
 from coursework.report.sections.dead_point import dead_point
+from coursework.report.sections.derivation.motion_equations import equations
+from coursework.report.sections.derivation.solution import solution
+from coursework.report.sections.derivation.worked import worked
 from coursework.report.sections.graphs import graphs
 from coursework.report.sections.method import method
-from coursework.report.sections.motion_equations import equations
 from coursework.report.sections.results import results
-from coursework.report.sections.solution import solution
 from coursework.report.sections.statement import statement
 from coursework.report.sections.structure import structure
-from coursework.report.sections.worked import worked
+from coursework.report.sections.verdict.checks import checks
+from coursework.report.sections.verdict.conclusion import conclusion
+from coursework.report.sections.verdict.control import control
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part, Section
 from coursework.report.text.tables import TABLE_FILE, extra_parts
@@ -62,8 +62,8 @@ def _late(module: str, name: str) -> Writer:
     return write
 
 
-dynamics = _late("report.sections.dynamics", "dynamics")
-forces, energy = (_late("report.sections.forces", name) for name in ("forces", "energy"))
+dynamics = _late("report.sections.effects.dynamics", "dynamics")
+forces, energy = (_late("report.sections.effects.forces", name) for name in ("forces", "energy"))
 listing, flowchart = (_late("takeaway.listing.appendix", name) for name in ("listing", "flowchart"))
 
 # Each writer with the quantity that must be asked for; None: always there.

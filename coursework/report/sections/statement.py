@@ -9,9 +9,9 @@ import re
 
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.graphs.figures import drawn
-from coursework.report.sections.answer import answer
 from coursework.report.sections.laws import laws_shown, moved_by_forces
 from coursework.report.sections.remarks import as_written, remarks
+from coursework.report.sections.verdict.answer import answer
 from coursework.report.text.numbers import NOTHING, aligned, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Cell, Column, Paragraph, Part, Runs, Table, TitleBlock
@@ -49,7 +49,7 @@ def _acting(context: PageContext) -> list[Part]:
     forces = context.variant.forces
     if forces is None:
         return []
-    from coursework.report.sections.masses_and_loads import masses_and_loads
+    from coursework.report.sections.effects.masses_and_loads import masses_and_loads
 
     return masses_and_loads(context, forces)
 

@@ -1,6 +1,6 @@
 """Where coordinates of the exact motion turn back, between its rows, and the stroke between two such positions.
 
-Enters: `Evidence` with its exact motion.  Leaves: `TurningPoint`, `Stroke`.  Used by `report/sections/conclusion.py`.
+Enters: `Evidence` with its exact motion.  Leaves: `TurningPoint`, `Stroke`.  Used by `report/sections/verdict/conclusion.py`.
 """
 
 from __future__ import annotations

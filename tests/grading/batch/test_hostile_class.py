@@ -246,7 +246,7 @@ def test_equal_files_are_shown_and_cost_nothing(graded):
 
 
 def test_a_table_equal_to_the_key_has_full_marks_and_a_note(tmp_path):
-    from coursework.grading.marking.key import key_of
+    from coursework.grading.marking.key.key import key_of
 
     hand_in(tmp_path / "in" / "twin")
     (tmp_path / "in" / "twin" / "table.csv").unlink()

@@ -8,7 +8,7 @@ import pytest
 
 from coursework.grading.batch.class_list import class_tables
 from coursework.grading.batch.gradebook import Options
-from coursework.grading.marking import key
+from coursework.grading.marking.key import key
 
 
 @pytest.mark.parametrize(("cores", "jobs", "processes"), [(None, 0, 1), (4, 0, 4), (8, 0, 8), (64, 0, 8), (64, 12, 12)])

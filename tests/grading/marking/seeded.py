@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import coursework
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.misconceptions import explanations, looked_for
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import first_wrong

@@ -8,7 +8,7 @@ import pytest
 import coursework
 from coursework.grading.marking.answers import mark_answers
 from coursework.grading.marking.grade import Marker
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import Answer, Rubric
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission

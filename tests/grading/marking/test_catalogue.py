@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.clockwise import turned_back
 from coursework.grading.marking.table.causes.misconceptions import explanations
 from coursework.grading.marking.table.cells import StudentTable, mark_cells

@@ -12,7 +12,7 @@ import numpy as np
 import coursework
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.work import VariantSource
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 from tests.grading.batch.classroom import EQUATIONS, NAMES

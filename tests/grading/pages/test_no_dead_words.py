@@ -12,7 +12,7 @@ import coursework
 from coursework.grading.batch.single import autograder_results
 from coursework.grading.batch.work import Setup, Task, VariantSource, failed
 from coursework.grading.batch.workshop import Workshop
-from coursework.grading.marking.key import tables_of
+from coursework.grading.marking.key.key import tables_of
 from coursework.grading.marking.late import LATE
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.pages.class_facts import ClassFacts

@@ -6,7 +6,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.equations.equations import Judge
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.grading.reading.equations.signs import plain_signs
 from tests.grading.scenes import expected, variant_of

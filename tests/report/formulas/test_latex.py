@@ -7,7 +7,7 @@ from matplotlib.mathtext import MathTextParser
 
 import coursework
 from coursework.grading.marking.equations.equations import Judge
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.report.formulas.latex import latex
 from coursework.report.text.parts import Display, Equations

@@ -23,7 +23,7 @@ from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds
 from coursework.grading.marking.equations.ratios import without_ratios
 from coursework.grading.marking.equations.series import as_others_of_their_kind
 from coursework.grading.marking.equations.turned import with_other_sign
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.submission import Note, note
 from coursework.system.frozen import frozen

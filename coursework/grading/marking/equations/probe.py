@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
 from coursework.grading.marking.equations.numbers import value_of
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Law, Variant
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
 from coursework.grading.marking.student_table import lacking

@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 
 from coursework.grading.marking.decimals import NO_GAP
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
 from coursework.grading.marking.table.cells import Cells, mark_cells, marks_by
 from coursework.grading.marking.table.points import TablePoints, table_points

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes.misconceptions import NAMED, OTHER_STEPS, ROUNDED_OMEGA, ROWS_SHIFTED, TIE, Found
 from coursework.grading.marking.table.causes.own_equations import OWN

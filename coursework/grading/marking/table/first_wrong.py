@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE, rows_above
 from coursework.grading.reading.student_work import Table

@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import MISSING, Cells
 from coursework.grading.marking.table.untold import but, ramp, untold_steps
 from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places, StudentTable

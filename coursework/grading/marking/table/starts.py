@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
 from coursework.grading.marking.table.ways import HALF, KEY
 from coursework.system.arrays import Array

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from coursework.grading.marking.decimals import NO_GAP
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import MISSING, WRONG, Cells
 from coursework.grading.marking.table.ways import ANGLES, KEY, STEP, Places, StudentTable, near, own_ways
 from coursework.system.arrays import Array, Flags

@@ -5,7 +5,7 @@ import pytest
 import coursework
 from coursework.grading.marking.equations.edits import applied, edits
 from coursework.grading.marking.equations.equations import ROUNDED, Judge
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse, parse_equation

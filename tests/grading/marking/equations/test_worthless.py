@@ -7,7 +7,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.equations.equations import Judge
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import Formula, spelled

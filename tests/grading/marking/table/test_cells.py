@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.reasons.table import follows_euler
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import first_wrong

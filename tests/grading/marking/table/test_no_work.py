@@ -7,7 +7,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.grade import Marker
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.points import _following, stands_still, table_points

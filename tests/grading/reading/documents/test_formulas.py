@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.marking.equations.equations import Judge
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file

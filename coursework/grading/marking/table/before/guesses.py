@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
 from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, OwnWays, Places, StudentTable, Way, as_printed, near
 from coursework.system.angles import whole_turns

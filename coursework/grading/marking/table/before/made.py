@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable
 from coursework.system.arrays import Array, Flags, neighbours
 

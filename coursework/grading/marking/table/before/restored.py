@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import FEW, Counts, guesses, makers_of_several
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers
 from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way, as_printed, near, own_ways

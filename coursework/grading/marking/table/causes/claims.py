@@ -12,7 +12,7 @@ from functools import cache, cached_property, partial
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.starts import march

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, LEAST, StudentTable
 from coursework.system.angles import whole_turns

@@ -13,7 +13,7 @@ from functools import partial
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned_back
 from coursework.grading.marking.table.causes.other_data import other_columns, other_data, other_tables, shifted_rows

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, claims, told_step
 from coursework.grading.marking.table.causes.misread_key import MisreadKey

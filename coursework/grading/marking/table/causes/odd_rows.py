@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.ways import as_printed, near
 from coursework.system.arrays import Array, Flags, shifted

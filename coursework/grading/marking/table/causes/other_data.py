@@ -13,7 +13,7 @@ from itertools import combinations
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.shifted import put_back
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near

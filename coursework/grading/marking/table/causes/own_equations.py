@@ -17,7 +17,7 @@ from coursework.grading.marking.equations.edits import Edit, Values, applied, ed
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import kinds, names_at
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.ways import HALF, SLACK

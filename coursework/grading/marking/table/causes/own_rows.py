@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coursework.grading.marking.key import Key, key_of
+from coursework.grading.marking.key.key import Key, key_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.words.errors import CourseworkError

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.grading.marking.key import Key
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim
 from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, share_of
 from coursework.grading.marking.table.causes.own_equations import OWN

@@ -9,7 +9,7 @@ import coursework
 from coursework.commands.cli import main
 from coursework.commands.line.options import RUBRIC_KEYS
 from coursework.grading.marking.grade import Marker
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import KEYS, Rubric, read_rubric
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.misconceptions import euler_cells, explanations, indistinct, looked_for
 from coursework.grading.marking.table.cells import mark_cells
 from tests.grading.marking import students

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from coursework.grading.marking.misread import misread
+from coursework.grading.marking.key.misread import misread
 from coursework.motion.settings import Settings
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import spelled

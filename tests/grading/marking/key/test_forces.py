@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.forces import ForceKey
+from coursework.grading.marking.key.forces import ForceKey
 
 NAMES = ("R01x", "R01y", "N03", "M", "K03")
 

@@ -6,7 +6,7 @@ Used by `sections.py`; codes stand in the appendix (`checks.py`).
 
 from __future__ import annotations
 
-from coursework.report.sections.checks import SHARES, amount, bound, counted, rounded_off
+from coursework.report.sections.verdict.checks import SHARES, amount, bound, counted, rounded_off
 from coursework.report.text.numbers import ROUND_OFF
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Cell, Claims, Paragraph, Part

@@ -16,9 +16,9 @@ import numpy as np
 
 from coursework.api import make_run
 from coursework.equations.reduction.structure import without_data
-from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.decimals import SHARED, SHOWN, SOLVED, decimals_asked, gap_of
-from coursework.grading.marking.misread import misread
+from coursework.grading.marking.key.branches import other_assemblies
+from coursework.grading.marking.key.misread import misread
 from coursework.grading.reading.expected import Grid, grid_of
 from coursework.many import Solutions, solve_many
 from coursework.mechanism.mechanism import build
@@ -35,8 +35,8 @@ from coursework.words.errors import CourseworkError, Fault, InputError
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
-    from coursework.grading.marking.forces import ForceKey
-    from coursework.grading.marking.free_rows import FreeRows
+    from coursework.grading.marking.key.forces import ForceKey
+    from coursework.grading.marking.key.free_rows import FreeRows
 
 # Between these quantiles lie most rows; a column that spans more than so many times theirs has a pulse.
 _MOST, _SUDDEN = 0.9, 20.0
@@ -108,7 +108,7 @@ class Key:
         """What is right of the forces, None where the variant names none."""
         if self.variant.forces is None:
             return None
-        from coursework.grading.marking.forces import ForceKey
+        from coursework.grading.marking.key.forces import ForceKey
 
         return ForceKey(self.variant)
 
@@ -233,7 +233,7 @@ class Key:
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
     """Return the key of a variant; `accepted_decimals` are those of its class.  Raises `InputError` where it has no solution."""
     if variant.motor is not None:
-        from coursework.grading.marking.free_rows import FreeRows
+        from coursework.grading.marking.key.free_rows import FreeRows
 
         free = FreeRows(variant)
         return Key(variant, model_of(variant), free.table, free.stopped, accepted_decimals, free)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from coursework.report.sections.checks import parted
+from coursework.report.sections.verdict.checks import parted
 from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Result, Runs

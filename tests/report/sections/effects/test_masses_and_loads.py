@@ -9,7 +9,7 @@ import pytest
 import coursework
 from tests.effects.massed import text_of
 from tests.report.made import model_of
-from tests.report.sections.test_conclusion import plain
+from tests.report.sections.verdict.test_conclusion import plain
 
 LOAD = 'F1 = { on = "3", at = "C", force = "(-c*u3, 0)" }'
 SPRING = 'S1 = { spring = ["A", "C"], stiffness = "0.2 kN/m", free = "90 cm", damping = "3 N*s/m" }'

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.report.sections.checks import amount, bound, counted
+from coursework.report.sections.verdict.checks import amount, bound, counted
 from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words

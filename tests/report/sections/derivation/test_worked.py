@@ -11,7 +11,7 @@ import pytest
 import coursework
 from coursework.equations.reduction.symbolic import expanded
 from coursework.motion.geometry.time_derivatives import acceleration_rest
-from coursework.report.sections.worked import _slopes, _solved, _values
+from coursework.report.sections.derivation.worked import _slopes, _solved, _values
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun

@@ -1,0 +1,1 @@
+"""From the constraints to the velocities on paper, and a row of a further table worked through."""
