@@ -157,7 +157,8 @@ def test_a_full_disk_leaves_the_file_as_it_was_and_says_so(tmp_path):
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
 
-    command = [sys.executable, "-m", "coursework", "edit", "--no-browser", "--port", "0"]
+    # -B: Python would leave the first kilobyte of a compiled module for every other test.
+    command = [sys.executable, "-B", "-m", "coursework", "edit", "--no-browser", "--port", "0"]
     process = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=small)
     try:
         server = Server(process, process.stdout.readline().strip())
