@@ -128,22 +128,28 @@ const watch = /** @type {Watch} */ ({
     const place = (one) => `${f1(x(one.time))} ${f1(y(one.error))}`;
     for (const one of this.tries.toSorted((a, b) => a.time - b.time)) ways[one.scheme] = (ways[one.scheme] ? ways[one.scheme] + "L" : "M") + place(one);
     svg("path", { d: Object.values(ways).join(""), class: "live-tries" }, field);
-    /** @type {Point[]} */
-    const taken = [];
     for (const one of marks) {
       const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: one === own ? "live-mark live-last" : "live-mark" }, field);
       mark.setAttribute("transform", `translate(${place(one)})`);
       mark.dataset.scheme = one.scheme;
       if (this.tries.includes(one)) mark.dataset.tried = "";
-      const told = svg("title", {}, mark);
-      const name = data.words["scheme_" + one.scheme];
-      // Named where its name has room.
-      const px = x(one.time), py = y(one.error), long = 8.5 * name.length + 8, way = px + long > 358 ? -8 : 8;
-      if ((way > 0 || px > left + long) && !taken.some((at) => Math.abs(at[0] - px) < 130 && Math.abs(at[1] - py) < 15)) {
-        taken.push([px, py]);
-        svg("text", { x: f1(px + way), y: f1(py + 4), "text-anchor": way < 0 ? "end" : "start" }, field).textContent = name;
+      svg("title", {}, mark).textContent =
+        `${data.words["scheme_" + one.scheme]}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
+    }
+    // Named behind or before its mark where that covers no other mark or name, what was tried last first.
+    const taken = marks.map((one) => ({ from: x(one.time) - 6, to: x(one.time) + 6, at: y(one.error) }));
+    for (const one of marks.toReversed()) {
+      const name = data.words["scheme_" + one.scheme], at = Math.min(y(one.error), bottom - 9);
+      const long = [...name].reduce((sum, letter) => sum + (letter > "\u2e80" ? 14 : 8.5), 0);
+      for (const way of [8, -8]) {
+        const from = x(one.time) + (way < 0 ? way - long : way), to = from + long;
+        if (from < left + 2 || to > 362 || taken.some((other) => other.to > from && other.from < to && Math.abs(other.at - at) < 14)) continue;
+        taken.push({ from, to, at });
+        const said = svg("text", { x: f1(x(one.time) + way), y: f1(at + 4), "text-anchor": way < 0 ? "end" : "start" }, field);
+        said.textContent = name;
+        said.dataset.names = one.scheme;
+        break;
       }
-      told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
     }
     // No line breaks within the name of a scheme.
     tell("lab-key", [...new Set(marks.map((one) => one.scheme))].map((name) => `\ue003${SIGNS[name] ?? "×"} ${data.words["scheme_" + name]}\ue004`).join(", "));

@@ -110,12 +110,24 @@ def marks_of(page: Any, which: str) -> list[str]:
     return page.page.eval_on_selector_all(f"#lab-diagram [data-scheme]{which}", "all => all.map(one => one.dataset.scheme)")
 
 
+COVERED = """() => {
+    const box = (one) => [one.getBoundingClientRect(), one.dataset.names ?? "mark"];
+    const field = document.querySelector("#lab-diagram"), names = [...field.querySelectorAll("[data-names]")].map(box);
+    const all = [...names, ...[...field.querySelectorAll("[data-scheme]")].map(box)];
+    const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 4 && b.top < a.bottom - 4;
+    const edge = field.getBoundingClientRect().right;
+    return names.filter(([a]) => a.right > edge || all.some(([b]) => b !== a && meet(a, b))).map(([, name]) => name);
+}"""
+
+
 @pytest.mark.parametrize("name", ["31", "example-3"])
 def test_every_scheme_has_its_mark_before_anything_is_moved(written: Any, opened: Any, name: str) -> None:
     page = opened(written(name))
     page.page.wait_for_selector(f"#lab-diagram [data-scheme] >> nth={len(SCHEMES) - 1}")
     assert sorted(marks_of(page, "")) == sorted(SCHEMES)
     assert marks_of(page, "[data-tried]") == ["euler"]
+    assert page.page.locator("#lab-diagram [data-names]").count() >= 2
+    assert page.page.evaluate(COVERED) == []
     page.set("#lab-scheme", "rk4", "change")
     page.page.wait_for_selector("#lab-diagram [data-scheme=rk4][data-tried]")
     assert sorted(marks_of(page, "")) == sorted(SCHEMES)  # the try has taken the place of the mark
@@ -140,6 +152,7 @@ def test_each_try_leaves_a_mark_with_the_time_it_took(written: Any, opened: Any)
     page.set("#lab-scheme", "heun", "change")
     page.page.wait_for_selector("#lab-time:not([data-value=''])")
     assert 0 < float(page.value("#lab-time")) < 1
+    assert page.page.evaluate(COVERED) == []
     assert marks_of(page, "[data-tried]") == ["euler", "euler", "euler", "heun"]
     assert page.said == []
 
