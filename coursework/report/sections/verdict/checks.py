@@ -56,8 +56,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     value = check.value if check.value is None else counted(check.value, check.unit)
     is_left = isinstance(check.unit, Sentence) and check.unit.key == DIGITS_LEFT  # 15.4 of sixteen: never 15.40
     is_count = value is not None and value >= 1 and (value.is_integer() or is_left)
-    passes = check.verdict == "PASS" and not check.is_least
-    left = value if value and passes and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0) else None
+    left = left_of_nought(check)
     value = value if left is None else 0.0
     told = amount(context, value, check.unit, whole=is_count, limit=check.limit) if left is None else rounded_off(context, left)
     heads, lines = _lines(context, check)
@@ -75,6 +74,13 @@ def _judged(context: PageContext, check: Finding) -> Judged:
         heads=heads,
         lines=lines,
     )
+
+
+def left_of_nought(check: Finding) -> float | None:
+    """Return the value of a check that passes with what round-off leaves of nought, else None."""
+    passes = check.verdict == "PASS" and not check.is_least
+    nought = max(ROUND_OFF, BESIDE_A_LIMIT * (check.limit or 0.0))
+    return check.value if check.value and passes and abs(check.value) < nought else None
 
 
 def parted(sentence: str) -> tuple[str, str]:

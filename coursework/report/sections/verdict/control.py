@@ -6,8 +6,7 @@ Used by `sections.py`; codes stand in the appendix (`checks.py`).
 
 from __future__ import annotations
 
-from coursework.report.sections.verdict.checks import SHARES, amount, bound, counted, rounded_off
-from coursework.report.text.numbers import ROUND_OFF
+from coursework.report.sections.verdict.checks import SHARES, amount, bound, counted, left_of_nought, rounded_off
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Cell, Claims, Paragraph, Part
 from coursework.report.text.text_runs import numeral
@@ -79,7 +78,7 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     numbers, value = context.numbers, finding.value
     if value is None:
         return ""
-    if 0 < abs(value) <= ROUND_OFF:
+    if left_of_nought(finding) is not None:
         return numeral(rounded_off(context, value))
     value = counted(value, finding.unit)
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
