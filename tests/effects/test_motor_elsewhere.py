@@ -48,7 +48,7 @@ def test_the_page_prints_no_round_off_for_what_is_nothing():
     run = coursework.solve(coursework.parse_variant(text_of("example-1-forces", *CHANGES)), quantities=["table", "forces"])
     compared = next(one for one in parts(run, "forces") if one.get("id") == "forces-compare")
     name, _, computed, _, _, apart = compared["rows"][-1]
-    assert (name, computed, apart) == ("M", "0", "–")
+    assert (name, computed, apart) == ([{"v": "M", "s": ""}], "0", "–")
 
 
 WHEEL = """format = 1

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.drawing.force_plans.force_plans import ForcePlans, make_force_plans
-from coursework.drawing.force_plans.vectors import DIRECTION, KNOWN, ForceVector, GroupPlan
+from coursework.drawing.force_plans.vectors import DIRECTION, KNOWN, SUPERSCRIPT, ForceVector, GroupPlan
 from coursework.drawing.paper.symbols import LOWERED
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.kinetostatics.flywheel import find_flywheel
@@ -20,7 +20,7 @@ from coursework.report.graphs.force_graphs import force_graphs
 from coursework.report.sections.graphs import key
 from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Cell, Column, Display, Equations, Paragraph, Part, Table
+from coursework.report.text.parts import Cell, Column, Display, Equations, Paragraph, Part, Runs, Table
 from coursework.report.text.tables import extra_parts
 from coursework.report.text.text_runs import numeral, runs
 from coursework.scene.quantities import ENERGY, FORCES
@@ -138,8 +138,20 @@ def _group(context: PageContext, plans: ForcePlans, plan: GroupPlan, number: int
 
 def _text_of(name: str) -> str:
     """Return the name of a force as text: R₁₂ᵗ."""
-    part = {"t": "ᵗ", "n": "ⁿ"}.get(name[-1], "") if name[0] == "R" else ""
-    return (name.removesuffix(name[-1]) + part if part else name).translate(LOWERED)
+    name, part = _parted(name)
+    return name.translate(LOWERED) + part
+
+
+def _parted(name: str) -> tuple[str, str]:
+    """Return the name of a reaction, and t or n, raised, of its part across or along a link."""
+    part = SUPERSCRIPT.get(name[-1], "") if name[0] == "R" else ""
+    return name[:-1] if part else name, part
+
+
+def _set(word: tuple[str, str, str]) -> Runs:
+    """Return a force as runs: a letter with its index, and what stands behind it."""
+    letter, low, after = word
+    return [{"v": letter, "s": low}, *([{"t": after}] if after else [])] if low else [{"t": letter + after}]
 
 
 def _math_of(vector: ForceVector) -> str:
@@ -157,7 +169,7 @@ def _levers(context: PageContext, plans: ForcePlans) -> list[Part]:
     for lever, drawing in zip(plans.levers, drawings, strict=True):
         unit = plans.analysis.units[plans.analysis.names.index(lever.drive)]
         lines: list[list[Cell]] = [
-            [_text_of(one.name), numeral(numbers.scalar(abs(one.force))), numeral(numbers.fixed(one.h, MILLIMETRES)),
+            [_set(one.word), numeral(numbers.scalar(abs(one.force))), numeral(numbers.fixed(one.h, MILLIMETRES)),
              numeral(numbers.scalar(abs(one.force) * one.h * lever.unit))]
             for one in lever.arms
         ]  # fmt: skip
@@ -166,10 +178,11 @@ def _levers(context: PageContext, plans: ForcePlans) -> list[Part]:
             Column(context.symbol_runs(["h"]), context.unit("mm")), Column(context.say("forces.product"), context.unit(unit)),
         ]  # fmt: skip
         told = context.words(
-            "forces.lever.sum", drive=_text_of(lever.drive), couples=context.with_unit(numbers.scalar(lever.couples), unit),
+            "forces.lever.sum", drive=context.lettering(lever.drive),
+            couples=context.with_unit(numbers.scalar(lever.couples), unit),
             read=context.with_unit(numbers.scalar(lever.read), unit),
         )  # fmt: skip
-        caption = context.say("forces.lever.table", drive=_text_of(lever.drive))
+        caption = context.lettered(context.words("forces.lever.table", drive=context.lettering(lever.drive)))
         parts += [drawn(context, drawing), Table(heads, lines, caption), Paragraph(context.lettered(told))]
     return parts
 
@@ -181,13 +194,14 @@ def _compared(context: PageContext, plans: ForcePlans) -> list[Part]:
     for one in plans.readings():
         apart = f"{numbers.fixed(100 * (one.read - one.computed) / one.computed, 2)}" if one.mm else NOTHING
         values = [numbers.scalar(one.computed), numbers.fixed(one.mm, MILLIMETRES), numbers.scalar(one.read), apart]
-        lines.append([_text_of(one.name), context.unit("N"), *map(numeral, values)])
+        name, part = _parted(one.name)
+        lines.append([context.symbol_runs([name], part), context.unit("N"), *map(numeral, values)])
     for lever in plans.levers:
         unit = context.unit(plans.analysis.units[plans.analysis.names.index(lever.drive)])
         computed = float(_without_noise(plans.analysis)[plans.row, plans.analysis.names.index(lever.drive)])
         apart = numbers.fixed(100 * (lever.read - computed) / computed, 2) if computed else NOTHING
         values = [numbers.scalar(computed), NOTHING, numbers.scalar(lever.read), apart]
-        lines.append([_text_of(lever.drive), unit, *map(numeral, values)])
+        lines.append([context.symbol_runs([lever.drive]), unit, *map(numeral, values)])
     if not lines:
         return []
     keys = ("forces.force", "given.unit", "forces.computed", "units.mm", "forces.read", "forces.apart")

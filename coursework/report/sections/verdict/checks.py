@@ -79,7 +79,8 @@ def _judged(context: PageContext, check: Finding) -> Judged:
 def left_of_nought(check: Finding) -> float | None:
     """Return the value of a check that passes with what round-off leaves of nought, else None."""
     passes = check.verdict == "PASS" and not check.is_least
-    nought = max(ROUND_OFF, BESIDE_A_LIMIT * (check.limit or 0.0))
+    is_share = isinstance(check.unit, Sentence) and check.unit.key in SHARES
+    nought = ROUND_OFF if is_share else BESIDE_A_LIMIT * (check.limit or 0.0)
     return check.value if check.value and passes and abs(check.value) < nought else None
 
 

@@ -33,8 +33,17 @@ def test_nought_is_told_in_the_measure_of_its_limit(real: ModuleType) -> None:
     """0 % beside 5 %, and 0 beside 1e-11."""
     items = listed(real, coursework.solve("whitworth", quantities=("table", "checks"), scheme="exact"))
     told = {code: (real.text_of([one["value"]]), real.text_of([one["limit"]])) for code, one in items.items()}
-    assert told["RESIDUAL"][0] == "0" and "10−11" in told["RESIDUAL"][1]
+    assert told["INITIAL"][0] == "0" and "10−11" in told["INITIAL"][1]
     assert told["ACCURACY"] == ("0\xa0%", "≤\xa05\xa0%")
+
+
+def test_what_is_left_of_nought_is_told_alike_beside_the_claim_and_in_the_appendix(real: ModuleType) -> None:
+    """It was 1·10⁻¹⁶ (round-off) in one place and 0 in the other."""
+    run = coursework.solve("31", quantities=("table", "checks"))
+    claims = {real.text_of(row) for part in real.parts(run, "control") for row in part.get("items", part.get("rows", []))}
+    for code in ("INITIAL", "RESIDUAL"):
+        told = real.text_of([listed(real, run)[code]["value"]])
+        assert told.endswith(" (round-off)") and any(told in claim for claim in claims)
 
 
 def test_what_is_not_judged_has_no_number_and_no_limit(real: ModuleType) -> None:
