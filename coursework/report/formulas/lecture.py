@@ -11,6 +11,11 @@ from coursework.drawing.paper.symbols import LOWERED
 from coursework.motion.schemes import Scheme, Sum
 
 _A_LINE = 2  # slopes
+# Of a motion under forces: the rates first, by the accelerations, then the coordinates by the rates just made.
+SEMI_IMPLICIT = (
+    ("v_(i+1) = v_i + h a(t_i, q_i, v_i)", "v_{i+1} = v_i + h a(t_i, q_i, v_i)"),
+    ("q_(i+1) = q_i + h v_(i+1)", "q_{i+1} = q_i + h v_{i+1}"),
+)
 
 
 def lines(scheme: Scheme) -> tuple[tuple[str, str], ...]:

@@ -5,6 +5,7 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
+from coursework.motion.schemes import SEMI_IMPLICIT
 from coursework.report.formulas import lecture
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
@@ -15,17 +16,22 @@ from coursework.words.templates import clean
 def method(context: PageContext) -> list[Part]:
     """By which formula, with which step and which programs the numbers came about."""
     run, words = context.run, context.words
-    coordinates = run.motion.coordinate_names
-    rates = [c.rate for c in run.variant.coordinates if c.name in coordinates]
     if run.tableau is None:
         label = clean(context.words.written(run.motion.label)).rstrip(".")
         told = [words("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
         return [Paragraph(context.lettered(words.sentences([*told, *_lesson(context)]))), *_versions(context)]
-    intro = context.say("method.intro", title=context.told(run.scheme_title), order=run.tableau.order)
-    formula = Equations([Display(math, text) for math, text in lecture.lines(run.tableau)])
+    free = "_free" if run.variant.motor else ""
+    intro = context.say(f"method.intro{free}", title=context.told(run.scheme_title), order=run.tableau.order)
+    semi = run.tableau is SEMI_IMPLICIT
+    formula = Equations([Display(math, text) for math, text in (lecture.SEMI_IMPLICIT if semi else lecture.lines(run.tableau))])
     parts: list[Part] = [Paragraph(intro), formula]
+    states = [name for name in context.stepped if not semi or name in run.motion.coordinate_names]
+    slopes = [context.stepped[name] for name in states]
+    named = {"coordinates": context.symbol_list(states), "rates": context.symbol_list(slopes)}
+    if semi:
+        named["accelerations"] = context.symbol_list(context.stepped[name] for name in slopes)
     sentences = [
-        words("method.meaning", coordinates=context.symbol_list(coordinates), rates=context.symbol_list(rates)),
+        words("method.meaning_semi" if semi else f"method.meaning{free}", **named),
         words("method.time", step=context.quantity(run.step, "s"), evaluations=context.numbers.whole(run.motion.evaluations)),
     ]
     if run.settings.project:

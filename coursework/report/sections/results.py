@@ -37,7 +37,7 @@ def results(context: PageContext) -> list[Part]:
     parts = motion_parts(context)
     if not context.run.asks(CHECKS) or not len(context.run.motion.t):
         return parts
-    found = [split for split in splits(context) if split.name not in context.run.variant.known_rates]
+    found = [split for split in splits(context) if split.name not in context.run.variant.given_rates]
     parted = pieces([split.name for split in found], MOST_BESIDE_WORDS) if found else []
     for number, (first, last) in enumerate(parted, start=1):
         parts.append(_first_last(context, found[first:last], number, len(parted)))

@@ -46,6 +46,18 @@ class PageContext:
         """Return the variant with its texts in the language of the page, as far as its file has them."""
         return self.run.variant.in_language(self.words.phrases.language)
 
+    @cached_property
+    def stepped(self) -> dict[str, str]:
+        """Return what a scheme takes from row to row, with its derivative: the coordinates of the table, each with its rate;
+        where forces move the mechanism the free ones alone, and their rates.
+        """
+        variant, shown = self.run.variant, self.run.motion.coordinate_names
+        pairs = {one.name: one.rate for one in variant.coordinates if one.name in shown}
+        if variant.motor is None:
+            return pairs
+        free = {name: rate for name, rate in pairs.items() if rate in variant.motor.rates}
+        return free | {rate: f"d{rate}" for rate in free.values()}
+
     @property
     def numbers(self) -> Numbers:
         """Return the writer of numbers."""

@@ -141,7 +141,7 @@ def largest_step_error(context: PageContext) -> LocalError | None:
     for coordinate in context.run.variant.coordinates:
         if coordinate.name not in exact.names or coordinate.rate not in exact.names or coordinate.name not in judged.scale:
             continue
-        if coordinate.rate in context.run.variant.known_rates:
+        if coordinate.name not in context.stepped or coordinate.rate in context.run.variant.given_rates:
             continue
         q, rate = exact.column(coordinate.name), exact.column(coordinate.rate)
         gaps = np.where(whole, np.diff(q) - steps * rate[:-1], 0.0)

@@ -76,7 +76,7 @@ def _checked(context: PageContext) -> str:
     """Return the velocities of the row that is checked."""
     motion, variant = context.run.motion, context.run.variant
     row = min(variant.time.row_of_check, len(motion.t))
-    sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
+    sought = [name for name in motion.velocity_names if name not in variant.given_rates] or motion.velocity_names
     values = context.words("result.between").join(
         f"{context.lettering(name)}{TIGHT}={TIGHT}"
         + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))

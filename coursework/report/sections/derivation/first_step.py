@@ -1,0 +1,94 @@
+"""How the scheme goes from row to row, and the first step by hand.
+
+Enters: a `PageContext`.  Leaves: displayed equations with the words around them.  Used by `solution.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from coursework.motion.schemes import SEMI_IMPLICIT, title_of
+from coursework.report.formulas import lecture
+from coursework.report.text.numbers import MINUS, first_of
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Display, Equations, Paragraph, Part
+from coursework.report.text.symbols import Symbol
+
+DECIMALS = 5  # of a result
+DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
+INDICES = "kinjm"  # letters that count the steps; a datum of the file may have one
+MOST_LINES = 8  # coordinates written out; the others are done alike
+
+
+def first_step(context: PageContext) -> list[Part]:
+    """Return nothing for exact rows; for Euler its line for all that it steps, and the step from row 1 in numbers."""
+    run = context.run
+    scheme = run.tableau
+    if scheme is None:
+        return []
+    if scheme.slopes > 1:
+        lines = Equations([Display(math, text) for math, text in lecture.lines(scheme)])
+        return [Paragraph(context.say("derivation.scheme", scheme=context.told(title_of(scheme)))), lines]
+    # The semi-implicit scheme takes the rates that it has just made.
+    ahead = set(run.motion.coordinate_names) if scheme is SEMI_IMPLICIT else set()
+    stepped = dict(sorted(context.stepped.items(), key=lambda one: one[0] in ahead)[:MOST_LINES])
+    index = index_of_steps(run.variant.names)
+    told = {"index": context.lettering(index), "step": context.quantity(run.step, "s")}
+    if run.variant.motor is None:
+        along = context.say("derivation.along", **told)
+    else:
+        title = context.told(title_of(scheme))
+        along = context.say("derivation.along_free", scheme=title[:1].upper() + title[1:], **told)
+    steps = [_line(context.symbol(name), context.symbol(rate), index, ahead=name in ahead) for name, rate in stepped.items()]
+    parts: list[Part] = [Paragraph(along), Equations(steps, flow=True)]
+    if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
+        made = _accelerations(context) if run.variant.motor else {}
+        known = {name: made[name] if name in made else float(run.motion.column(rate)[1]) if name in ahead
+                 else first_of(run.motion, rate) for name, rate in stepped.items()}  # fmt: skip
+        numbers = [_numbers(context, name, speed) for name, speed in known.items()]
+        units = dict.fromkeys(context.unit(run.variant.unit_of(name)) for name in known)
+        listed = context.words("join.comma").join(units)
+        parts += [Paragraph(context.say("derivation.first_step", units=listed)), Equations(numbers, flow=True)]
+    return parts
+
+
+def index_of_steps(names: Collection[str]) -> str:
+    """Return the letter that counts the steps: the first that the file gives no other meaning.
+
+    >>> index_of_steps(["k", "L1", "i"])
+    'n'
+    """
+    return next((letter for letter in INDICES if letter not in names), INDICES[0])
+
+
+def _accelerations(context: PageContext) -> dict[str, float]:
+    """Return what forces make of each free rate at the start (rad/s², m/s²)."""
+    from coursework.scene.motor_scene import MotorScene
+
+    scene, motor = context.run.scene, context.run.variant.motor
+    assert isinstance(scene, MotorScene) and motor is not None
+    start, free = scene.begin_of_forces
+    return dict(zip(motor.rates, scene.free_equations.slope(0.0, *start, *free[len(motor.rates) :]), strict=False))
+
+
+def _line(q: Symbol, w: Symbol, k: str, *, ahead: bool) -> Display:
+    at = f"{k} + 1" if ahead else k
+    math = f"{q.typst} ({k} + 1) = {q.typst} ({k}) + {w.typst} ({at}) thin h"
+    return Display(math, f"{q.text}({k} + 1) = {q.text}({k}) + {w.text}({at}) h")
+
+
+def _numbers(context: PageContext, name: str, speed: float) -> Display:
+    """Return phi1(1) = 1.63 + (-1.57554) * 0.02 = 1.59849, with the fewest digits that give the printed result."""
+    motion, step = context.run.motion, context.run.step
+    start, end = first_of(motion, name), float(motion.column(name)[1])
+    result = f"{end:.{DECIMALS}f}"
+    written = ("", "", "")
+    for digits in range(DIGITS, MOST_DIGITS + 1):
+        written = (f"{start:.{digits}g}", f"{speed:.{digits}g}", f"{step:.{digits}g}")
+        if f"{float(written[0]) + float(written[1]) * float(written[2]):.{DECIMALS}f}" == result:
+            break
+    begin, factor, h = (context.numbers.dressed(text) for text in written)
+    factor = f"({factor})" if factor.startswith(MINUS) else factor
+    q = context.symbol(name)
+    text = f"{begin} + {factor} · {h} = {context.numbers.dressed(result)}"
+    return Display(f'{q.typst} (1) = "{text}"', f"{q.text}(1) = {text}")

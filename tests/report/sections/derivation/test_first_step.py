@@ -1,0 +1,72 @@
+"""What the page says of a step is what its rows were made by, where laws drive the mechanism and where forces do."""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+import coursework
+
+
+def lines(real: ModuleType, run: Any) -> dict[str, tuple[str, str]]:
+    """Return of each column on the left of a step: the step in letters, and in numbers."""
+    texts = [one["text"] for part in real.parts(run, "solution") if part["kind"] == "equations" for one in part["items"]]
+    letters = {text.partition("(")[0]: text for text in texts if " + 1) = " in text}
+    return {name: (text, next(one for one in texts if one.startswith(f"{name}(1) = "))) for name, text in letters.items()}
+
+
+def in_numbers(text: str) -> tuple[float, float, float, float]:
+    """Return start, slope, step and result of "x(1) = a + b · h = c"."""
+    _, made, result = text.replace("−", "-").split(" = ")
+    start, _, product = made.partition(" + ")
+    slope, step = product.replace("(", "").replace(")", "").split(" · ")
+    return float(start), float(slope), float(step), float(result)
+
+
+@pytest.mark.parametrize(("scheme", "at"), [("euler", "i"), ("semi-implicit", "i + 1")])
+def test_under_forces_the_free_coordinates_and_their_rates_alone_are_stepped(real: ModuleType, scheme: str, at: str) -> None:
+    """θ₂ and s₃ were said to go along their rates, and follow from the closed position."""
+    run = coursework.solve("example-2-motor", quantities=["table"], scheme=scheme)
+    told = lines(real, run)
+    assert {name: text for name, (text, _) in told.items()} == {
+        "θ₁": f"θ₁(i + 1) = θ₁(i) + ω₁({at}) h", "ω₁": "ω₁(i + 1) = ω₁(i) + ω̇₁(i) h",
+    }  # fmt: skip
+    for name, column in (("θ₁", "theta1"), ("ω₁", "w1")):
+        start, slope, step, result = in_numbers(told[name][1])
+        rows = run.motion.column(column)
+        assert (start, round(start + slope * step, 5)) == (rows[0], result) and abs(rows[1] - result) <= 5e-6
+    words = " ".join(real.text_of(part["text"]) for part in real.parts(run, "method") if part["kind"] == "paragraph")
+    assert "velocities of each row follow from the coordinates" not in words and "from its closed position" in words
+    assert "θ₂" not in words and "θ2" not in words
+
+
+def test_the_slope_of_a_rate_is_that_of_two_rods_let_go(real: ModuleType) -> None:
+    """Lagrange's equations of the arm at rest, written down for its two uniform rods."""
+    told = lines(real, coursework.solve("falling-arm", quantities=["table"]))
+    (r1, m1, a), (r2, m2, b) = (0.5, 3.0, 1.6), (0.4, 2.0, 0.2)
+    beside = m2 * r1 * r2 / 2 * np.cos(a - b)
+    inertia = [[(m1 / 3 + m2) * r1**2, beside], [beside, m2 / 3 * r2**2]]
+    weight = [-9.81 * (m1 / 2 + m2) * r1 * np.cos(a), -9.81 * m2 / 2 * r2 * np.cos(b)]
+    slopes = [in_numbers(told[name][1])[1] for name in ("ω₁", "ω₂")]
+    np.testing.assert_allclose(slopes, np.linalg.solve(inertia, weight), rtol=1e-5)
+
+
+def test_of_a_driven_mechanism_every_coordinate_goes_along_its_rate(real: ModuleType) -> None:
+    run = coursework.solve("31", quantities=["table"])
+    told = lines(real, run)
+    assert [text for text, _ in told.values()] == [f"φ{low}(k + 1) = φ{low}(k) + ω{low}(k) h" for low in "₁₂₃"]
+    for name, (_, numbers) in zip(("phi1", "phi2", "phi3"), told.values(), strict=True):
+        start, slope, step, result = in_numbers(numbers)
+        assert round(start + slope * step, 5) == result and abs(run.motion.column(name)[1] - result) <= 5e-6
+
+
+def test_the_box_and_the_first_and_last_row_tell_a_rate_that_forces_make(real: ModuleType) -> None:
+    """ω₁ of a crank under a motor is what was sought, and was left out as if it were given."""
+    run = coursework.solve("example-2-motor", quantities=["table", "checks"])
+    box = next(part for part in real.parts(run, "statement") if part["kind"] == "result")
+    assert any("ω1 = 2.5498 rad/s" in real.text_of(line).replace("\xa0", " ") for line in box["items"])
+    table = next(part for part in real.parts(run, "results") if part.get("id") == "first-last")
+    assert [real.text_of(column["head"]) for column in table["columns"]] == ["", "θ1", "θ2", "s3", "ω1", "ω2", "u3"]
