@@ -109,7 +109,8 @@ def unusual(real: ModuleType) -> list[Any]:
         real.timed(), *real.oddities(), claimed(real), solve(parse_variant(FIVE_BAR)),
         *(solve(name, scheme, end=end, quantities=["table", "checks"]) for name, scheme, end in behind()),
         solve(parse_variant(past_the_pivot(0.001, 0.02)), quantities=["table", "checks"]),
-        solve("example-2-motor", "semi-implicit", quantities=["table"]), solve(parse_variant(CRANK), quantities=["table"]), solve(parse_variant(BOOM), quantities=["table"]),
+        solve("example-2-motor", "semi-implicit", quantities=["table"]),
+        solve(parse_variant(CRANK), quantities=["table"]), solve(parse_variant(BOOM), quantities=["table"]),
     ]  # fmt: skip
 
 
