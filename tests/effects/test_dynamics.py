@@ -143,12 +143,10 @@ def test_energy_and_error_are_told_with_the_step_that_would_do():
 
 
 def test_two_rows_are_enough_to_tell_how_close_the_motion_is():
-    """From rest Euler's first step carries the acceleration of the start."""
+    """From rest Euler's first step moves nothing where the motion moves w h/2, a fortieth of what twenty steps turn."""
     run = coursework.solve("falling-arm", "euler", end="10 ms")
-    exact = coursework.solve("falling-arm", "exact", end="10 ms")
     (told,) = [one for one in run.results.checks if one.code == "MOTION"]
-    off = max(abs(run.motion.column(w)[1] / exact.motion.column(w)[1] - 1) for w in run.motion.velocity_names)
-    assert (told.verdict, told.row, told.value) == ("PASS", 2, pytest.approx(off, rel=1e-6))
+    assert (told.verdict, told.row, told.value) == ("PASS", 2, pytest.approx(1 / 40, rel=1e-2))
 
 
 @pytest.mark.parametrize(("share", "stable", "told"), [
