@@ -31,11 +31,10 @@ FARTHEST = 1.0  # rad, or of the mechanism: a correction beyond it leads to anot
 TOLERANCE = 1e-13
 Take = Callable[[float, list[float]], list[float]]  # time and state of a row -> the state of the next one
 MOST_STEPS = 3000  # from a row to the next one: more are taken where forces are too steep alone
-_SLOWER = 0.9  # of the last rate: so much slower was the one beside which a dead point is looked for
 _LEAST = 1e-11  # of the whole time: a shorter step is none
 _ALONE = ((0, 1),)  # the first slope, nothing beside it
 _LOOKS = 1000  # times at which it is looked whether friction still holds
-_SHORTER = 0.1  # of the mean step since the last row: into a dead point steps get shorter and shorter, steep forces hold them
+_SMALL = 0.1  # of a determinant: what is left of it at a dead point
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
 
 
@@ -180,17 +179,16 @@ class Dynamics:
         if rubbing is not None and not rubbing.held:
             rubbing.begin(moving, self._where, state)
         begin, tries = (list(self.q), list(self._rates)), 0
-        passed: list[tuple[float, float]] = []
+        passed, rates = list[tuple[float, ...]](), slice(len(self.motion.free), -1)
         while goal - at > _LEAST * whole:
             taken, tries = min(length[0], goal - at), tries + 1
             if tries > MOST_STEPS:
                 self.q, self._rates = begin
-                is_near = self.motion.others and length[0] < _SHORTER * (at - t) / tries
-                raise Open(_dead_point(at, passed)) if is_near else Open(at, too_steep=True)
+                raise self._ended(passed)
             kept, why = (list(self.q), list(self._rates)), None
             try:
                 slope = np.array(moving(*state.tolist()))
-                passed.append((at, max(map(abs, self._rates[1:]), default=0.0)))
+                passed.append((at, *self.q, *state[rates].tolist()))
                 after, error = dormand_prince_8(moving, state, slope, taken)
                 sizes = TOLERANCE * (1.0 + np.abs(state[:-1]))
                 ratio = float(np.max(np.abs(np.array(error[:-1])) / sizes))
@@ -209,8 +207,19 @@ class Dynamics:
                 self.q, self._rates = begin
                 if isinstance(why, Held):
                     raise why.seen(at)
-                raise Open(_dead_point(at, passed)) if self.motion.others else Open(at, too_steep=True)
+                raise self._ended(passed)
         return [float(value) for value in state[:-1]]
+
+    def _ended(self, passed: Sequence[Sequence[float]]) -> Open:
+        """Return why a motion cannot be followed beyond its last state: links, where a determinant vanishes, or forces."""
+        rows = np.array(passed)
+        if self.motion.others and len(rows) > 1:
+            found = self.motion.table(*rows.T)[-self.motion.determinants :]
+            sizes = [np.abs(np.broadcast_to(one, len(rows))) for one in found]
+            least = min(sizes, key=lambda one: float(one[-1] / one.max()))
+            if least[-1] < _SMALL * least.max():
+                return Open(_vanishes(rows[:, 0], least))
+        return Open(rows[-1, 0], too_steep=True)
 
     def _where(self, *state: float) -> tuple[float, ...]:
         """Return time, closed position and free rates of a state with its time behind it."""
@@ -248,18 +257,11 @@ class Dynamics:
         return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by)
 
 
-def _dead_point(at: float, passed: Sequence[tuple[float, float]]) -> float:
-    """Return the time of a dead point after times with the largest rate of the others there: rates grow as one over the root of
-    what is left, so one over their squares runs straight to 0.
-    """
-    if not passed or not passed[-1][1]:
-        return at
-    time, fast = passed[-1]
-    earlier = next(((t, rate) for t, rate in reversed(passed) if 0 < rate < _SLOWER * fast), None)
-    if earlier is None:
-        return at
-    left, before = 1 / fast**2, 1 / earlier[1] ** 2
-    return max(at, time + left * (time - earlier[0]) / (before - left))
+def _vanishes(t: Array, sizes: Array) -> float:
+    """Return when (s) sizes vanish that get smaller to the last of the times: as any power of what is left until then."""
+    twice, four = (float(t[np.flatnonzero(sizes >= times * sizes[-1])[-1]]) for times in (2, 4))
+    later, before = float(t[-1]) - twice, twice - four
+    return float(t[-1]) + (later**2 / (before - later) if before > later else 0.0)
 
 
 def _stepper(scheme: Scheme) -> Callable[..., list[float]]:
