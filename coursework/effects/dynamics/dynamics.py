@@ -54,7 +54,7 @@ class FreeMotion:
     """Rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f); `slopes` evaluated.
 
     `ended`: "" where it reached its end, "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by friction
-    at the point `by`), at the time `at` (s).
+    at the point `by`), "sensitive" (beyond it is not known), at the time `at` (s).
     """
 
     t: Array
@@ -75,6 +75,7 @@ class Dynamics:
 
     motion: EquationsOfMotion
     q: list[float]
+    tolerance: float = TOLERANCE
     count: int = 0
     rests_until: float = -math.inf
     _rates: list[float] = field(default_factory=list)
@@ -190,7 +191,7 @@ class Dynamics:
                 slope = np.array(moving(*state.tolist()))
                 passed.append((at, *self.q, *state[rates].tolist()))
                 after, error = dormand_prince_8(moving, state, slope, taken)
-                sizes = TOLERANCE * (1.0 + np.abs(state[:-1]))
+                sizes = self.tolerance * (1.0 + np.abs(state[:-1]))
                 ratio = float(np.max(np.abs(np.array(error[:-1])) / sizes))
             except (Open, Held, ZeroDivisionError, OverflowError) as stopped:
                 ratio, why = math.inf, stopped
