@@ -130,6 +130,8 @@ class Dynamics:
         one = _semi_implicit if scheme is SEMI_IMPLICIT else _stepper(scheme)
 
         def take(t: float, now: list[float]) -> list[float]:
+            if not self.motion.breaks:
+                return one(self.slope, t, now, step)
             latest = may_look_until(self.motion.breaks, t + step)  # what ends at a break does not know what comes after it
             return one(lambda at, there: self.slope(min(at, latest), there), t, now, step)
 
