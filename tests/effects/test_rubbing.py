@@ -106,6 +106,13 @@ def test_what_friction_holds_goes_on_when_the_force_has_grown():
     assert run.scene.exact_accelerations[:, 0] == pytest.approx(4 / 2 * after, abs=1e-11)
 
 
+@pytest.mark.parametrize(("more", "kind"), [(1.0, "held"), (1.0 - 1e-9, "held"), (1.0 + 1e-9, None)])
+def test_a_force_as_large_as_what_friction_holds_does_not_move_it(more, kind):
+    """Written so that it differs by round-off from moment to moment: nothing of it begins a motion."""
+    run = pushed("q*t1/t1*(sin(t/t1)^2 + cos(t/t1)^2)", f'[given]\nq = "{HOLDS * more!r} N"\nt1 = "1 s"\n')
+    assert (run.stop.kind if run.stop else None) == kind
+
+
 def test_a_block_is_pushed_stands_and_is_pulled_back():
     """5 N from 0.52 s to 0.8 s, nothing to 1.53 s, then -3 N: parabolas joined by hand."""
     law = '{ pieces = [["0 s", "0"], ["0.52 s", "5"], ["0.8 s", "0"], ["1.53 s", "-3"]] }'

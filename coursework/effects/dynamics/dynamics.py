@@ -167,7 +167,9 @@ class Dynamics:
                     raise
                 at, count = error.time, len(self.motion.free)
                 now = [*error.state[:count], *[0.0] * count]
-                later = np.unique([at, *np.linspace(at, whole, _LOOKS if len(acting) > 2 else 2), *acting])
+                later = np.unique(
+                    [at, *np.linspace(at, whole, _LOOKS if len(acting) > 2 else 2), *acting[:: len(acting) // _LOOKS + 1]]
+                )
                 loose = rubbing.loose(self._where, now, later[later >= at].tolist())
                 if (loose is None and error.at) or loose == at:
                     raise

@@ -159,11 +159,15 @@ class Rubbing:
         self.held = tuple(sign or other for sign, other in zip(signs, found, strict=True))
 
     def goes_on(self, where: Where, *state: float) -> bool:
-        """Return whether what stands still in a state begins to slide."""
+        """Return whether what stands still in a state begins to slide, by more than round-off leaves of what drives it."""
+        found = where(*state)
         try:
-            return any(self.signs(*where(*state)))
+            signs = self.signs(*found)
+            now = self.state(*found)
+            begins = [abs(a) > STILL * abs(ideal) for a, ideal in zip(self.free(now, signs), now.a, strict=True)]
         except Held:
             return False
+        return any(signs) and any(begins)
 
     def loose(self, where: Where, rest: Sequence[float], times: Sequence[float]) -> float | None:
         """Return when (s) what rests from the first of the times on begins to slide, None where it does not by the last."""
