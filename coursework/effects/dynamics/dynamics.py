@@ -189,7 +189,7 @@ class Dynamics:
             taken, tries = min(length[0], goal - at), tries + 1
             if tries > MOST_STEPS:
                 self.q, self._rates = begin
-                raise self._ended(passed)
+                raise self._ended(at, passed)
             kept, why = (list(self.q), list(self._rates)), None
             try:
                 slope = np.array(moving(*state.tolist()))
@@ -212,10 +212,10 @@ class Dynamics:
                 self.q, self._rates = begin
                 if isinstance(why, Held):
                     raise why.seen(at)
-                raise self._ended(passed)
+                raise self._ended(at, passed)
         return [float(value) for value in state[:-1]]
 
-    def _ended(self, passed: Sequence[Sequence[float]]) -> Open:
+    def _ended(self, at: float, passed: Sequence[Sequence[float]]) -> Open:
         """Return why a motion cannot be followed beyond its last state: links, where a determinant vanishes, or forces."""
         rows = np.array(passed)
         if self.motion.others and len(rows) > 1:
@@ -224,7 +224,7 @@ class Dynamics:
             least = min(sizes, key=lambda one: float(one[-1] / one.max()))
             if least[-1] < _SMALL * least.max():
                 return Open(_vanishes(rows[:, 0], least))
-        return Open(rows[-1, 0], too_steep=True)
+        return Open(at, too_steep=True)
 
     def _where(self, *state: float) -> tuple[float, ...]:
         """Return time, closed position and free rates of a state with its time behind it."""

@@ -41,6 +41,12 @@ def test_a_force_that_jumps_is_no_force_too_steep(at):
     assert run.motion.column("s") == pytest.approx(1 + 0.75 * t**2 - 2.5 * late**2, abs=1e-12)
 
 
+@pytest.mark.parametrize("push", ["q*t1/(t - t0)", "q*(t1/(t - t0))^2"])
+def test_a_force_without_a_bound_ends_the_motion_where_it_has_none(push):
+    run = pushed(push, '[given]\nq = "1 N"\nt0 = "0.51 s"\nt1 = "1 s"\n')
+    assert (run.stop.kind, len(run.motion.t)) == ("too steep", 11) and run.stop.time == pytest.approx(0.51, abs=1e-6)
+
+
 @pytest.mark.parametrize("scheme", ["midpoint", "heun", "ralston", "rk4"])
 def test_a_row_at_a_jump_keeps_every_scheme_of_second_order_exact_on_parabolas(scheme):
     run = pushed("q*g", JUMPS.replace("BREAK", "0.5"), scheme)
