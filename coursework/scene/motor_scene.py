@@ -17,6 +17,7 @@ from coursework.effects.dynamics.dynamics import Dynamics, FreeMotion
 from coursework.effects.dynamics.dynamics_checks import check_dynamics
 from coursework.effects.dynamics.dynamics_lesson import energy_of_rows, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
@@ -118,7 +119,10 @@ class MotorScene(Scene):
     @cached_property
     def _true(self) -> FreeMotion:
         time = self.variant.time
-        return Dynamics(self.free_equations, list(self.start)).exact(self._begin, time.step, time.steps)
+        pace = max(1, time.steps // LOOKS)
+        fine, coarser = Dynamics(self.free_equations, list(self.start)), Dynamics(self.free_equations, list(self.start), COARSER)
+        found = fine.exact(self._begin, time.step, time.steps)
+        return known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
 
     @computed("free_equations")
     def stop(self) -> Stop | None:

@@ -5,6 +5,7 @@ Andrews' squeezer at 0.03 s: test set for IVP solvers (F. Mazzia, C. Magherini),
 """
 
 import json
+import math
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -99,7 +100,9 @@ def test_two_free_rates_with_a_closed_loop_keep_energy_and_length():
 def test_links_that_would_have_to_stretch_stop_the_motion():
     run = coursework.solve(coursework.parse_variant(free_31()), scheme="exact", step=0.001, end=0.2)
     assert run.stop.kind == "dead point"
-    assert run.stop.time == pytest.approx(0.0504794, abs=1e-6)
+    # There C stands below B, so that phi3 is pi and C.y does not change with it.
+    last = {name: run.motion.column(name)[-1] for name in ("phi3", "w3")}
+    assert run.stop.time == pytest.approx(0.05 + (math.pi - last["phi3"]) / last["w3"], abs=1e-7)
     assert len(run.motion.t) == 51
     assert "would have to stretch" in run.stop.sentence
     assert np.isfinite(run.motion.rows).all()
@@ -143,12 +146,10 @@ def test_energy_and_error_are_told_with_the_step_that_would_do():
 
 
 def test_two_rows_are_enough_to_tell_how_close_the_motion_is():
-    """From rest Euler's first step carries the acceleration of the start."""
+    """From rest Euler's first step moves nothing where the motion moves w h/2, a fortieth of what twenty steps turn."""
     run = coursework.solve("falling-arm", "euler", end="10 ms")
-    exact = coursework.solve("falling-arm", "exact", end="10 ms")
     (told,) = [one for one in run.results.checks if one.code == "MOTION"]
-    off = max(abs(run.motion.column(w)[1] / exact.motion.column(w)[1] - 1) for w in run.motion.velocity_names)
-    assert (told.verdict, told.row, told.value) == ("PASS", 2, pytest.approx(off, rel=1e-6))
+    assert (told.verdict, told.row, told.value) == ("PASS", 2, pytest.approx(1 / 40, rel=1e-2))
 
 
 @pytest.mark.parametrize(("share", "stable", "told"), [

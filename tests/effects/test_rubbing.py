@@ -85,6 +85,46 @@ def test_a_guide_of_some_length_bears_a_couple_at_its_two_ends():
     assert np.abs(exact.column("s") - np.cos(5 / math.sqrt(1.1) * exact.t)).max() < 1e-11
 
 
+# The force alone instead of the spring: 1.962 N hold the block.
+PUSHED = BLOCK.replace(
+    'k1 = { spring = ["O", "C"], stiffness = "50 N/m", free = "1 m" }', 'F = { on = "1", at = "C", force = "(PUSH, 0)" }'
+).replace('end = "12 s"', 'end = "2 s"\nscheme = "exact"')
+HOLDS = 0.1 * 2 * 9.81  # N
+
+
+def pushed(push, given):
+    return coursework.solve(coursework.parse_variant(PUSHED.replace("PUSH", push).replace("[points]", f"{given}\n[points]")))
+
+
+def test_what_friction_holds_goes_on_when_the_force_has_grown():
+    run = pushed("q*t/t1", '[given]\nq = "4 N"\nt1 = "1 s"\n')
+    begins = HOLDS / 4
+    after = np.maximum(run.motion.t - begins, 0.0)
+    assert run.stop is None and np.count_nonzero(after) == 31
+    assert run.motion.column("s") == pytest.approx(1 + 4 / 2 * after**3 / 6, abs=1e-11)
+    assert run.motion.column("u") == pytest.approx(4 / 2 * after**2 / 2, abs=1e-11)
+    assert run.scene.exact_accelerations[:, 0] == pytest.approx(4 / 2 * after, abs=1e-11)
+
+
+@pytest.mark.parametrize(("more", "kind"), [(1.0, "held"), (1.0 - 1e-9, "held"), (1.0 + 1e-9, None)])
+def test_a_force_as_large_as_what_friction_holds_does_not_move_it(more, kind):
+    """Written so that it differs by round-off from moment to moment: nothing of it begins a motion."""
+    run = pushed("q*t1/t1*(sin(t/t1)^2 + cos(t/t1)^2)", f'[given]\nq = "{HOLDS * more!r} N"\nt1 = "1 s"\n')
+    assert (run.stop.kind if run.stop else None) == kind
+
+
+def test_a_block_is_pushed_stands_and_is_pulled_back():
+    """5 N from 0.52 s to 0.8 s, nothing to 1.53 s, then -3 N: parabolas joined by hand."""
+    law = '{ pieces = [["0 s", "0"], ["0.52 s", "5"], ["0.8 s", "0"], ["1.53 s", "-3"]] }'
+    run = pushed("q*g", f'[given]\nq = "1 N"\n[functions]\ng = {law}\n')
+    t, up, down, back = run.motion.t, (5 - HOLDS) / 2, HOLDS / 2, (3 - HOLDS) / 2
+    fast = up * 0.28
+    slides = np.clip(t - 0.8, 0, fast / down)
+    wanted = 1 + up * np.clip(t - 0.52, 0, 0.28) ** 2 / 2 + fast * slides - down * slides**2 / 2
+    assert run.stop is None
+    assert run.motion.column("s") == pytest.approx(wanted - back * np.maximum(t - 1.53, 0) ** 2 / 2, abs=1e-10)
+
+
 UNRUBBED = BLOCK.replace('[friction]\nC = { coefficient = "0.1" }\n', "")
 
 

@@ -8,6 +8,7 @@ Each slope closes the positions of all other coordinates first (Newton), so link
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -17,21 +18,23 @@ import numpy as np
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.friction.held import Held
 from coursework.motion.integration.adaptive import next_length
+from coursework.motion.integration.exact_motion import quick_times
 from coursework.motion.integration.order_eight import dormand_prince_8
+from coursework.motion.integration.rates import may_look_until
 from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, Sum
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-# Corrections of a slope, and how small the last one is (rad or m): what it leaves is of the size of its square.
+# Corrections of a slope, and how small the last one is (rad, or of the mechanism): what it leaves is of the size of its square.
 MOST_NEWTON, CLOSED = 12, 1e-8
-FARTHEST = 1.0  # rad or m: a correction beyond it leads to another assembly
+FARTHEST = 1.0  # rad, or of the mechanism: a correction beyond it leads to another assembly
 TOLERANCE = 1e-13
 Take = Callable[[float, list[float]], list[float]]  # time and state of a row -> the state of the next one
 MOST_STEPS = 3000  # from a row to the next one: more are taken where forces are too steep alone
-_SLOWER = 0.9  # of the last rate: so much slower was the one beside which a dead point is looked for
 _LEAST = 1e-11  # of the whole time: a shorter step is none
 _ALONE = ((0, 1),)  # the first slope, nothing beside it
-_SHORTER = 0.1  # of the mean step since the last row: into a dead point steps get shorter and shorter, steep forces hold them
+_LOOKS = 1000  # times at which it is looked whether friction still holds
+_SMALL = 0.1  # of a determinant: what is left of it at a dead point
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
 
 
@@ -51,7 +54,7 @@ class FreeMotion:
     """Rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f); `slopes` evaluated.
 
     `ended`: "" where it reached its end, "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by friction
-    at the point `by`), at the time `at` (s).
+    at the point `by`), "sensitive" (beyond it is not known), at the time `at` (s).
     """
 
     t: Array
@@ -65,11 +68,16 @@ class FreeMotion:
 
 @dataclass(slots=True)
 class Dynamics:
-    """The slopes of one mechanism; `q` is the last closed position, from which the next one is found."""
+    """The slopes of one mechanism; `q` is the last closed position, from which the next one is found.
+
+    `rests_until`: to this time (s) friction holds it where it stands.
+    """
 
     motion: EquationsOfMotion
     q: list[float]
+    tolerance: float = TOLERANCE
     count: int = 0
+    rests_until: float = -math.inf
     _rates: list[float] = field(default_factory=list)
 
     def closed(self, t: float, free: Sequence[float]) -> list[float]:
@@ -82,9 +90,9 @@ class Dynamics:
         for _ in range(MOST_NEWTON):
             step = motion.newton(t, *q, *motion.kept)
             size = 0.0
-            for place, value in zip(motion.others, step, strict=True):
+            for place, value, large in zip(motion.others, step, motion.sizes, strict=True):
                 q[place] += value
-                size = max(size, abs(value))
+                size = max(size, abs(value) / large)
             if size < CLOSED:
                 return q
             if not size < FARTHEST:
@@ -119,21 +127,54 @@ class Dynamics:
 
     def rows(self, scheme: Scheme, state: Sequence[float], step: float, steps: int) -> FreeMotion:
         """Return the rows of a scheme, up to where no position closes or a number leaves the paper."""
-        take = _semi_implicit if scheme is SEMI_IMPLICIT else _stepper(scheme)
-        return self._march(state, step, steps, lambda t, now: take(self.slope, t, now, step))
+        one = _semi_implicit if scheme is SEMI_IMPLICIT else _stepper(scheme)
+
+        def take(t: float, now: list[float]) -> list[float]:
+            if not self.motion.breaks:
+                return one(self.slope, t, now, step)
+            latest = may_look_until(self.motion.breaks, t + step)  # what ends at a break does not know what comes after it
+            return one(lambda at, there: self.slope(min(at, latest), there), t, now, step)
+
+        return self._march(state, step, steps, take)
 
     def exact(self, state: Sequence[float], step: float, steps: int) -> FreeMotion:
         """Return the rows of the motion itself: Dormand and Prince 8(5,3) to 1e-13, every row hit by a step."""
-        length = [step]
+        length, breaks, acting = [step], self.motion.breaks, self.motion.acting
 
         def take(t: float, now: list[float]) -> list[float]:
-            return self._to(t, now, t + step, length, step * max(steps, 1))
+            inside = {
+                *[one for one in breaks if t < one < t + step],
+                *(quick_times(acting, t, t + step) if acting is not None else ()),
+            }
+            for begin, end in itertools.pairwise([t, *sorted(inside), t + step]):
+                now = self._over(begin, now, min(end, may_look_until(breaks, end)), length, step * max(steps, 1))
+            return now
 
         try:
             return self._march(state, step, steps, take)
         finally:
             if self.motion.rubbing is not None:
                 self.motion.rubbing.held = ()
+
+    def _over(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
+        """Return the state at a goal: what friction holds stands there until what acts with time sets it going."""
+        rubbing, acting = self.motion.rubbing, self.motion.acting
+        while goal > self.rests_until:
+            try:
+                return self._to(max(t, self.rests_until), now, goal, length, whole)
+            except Held as error:
+                if rubbing is None or acting is None or error.locked or (error.at and len(self.motion.free) > 1):
+                    raise
+                at, count = error.time, len(self.motion.free)
+                now = [*error.state[:count], *[0.0] * count]
+                later = np.unique(
+                    [at, *np.linspace(at, whole, _LOOKS if len(acting) > 2 else 2), *acting[:: len(acting) // _LOOKS + 1]]
+                )
+                loose = rubbing.loose(self._where, now, later[later >= at].tolist())
+                if (loose is None and error.at) or loose == at:
+                    raise
+                self.rests_until, length[0] = whole if loose is None else loose, goal - t
+        return now
 
     def _to(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
         def moving(*state: float) -> list[float]:
@@ -143,19 +184,18 @@ class Dynamics:
         if rubbing is not None and not rubbing.held:
             rubbing.begin(moving, self._where, state)
         begin, tries = (list(self.q), list(self._rates)), 0
-        passed: list[tuple[float, float]] = []
+        passed, rates = list[tuple[float, ...]](), slice(len(self.motion.free), -1)
         while goal - at > _LEAST * whole:
             taken, tries = min(length[0], goal - at), tries + 1
             if tries > MOST_STEPS:
                 self.q, self._rates = begin
-                is_near = self.motion.others and length[0] < _SHORTER * (at - t) / tries
-                raise Open(_dead_point(at, passed)) if is_near else Open(at, too_steep=True)
+                raise self._ended(at, passed)
             kept, why = (list(self.q), list(self._rates)), None
             try:
                 slope = np.array(moving(*state.tolist()))
-                passed.append((at, max(map(abs, self._rates[1:]), default=0.0)))
+                passed.append((at, *self.q, *state[rates].tolist()))
                 after, error = dormand_prince_8(moving, state, slope, taken)
-                sizes = TOLERANCE * (1.0 + np.abs(state[:-1]))
+                sizes = self.tolerance * (1.0 + np.abs(state[:-1]))
                 ratio = float(np.max(np.abs(np.array(error[:-1])) / sizes))
             except (Open, Held, ZeroDivisionError, OverflowError) as stopped:
                 ratio, why = math.inf, stopped
@@ -172,8 +212,19 @@ class Dynamics:
                 self.q, self._rates = begin
                 if isinstance(why, Held):
                     raise why.seen(at)
-                raise Open(_dead_point(at, passed)) if self.motion.others else Open(at, too_steep=True)
+                raise self._ended(at, passed)
         return [float(value) for value in state[:-1]]
+
+    def _ended(self, at: float, passed: Sequence[Sequence[float]]) -> Open:
+        """Return why a motion cannot be followed beyond its last state: links, where a determinant vanishes, or forces."""
+        rows = np.array(passed)
+        if self.motion.others and len(rows) > 1:
+            found = self.motion.table(*rows.T)[-self.motion.determinants :]
+            sizes = [np.abs(np.broadcast_to(one, len(rows))) for one in found]
+            least = min(sizes, key=lambda one: float(one[-1] / one.max()))
+            if least[-1] < _SMALL * least.max():
+                return Open(_vanishes(rows[:, 0], least))
+        return Open(at, too_steep=True)
 
     def _where(self, *state: float) -> tuple[float, ...]:
         """Return time, closed position and free rates of a state with its time behind it."""
@@ -211,18 +262,11 @@ class Dynamics:
         return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by)
 
 
-def _dead_point(at: float, passed: Sequence[tuple[float, float]]) -> float:
-    """Return the time of a dead point after times with the largest rate of the others there: rates grow as one over the root of
-    what is left, so one over their squares runs straight to 0.
-    """
-    if not passed or not passed[-1][1]:
-        return at
-    time, fast = passed[-1]
-    earlier = next(((t, rate) for t, rate in reversed(passed) if 0 < rate < _SLOWER * fast), None)
-    if earlier is None:
-        return at
-    left, before = 1 / fast**2, 1 / earlier[1] ** 2
-    return max(at, time + left * (time - earlier[0]) / (before - left))
+def _vanishes(t: Array, sizes: Array) -> float:
+    """Return when (s) sizes vanish that get smaller to the last of the times: as any power of what is left until then."""
+    twice, four = (float(t[np.flatnonzero(sizes >= times * sizes[-1])[-1]]) for times in (2, 4))
+    later, before = float(t[-1]) - twice, twice - four
+    return float(t[-1]) + (later**2 / (before - later) if before > later else 0.0)
 
 
 def _stepper(scheme: Scheme) -> Callable[..., list[float]]:

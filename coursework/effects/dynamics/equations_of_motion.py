@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 if TYPE_CHECKING:
@@ -20,7 +21,9 @@ class EquationsOfMotion:
 
     `slope(t, *q, *v)` -> free accelerations, then the rates of the others; `newton(t, *q, *kept)` -> corrections of the others,
     with `kept` the values that positions keep; `table(t, *q, *v)` over arrays -> velocities, their derivatives, kinetic and
-    potential energy, determinants.  `rubbing`: the friction that is in both.
+    potential energy, determinants.  `rubbing`: the friction that is in both.  `sizes`: a correction of each of the others that
+    would be a large one (1 rad, m of the mechanism).  `breaks`: times (s) at which what acts changes its formula; `acting`: edges
+    of stretches of time (s) in each of which it does little.
     """
 
     free: tuple[int, ...]
@@ -31,6 +34,9 @@ class EquationsOfMotion:
     table: Callable[..., Any]
     determinants: int
     rubbing: Rubbing | None = None
+    sizes: tuple[float, ...] = ()
+    breaks: tuple[float, ...] = ()
+    acting: Array | None = None
 
     @property
     def dear(self) -> int:

@@ -28,6 +28,8 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, placed, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.joints import FRAME
+from coursework.motion.geometry.closure import largest_length
+from coursework.motion.geometry.drive import breaks, resolution
 from coursework.motion.geometry.time_derivatives import derivative, second_rate
 from coursework.variant.record.forces import Load
 from coursework.words.errors import Fault, InputError
@@ -94,7 +96,11 @@ class MotionWriter:
         newton = self.compiled(
             "newton", [*blocks], deltas, [*self.arguments[: -len(free)], *(f"_kept{k}" for k in range(len(kept)))]
         )
-        return EquationsOfMotion(free, others, slope, newton, kept, self._table(common), len(self.reduction.blocks))
+        sizes = tuple(1.0 if variant.coordinates[place].unit == "rad" else largest_length(variant) for place in others)
+        return EquationsOfMotion(
+            free, others, slope, newton, kept, self._table(common), len(self.reduction.blocks), sizes=sizes,
+            breaks=breaks(variant), acting=resolution(self.equations).edges,
+        )  # fmt: skip
 
     def compiled(
         self, name: str, statements: Sequence[Statement], results: Sequence[Expression], arguments: Sequence[str] = (),

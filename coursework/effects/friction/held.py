@@ -11,11 +11,15 @@ STILL = 1e-12  # of the largest speed: slower is still
 
 
 class Held(ArithmeticError):
-    """Friction holds: nothing balances (`locked`), or a pair that stands still does not go on; at the point `at`, `time` (s)."""
+    """Friction holds: nothing balances (`locked`), or a pair that stands still does not go on; at the point `at`, `time` (s).
+
+    `state` is the one in which it does not go on, its time last, () where that is not known; `at` is "" where nothing pulls.
+    """
 
     def __init__(self, at: str, locked: bool) -> None:
         super().__init__(at)
         self.at, self.locked, self.time = at, locked, math.nan
+        self.state: tuple[float, ...] = ()
 
     def seen(self, time: float) -> Held:
         """Return the same with its time (s), where none is known yet."""

@@ -140,18 +140,45 @@ class Rubbing:
     def begin(self, moving: Moving, where: Where, state: Array, still: Sequence[bool] = ()) -> None:
         """Hold the signs with which every pair goes on, those that stand `still` too.  Raises `Held`."""
         try:
-            signs = self.held = self.signs(*where(*state.tolist()), still=still)
+            self._begin(moving, where, state, still)
         except Held as error:
-            raise error.seen(float(state[-1])) from None
+            self.held, error.state = (), tuple(state.tolist())
+            raise error.seen(error.state[-1]) from None
+
+    def _begin(self, moving: Moving, where: Where, state: Array, still: Sequence[bool]) -> None:
+        signs = self.held = self.signs(*where(*state.tolist()), still=still)
         if all(signs):
             return
-        # A pair whose speed and acceleration both are 0, as in a dead position from rest, is seen to go a little later.
+        # A pair whose speed and acceleration both are 0, as in a dead position from rest or under a force that grows from 0, is
+        # seen to go a little later, or to be held there.
         later, _ = dormand_prince_8(moving, state, np.array(moving(*state.tolist())), LATER)
-        found = self.speeds(where, later)
-        least = STILL * max(map(abs, found))
-        self.held = tuple(
-            sign or (math.copysign(1.0, v) if abs(v) > least else 0.0) for sign, v in zip(signs, found, strict=True)
-        )
+        rates = _rates(state)
+        if not (state[rates].any() or later[rates].any()):
+            raise Held("", locked=False)
+        found = self.signs(*where(*later.tolist()), still=[not sign for sign in signs])
+        self.held = tuple(sign or other for sign, other in zip(signs, found, strict=True))
+
+    def goes_on(self, where: Where, *state: float) -> bool:
+        """Return whether what stands still in a state begins to slide, by more than round-off leaves of what drives it."""
+        found = where(*state)
+        try:
+            signs = self.signs(*found)
+            now = self.state(*found)
+            begins = [abs(a) > STILL * abs(ideal) for a, ideal in zip(self.free(now, signs), now.a, strict=True)]
+        except Held:
+            return False
+        return any(signs) and any(begins)
+
+    def loose(self, where: Where, rest: Sequence[float], times: Sequence[float]) -> float | None:
+        """Return when (s) what rests from the first of the times on begins to slide, None where it does not by the last."""
+        held = times[0]
+        for time in times[1:]:
+            if self.goes_on(where, *rest, time):
+                while held < (middle := (held + time) / 2) < time:
+                    held, time = (held, middle) if self.goes_on(where, *rest, middle) else (middle, time)
+                return time
+            held = time
+        return None
 
     def speeds(self, where: Where, state: Array) -> list[float]:
         """Return how fast the pairs slide in a state."""
@@ -174,7 +201,8 @@ class Rubbing:
         length = crossing(left, (0.0, taken), (max(at_begin, 0.0), at_end), SHARP) or 0.0
         if length not in ends:
             left(length)
-        end, found = ends[length]
+        (end, found), rates = ends[length], _rates(state)
+        end[rates] *= np.abs(end[rates]) > STANDS * np.max(np.abs(state[rates]))
         self.begin(moving, where, end, [abs(v) <= STANDS * max(size, *sizes) for v, size in zip(found, sizes, strict=True)])
         return length, end
 
@@ -186,10 +214,16 @@ class Rubbing:
         found = np.zeros((count, len(states)))
         for row, (now, way) in enumerate(zip(states, signs.tolist(), strict=True)):
             try:
+                way = way if any(way) or count > 1 else self.signs(*(float(one[row]) for one in rows))
                 found[:, row] = np.array(self.free(now, way)) - np.array(now.a)
-            except Held:
-                found[:, row] = np.nan
+            except Held as error:
+                found[:, row] = np.nan if error.locked else -np.array(now.a)  # it stands, and goes on standing
         return found
+
+
+def _rates(state: Array) -> slice:
+    """Return where the free rates stand in a state: behind the free coordinates, before the time."""
+    return slice((len(state) - 1) // 2, -1)
 
 
 def _signs(speeds: Sequence[float]) -> list[float]:

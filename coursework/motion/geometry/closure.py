@@ -21,6 +21,7 @@ from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
 from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import caching
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -69,8 +70,7 @@ class Closure:
     @property
     def scale(self) -> float:
         """Return the largest length of the data (m), 1 without any: what a residual is measured against."""
-        lengths = [abs(given.value) for given in self.equations.variant.given if given.si == "m"]
-        return max(lengths, default=1.0) or 1.0
+        return largest_length(self.equations.variant)
 
     @cached_property
     def configurations(self) -> tuple[Array, Array]:
@@ -176,6 +176,11 @@ class Closure:
             if not len(moving):
                 break
         return q, ~lost & (last < CLOSED)
+
+
+def largest_length(variant: Variant) -> float:
+    """Return the largest length of the data (m), 1 without any: what is large or small in the mechanism."""
+    return max((abs(given.value) for given in variant.given if given.si == "m"), default=1.0) or 1.0
 
 
 def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Closure | None:

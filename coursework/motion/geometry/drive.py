@@ -7,6 +7,7 @@ Used by `closure.py`, `chain.py`, the march, checks, `sets.py` and `report/live/
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -120,6 +121,10 @@ def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
 def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     laws, inner = _laws(equations, equations.variant.values), _joints(equations)
     moving = _moving(equations, laws)
+    if (forces := equations.variant.forces) is not None and forces.motor is not None:  # then forces are what drives
+        parts = [Law(f"acting {n}", one) for n, one in enumerate(forces.parts({"t", "pi", *laws.values, *moving}))]
+        laws = replace(laws, laws=dict(laws.laws) | {law.name: law for law in parts})
+        moving += [law.name for law in parts if _is_of_time(law, laws)]
     edges = distinct(np.array([0.0, end]), inner[(inner > 0) & (inner < end)])
     if not moving or end <= 0:
         return Resolution(edges, 0.0, True)

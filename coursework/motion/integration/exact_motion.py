@@ -92,7 +92,7 @@ def refine(
     rows = [[*map(float, start)]]
     gap, steps = 0.0, 0
     for begin, end in itertools.pairwise(times.tolist()):
-        edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *_quick(cells, begin, end)}), end]
+        edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *quick_times(cells, begin, end)}), end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
             q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q, count, most - steps, growth)
@@ -101,7 +101,7 @@ def refine(
     return np.array(rows), gap, steps
 
 
-def _quick(cells: Array, begin: float, end: float) -> list[float]:
+def quick_times(cells: Array, begin: float, end: float) -> list[float]:
     """Return the times inside an interval (s) at which shorter stretches end, but none within a jump."""
     first, last = np.searchsorted(cells, (begin, end), side="right")
     if last - first < 2:

@@ -154,7 +154,7 @@ def program_of(context: PageContext) -> Program:
         tuple(Datum(name, numbers[name], context.words.unit(units.get(name, "s"))) for name in data),
         tuple(Datum(name, value, context.words.unit(unit)) for (name, unit), value in start),
         motion.step, len(motion.t), known, blocks, outs, tables,
-        scene.rates.breaks if scheme.slopes > 1 and not forced else (), limits, boxes,
+        scene.rates.breaks if scheme.slopes > 1 else (), limits, boxes,
         (forced.variant if forced else variant).names, shown,
         forced.closed if forced else (),
     )  # fmt: skip

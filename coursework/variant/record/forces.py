@@ -5,7 +5,7 @@ Leaves `reading/forces.py` inside a `Variant`, only for a file that names any.  
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import field
 
 from coursework.system.frozen import frozen
@@ -14,6 +14,7 @@ from coursework.variant.record.entries import Law
 from coursework.variant.toml.positions import KeyPath
 
 ROD, DISC, POINT = "rod", "disc", "point"
+VECTORS = {"pair", "@", "part"}  # operations that are no function of numbers alone
 SHAPES = (ROD, DISC, POINT)
 GRAVITY = "gravity"
 # What each key of these sections must measure, in SI.
@@ -106,6 +107,16 @@ class Forces:
     def free(self) -> tuple[Law, ...]:
         """Return the rates that forces move as drives, so that the geometry gives all others by them; 0 until they move."""
         return tuple(Law(rate, number(0)) for rate in (self.motor.rates if self.motor else ()))
+
+    def parts(self, known: Collection[str]) -> Iterator[Formula]:
+        """Yield the largest parts of what acts, vectors aside, that are written with `known` names alone."""
+        waiting = [formula for _, formula, _ in self.measured()]
+        while waiting:
+            one = waiting.pop()
+            if set(one.names()) <= set(known) and not any(part.op in VECTORS for part in one.walk()):
+                yield one
+            else:
+                waiting += one.args
 
     def measured(self) -> Iterator[tuple[KeyPath, Formula, str]]:
         """Yield every formula with its place and the SI unit of what it must measure."""

@@ -88,14 +88,16 @@ def test_signs_are_kept_whatever_is_asked_of_states_near():
 
 
 def test_what_friction_adds_row_by_row():
-    """Speeds -2, 0 (of a largest of 2), 2 and one in which it locks."""
+    """Speeds -2, 0 (of a largest of 2), where it sets off, 2 and one in which it locks; then one at rest that is held."""
 
     def state(t, v):
         return replace(BLOCK, speeds=[v], reactions=[[6.0 if t > 2 else 0.0, 0.0]])
 
     t, v = np.array([0.0, 1.0, 2.0, 3.0]), np.array([-2.0, 1e-14, 2.0, 2.0])
-    assert rubbing(state).taken(1, t, v)[0] == pytest.approx([1.0, 0.0, -1.0, math.nan], nan_ok=True)
+    assert rubbing(state).taken(1, t, v)[0] == pytest.approx([1.0, -1.0, -1.0, math.nan], nan_ok=True)
     assert rubbing(state).taken(1, t[:2], np.array([-2.0, 0.1]))[0] == pytest.approx([1.0, -1.0])
+    weak = rubbing(lambda t, v: replace(BLOCK, a=[0.5], speeds=[v], turning=[0.5]))
+    assert weak.taken(1, t[:2], np.array([2.0, 0.0]))[0] == pytest.approx([-1.0, -0.5])
 
 
 def test_a_step_ends_where_the_block_turns_round_and_goes_on_the_other_way():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coursework.motion.integration.exact_motion import Growth, _quick
+from coursework.motion.integration.exact_motion import Growth, quick_times
 
 
 @pytest.mark.parametrize(
@@ -15,7 +15,7 @@ from coursework.motion.integration.exact_motion import Growth, _quick
     ],
 )  # fmt: skip
 def test_stretches_shorter_than_the_interval_cut_it(cells, cut):
-    assert _quick(np.array(cells, dtype=float), 0.0, 1.0) == cut
+    assert quick_times(np.array(cells, dtype=float), 0.0, 1.0) == cut
 
 
 @pytest.mark.parametrize(("factor", "off"), [(2.0, 7.0), (-2.0, 7.0), (0.5, 2.5), (0.0, 4.0), (np.nan, 4.0), (np.inf, 4.0)])

@@ -17,6 +17,7 @@ from coursework.takeaway.listing.program import program_of
 from coursework.takeaway.listing.syntax import syntax_of
 from coursework.variant.catalogue import names
 from tests.command import call
+from tests.effects.dynamics.test_dynamics import JUMPS, pushed
 from tests.hard.scenes import scene, solve
 from tests.motion.singular.test_passages import BY_CLOSURE, past_its_pivot
 from tests.sample import SAMPLE, sampled
@@ -83,6 +84,10 @@ def test_further_slopes_stop_at_a_break_of_the_drive(name, scheme, language, tmp
 @pytest.mark.parametrize(("name", "scheme"), FORCED)
 def test_a_motion_under_forces_closes_its_positions_and_finds_its_accelerations(name, scheme, language, tmp_path):
     assert agrees(solved(name, scheme=scheme, quantities=["table"]), language, tmp_path)
+
+
+def test_further_slopes_stop_at_a_jump_of_the_force(tmp_path):
+    assert agrees(pushed("q*g", JUMPS.replace("BREAK", "0.5"), "rk4"), "python", tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,48 @@
+"""What is judged of a motion under forces: places as well as rates, energy only where the rows show the work."""
+
+import math
+
+import numpy as np
+import pytest
+
+import coursework
+from tests.effects.dynamics.test_dynamics import pushed
+from tests.effects.test_rubbing import UNRUBBED
+from tests.hard.scenes import check
+
+
+@pytest.mark.parametrize(("turns", "verdict"), [(1, "PASS"), (2, "COARSE")])
+def test_rates_that_are_right_are_no_table_whose_places_wander(turns, verdict):
+    """F cos(pt) on 2 kg: Euler's u is above sin(pt) F/(2p) by h (1 - cos pt) F/4 and s runs away by the mean of it.
+
+    After so many turns s is off by turns p h/2 pi of its swing, u by p h of its largest at most.
+    """
+    p, step = 40.0, 0.028 / 40
+    run = pushed("q*cos(p*t)", f'[given]\nq = "1 N"\np = "{p} 1/s"\n', "euler", step=step, end=turns * 2 * math.pi / p)
+    found, t = check(run, "MOTION"), run.motion.t
+    off_u = np.abs(run.motion.column("u") - np.sin(p * t) / (2 * p)).max() * 2 * p
+    off_s = np.abs(run.motion.column("s") - 1 - (1 - np.cos(p * t)) / (2 * p**2)).max() * p**2
+    assert off_u < 0.029 and off_s == pytest.approx(turns * math.pi / 2 * p * step, rel=0.15)
+    assert (found.verdict, found.column, found.value) == (verdict, "s", pytest.approx(off_s, rel=1e-2))
+
+
+def test_energy_is_not_judged_where_the_rows_do_not_show_the_work():
+    """A pulse of 1e-5 s in rows 0.05 s apart: no sum over rows knows what it gave."""
+    given = '[given]\nq = "1 N"\nt1 = "1 s"\nw = "1e-5 s"\nt0 = "0.503 s"\n'
+    for scheme in ("exact", "euler"):
+        run = pushed("q*t1/(w*sqrt(pi))*exp(-((t - t0)/w)^2)", given, scheme)
+        told = check(run, "ENERGY")
+        assert (told.verdict, told.value) == ("SKIP", None) and "too far apart" in told.sentence
+    assert check(run, "MOTION").value == pytest.approx(1.0)  # Euler's rows know nothing of it
+
+
+@pytest.mark.parametrize(("scheme", "step", "way"), [("euler", 0.01, "that nothing gave it"), ("rk4", 0.2, "has lost")])
+def test_a_scheme_makes_energy_or_takes_it_away(scheme, step, way):
+    """A swing of p = 5/s: Euler multiplies its energy by 1 + z a step, Runge-Kutta 4 by 1 - z^3/72 + z^4/576 with z = (p h)^2."""
+    run = coursework.solve(
+        coursework.parse_variant(UNRUBBED.replace('start = "1 m"', 'start = "0.5 m"')), scheme=scheme, step=step, end=40 * step
+    )
+    told, z = check(run, "ENERGY"), (5 * step) ** 2
+    kept = (1 + z if scheme == "euler" else 1 - z**3 / 72 + z**4 / 576) ** 40
+    assert told.verdict == "COARSE" and way in told.sentence
+    assert f"{abs(kept - 1) * 6.25:.3g} J" in told.sentence  # of 50 N/m stretched by 0.5 m
