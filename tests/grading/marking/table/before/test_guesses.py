@@ -1,0 +1,136 @@
+"""What a misprinted cell was, told by what was made from it: with w = 2 p, u = 4 p or 2 w, later w = sin p, u = cos p."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coursework.grading.marking.table.before.guesses import _agreed, guesses, makers_of_several
+from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way
+from tests.grading.marking.table.before.test_made import KEY, NAN
+
+STRAIGHT = np.array([[p, 2 * p, 4 * p] for p in (1, 1.2, 1.44, 1.728, 2.0736)])
+ROUND = np.array([[p, math.sin(p), math.cos(p)] for p in (8.0, 8.1, 8.2, 8.3)])
+SIMPLE = SimpleNamespace(**{**vars(KEY), "t": np.arange(5.0)})
+TURNING = SimpleNamespace(**{**vars(KEY), "velocities_at": lambda t, q: np.hstack([np.sin(q), np.cos(q)]),
+    "block_at": lambda index, t, q, w: {1: np.sqrt(1 - w[:, :1] ** 2)}[index]})  # fmt: skip
+
+
+def seen(key, cells, tolerance=0.01):
+    """Return a key with a table, a student's with some other `cells`, and its ways, by hand: what each cell follows from."""
+    table = STRAIGHT if key is SIMPLE else ROUND
+    key = SimpleNamespace(**{**vars(key), "table": table, "ranges": np.ptp(table, axis=0), "usual_ranges": np.ptp(table, axis=0)})
+    values = table.copy()
+    for place, value in cells.items():
+        values[place] = value
+    p, w, _ = values.T
+    none, rates = np.full(len(p), NAN), key.velocities_at(key.t, p[:, None])
+    later = key.block_at(1, key.t, p[:, None], np.column_stack([w, w]))[:, 0]
+
+    def way(name, *columns):
+        expected = np.column_stack(columns)
+        return Way(name, expected, np.where(np.isnan(expected), NAN, tolerance))
+
+    steps = [np.append(NAN, (p + 0.1 * rate)[:-1]) for rate in (w, rates[:, 0])]
+    own = OwnWays(
+        way("angles", none, *rates.T), way("earlier", none, none, later),
+        *(way(name, step, none, none) for name, step in zip(("step", "true"), steps, strict=True)), None, 0.0,
+    )  # fmt: skip
+    return key, StudentTable(values, np.full(values.shape, 1e-4)), own
+
+
+def flags(*places, rows=5):
+    found = np.zeros((rows, 3), dtype=bool)
+    for place in places:
+        found[place] = True
+    return found
+
+
+def told(tables):
+    """Return what each table tells, by place."""
+    return [{(int(r), int(c)): float(one[r, c]) for r, c in np.argwhere(np.isfinite(one))} for one in tables]
+
+
+@pytest.mark.parametrize(("w", "u", "found"), [
+    (2.4, 4.8, 1.2), (2.4008, 4.799, 1.19975), (2.42, 4.822, 1.21 - 0.003842), (2.38, 4.778, 1.19 + 0.003838),
+])  # fmt: skip
+def test_a_misprinted_angle_is_what_its_velocities_say_where_all_agree(w, u, found):
+    """7 is printed; by w it is w/2 to 0.00384, by u it is u/4 to 0.00134, the more exact, by the row above 1.2 to 0.01.
+
+    Tolerances are 0.01 for what 7 makes, 14 and 28; for smaller ones less by 2e-4 of the difference: (0.01 - 2e-4 (14 - w))/2.
+    """
+    key, was, own = seen(SIMPLE, {(1, 0): 7.0, (1, 1): w, (1, 2): u})
+    (one,) = told(_agreed(key, was, own, flags((1, 1), (1, 2)), flags((1, 0))))
+    assert one == {(1, 0): pytest.approx(found, abs=1e-8)}
+
+
+@pytest.mark.parametrize(("w", "is_told"), [(2.4 + 0.0099, True), (2.4 + 0.0107, False)])
+def test_what_only_one_cell_says_is_not_believed(w, is_told):
+    """By u 1.2 to 0.00134; by w farther off than 0.00384 + 0.00134 it says something else; the row above says 1.3."""
+    key, was, own = seen(SIMPLE, {(0, 0): 1.1, (1, 0): 7.0, (1, 1): w, (1, 2): 4.8})
+    assert bool(_agreed(key, was, own, flags((1, 1), (1, 2)), flags((1, 0)))) is is_told
+    assert _agreed(key, was, own, flags((1, 2)), flags((1, 0))) == []
+    assert _agreed(key, was, own, flags(), flags((1, 0))) == [] == _agreed(key, was, own, flags((1, 1), (1, 2)), flags())
+
+
+def test_a_velocity_is_what_the_later_one_and_the_next_step_say():
+    """Of w = 24 for 2.4 in row 2: u = 4.8 and the step to 1.44 say 2.4, as the angle does; so of its row it was."""
+    key, was, own = seen(SIMPLE, {(1, 1): 24.0})
+    (one,) = told(_agreed(key, was, own, flags((1, 2), (2, 0)), flags((1, 1))))
+    assert one == {(1, 1): pytest.approx(2.4, abs=1e-6)}
+    missing = replace(was, values=was.values.copy())
+    missing.values[2, 0] = NAN
+    assert told(_agreed(key, missing, own, flags((2, 0)), flags((1, 1)))) == []
+
+
+@pytest.mark.parametrize("printed", [80.0, -8.1, 1.8, 9.5])
+def test_an_angle_is_found_from_anywhere_in_the_turn_of_the_task(printed):
+    """sin and cos tell 8.1 but for whole turns; sin alone 3 pi - 8.1 too, where the cosine is another."""
+    key, was, own = seen(TURNING, {(1, 0): printed})
+    (one, *_) = told(_agreed(key, was, own, flags((1, 1), (1, 2), rows=4), flags((1, 0), rows=4)))
+    assert one == {(1, 0): pytest.approx(8.1, abs=1e-6)}
+
+
+def test_rows_from_which_several_wrong_cells_are_made():
+    assert makers_of_several(flags((0, 1), (1, 0), (2, 1), (3, 0), (4, 1), (4, 2)), 1).tolist() == [True, False, True, False, True]
+    assert makers_of_several(flags((0, 1), (1, 1)), 1).tolist() == [False] * 5
+
+
+def values_of(key, was, own, wrong, other, untold):
+    return [{(int(r), int(c)): float(one.values[r, c]) for r, c in np.argwhere(one.values != was.values)}
+            for one in guesses(key, was, own, wrong, other, untold)]  # fmt: skip
+
+
+def test_guesses_are_the_next_row_what_cells_agree_on_and_what_the_rows_above_make():
+    """7 for 1.2 in row 2: back from 1.44 with 2.4 it was 1.2, its velocities say so too; by row 1 1.2, its velocities are right."""
+    key, was, own = seen(SIMPLE, {(1, 0): 7.0})
+    wrong, other = flags((1, 1), (1, 2)), flags((1, 0))
+    about = {(1, 0): pytest.approx(1.2)}
+    assert values_of(key, was, own, wrong, other, flags((1, 0))) == [about] * 4  # of all columns, and of the one coordinate
+    assert values_of(key, was, own, wrong, other, flags()) == [about] * 2
+    assert values_of(key, was, own, flags((1, 1)), other, flags((1, 0))) == [about] * 2
+
+
+def test_with_what_follows_from_a_velocity_and_without():
+    key, was, own = seen(SIMPLE, {(1, 1): 24.0, (1, 2): 48.5})
+    found = values_of(key, replace(was, values=np.where(was.values == 48.5, 4.8, was.values)), own, flags((1, 2), (2, 0)),
+        flags((1, 1), (1, 2)), flags())  # fmt: skip
+    assert {(1, 1): pytest.approx(2.4, abs=1e-6)} in found
+
+
+def test_where_most_rows_are_wrong_only_cells_that_are_the_tasks_may_be_others():
+    """Velocities of rows 1 to 3 are wrong: of 5 rows 3 make several wrong cells.  Then the task's own 1.2 was put right."""
+    doubled = {(row, column): 2 * float(STRAIGHT[row, column]) for row in (0, 1, 2) for column in (1, 2)}
+    key, was, own = seen(SIMPLE, doubled)
+    wrong, other = flags(*doubled), flags(*((row, 0) for row in range(5)))
+    few = key, was, own, flags((0, 1), (0, 2), (1, 1), (1, 2)), other, flags()
+    assert any((0, 0) in one for one in values_of(*few))
+    found = values_of(key, was, own, wrong, other, flags())
+    assert found == []  # more than half of the column is the task's: nothing says that it was another
+    for row in (2, 3, 4):
+        was.values[row, 0] += 0.5
+    key, was, own = seen(SIMPLE, {**doubled, **{(row, 0): float(STRAIGHT[row, 0]) + 0.5 for row in (2, 3, 4)}})
+    found = values_of(key, was, own, wrong, other, flags())
+    assert {(1, 0): pytest.approx(2.4)} in found and not any((0, 0) in one or (2, 0) in one for one in found[1:])
