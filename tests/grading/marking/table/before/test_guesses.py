@@ -94,7 +94,13 @@ def test_an_angle_is_found_from_anywhere_in_the_turn_of_the_task(printed):
 
 
 def test_rows_from_which_several_wrong_cells_are_made():
-    assert makers_of_several(flags((0, 1), (1, 0), (2, 1), (3, 0), (4, 1), (4, 2)), 1).tolist() == [True, False, True, False, True]
+    assert makers_of_several(flags((0, 1), (1, 0), (2, 1), (3, 0), (4, 1), (4, 2)), 1).tolist() == [
+        True,
+        False,
+        True,
+        False,
+        True,
+    ]
     assert makers_of_several(flags((0, 1), (1, 1)), 1).tolist() == [False] * 5
 
 
