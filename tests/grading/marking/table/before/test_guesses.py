@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from coursework.grading.marking.table.before import restored as search
 from coursework.grading.marking.table.before.guesses import _agreed, guesses, makers_of_several
 from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way
 from tests.grading.marking.table.before.test_made import KEY, NAN
@@ -19,12 +20,17 @@ TURNING = SimpleNamespace(**{**vars(KEY), "velocities_at": lambda t, q: np.hstac
 
 
 def seen(key, cells, tolerance=0.01):
-    """Return a key with a table, a student's with some other `cells`, and its ways, by hand: what each cell follows from."""
+    """Return a key with a table, a student's with some other `cells`, and its ways."""
     table = STRAIGHT if key is SIMPLE else ROUND
     key = SimpleNamespace(**{**vars(key), "table": table, "ranges": np.ptp(table, axis=0), "usual_ranges": np.ptp(table, axis=0)})
     values = table.copy()
     for place, value in cells.items():
         values[place] = value
+    return key, StudentTable(values, np.full(values.shape, 1e-4)), ways_of(key, values, tolerance)
+
+
+def ways_of(key, values, tolerance=0.01):
+    """Return what each cell follows from, worked out by hand."""
     p, w, _ = values.T
     none, rates = np.full(len(p), NAN), key.velocities_at(key.t, p[:, None])
     later = key.block_at(1, key.t, p[:, None], np.column_stack([w, w]))[:, 0]
@@ -34,11 +40,10 @@ def seen(key, cells, tolerance=0.01):
         return Way(name, expected, np.where(np.isnan(expected), NAN, tolerance))
 
     steps = [np.append(NAN, (p + 0.1 * rate)[:-1]) for rate in (w, rates[:, 0])]
-    own = OwnWays(
+    return OwnWays(
         way("angles", none, *rates.T), way("earlier", none, none, later),
         *(way(name, step, none, none) for name, step in zip(("step", "true"), steps, strict=True)), None, 0.0,
     )  # fmt: skip
-    return key, StudentTable(values, np.full(values.shape, 1e-4)), own
 
 
 def flags(*places, rows=5):
@@ -110,7 +115,7 @@ def values_of(key, was, own, wrong, other, untold):
 
 
 def test_guesses_are_the_next_row_what_cells_agree_on_and_what_the_rows_above_make():
-    """7 for 1.2 in row 2: back from 1.44 with 2.4 it was 1.2, its velocities say so too; by row 1 1.2, its velocities are right."""
+    """7 for 1.2 in row 2: back from 1.44 with 2.4 it was 1.2, its velocities say too; by row 1 it was 1.2."""
     key, was, own = seen(SIMPLE, {(1, 0): 7.0})
     wrong, other = flags((1, 1), (1, 2)), flags((1, 0))
     about = {(1, 0): pytest.approx(1.2)}
@@ -140,3 +145,61 @@ def test_where_most_rows_are_wrong_only_cells_that_are_the_tasks_may_be_others()
     key, was, own = seen(SIMPLE, {**doubled, **{(row, 0): float(STRAIGHT[row, 0]) + 0.5 for row in (2, 3, 4)}})
     found = values_of(key, was, own, wrong, other, flags())
     assert {(1, 0): pytest.approx(2.4)} in found and not any((0, 0) in one or (2, 0) in one for one in found[1:])
+
+
+def by_hand(monkeypatch, start, cells, *, put=()):
+    """Return what is found of a table that began at `start` where the task begins at 1, with some other `cells` or the task's.
+
+    A cell is wrong that follows from nothing and is not the task's, right any other.
+    """
+    monkeypatch.setattr(search, "own_ways", lambda key, table, coarse: ways_of(key, table.values))
+    key, was, _ = seen(SIMPLE, {})
+    values = start * STRAIGHT
+    for place, value in cells.items():
+        values[place] = value
+    for place in put:
+        values[place] = STRAIGHT[place]
+    own = ways_of(key, values)
+    is_right = own.holds(values) | (np.abs(values - STRAIGHT) < 1e-3)
+    is_right[0, 0] = True
+    found = search.restored(key, replace(was, values=values), ~is_right, is_right, own)
+    made = np.any([way.holds(values) for way in found.ways], axis=0)
+    wrong, fitted = ({(int(r), int(c)) for r, c in np.argwhere(one)} for one in (~is_right & ~made, found.fitted))
+    changes = {} if found.before is None else {
+        (int(r), int(c)): float(found.before.values[r, c]) for r, c in np.argwhere(np.abs(found.before.values - values) > 1e-9)
+    }  # fmt: skip
+    return wrong, fitted, changes
+
+
+def test_a_table_without_slips_is_as_it_stands(monkeypatch):
+    assert by_hand(monkeypatch, 1.1, {}) == (set(), set(), {})
+
+
+def test_a_misprint_costs_its_own_cell_only(monkeypatch):
+    """7 for 1.32 in row 2: its velocity 2.64 and the step to 1.584 follow from 1.32, which the row above makes."""
+    assert by_hand(monkeypatch, 1.1, {(1, 0): 7.0}) == ({(1, 0)}, set(), {(1, 0): pytest.approx(1.32, abs=1e-3)})
+
+
+def test_a_cell_put_right_costs_nothing(monkeypatch):
+    """1.2 for 1.32, the task's: what was made from 1.32 is right as before."""
+    wrong, fitted, changes = by_hand(monkeypatch, 1.1, {}, put=[(1, 0)])
+    assert (wrong, fitted, changes) == (set(), set(), {(1, 0): pytest.approx(1.32, abs=1e-3)})
+
+
+def test_a_velocity_that_is_a_misprint_is_told_by_what_follows(monkeypatch):
+    """24 for 2.64 in row 2: u = 5.28 follows from the angle, the step to 1.584 from it in the second way; 26.4 is the slip."""
+    wrong, _, _ = by_hand(monkeypatch, 1.1, {(1, 1): 24.0})
+    assert wrong == {(1, 1)}
+
+
+def test_a_step_that_was_wrong_when_it_was_made_is_one_slip(monkeypatch):
+    """Row 3 was 2.0 for 1.584 and was put right to 1.44; its velocities 4 and 8 and the step to 2.4 say what it was.
+
+    That 2.0 follows from nothing: of the three cells that tell it one is the slip that it was.
+    """
+    later = {(row, column): value * 1.2 ** (row - 2) for row in (2, 3, 4) for column, value in ((0, 2.0), (1, 4.0), (2, 8.0))}
+    wrong, fitted, changes = by_hand(monkeypatch, 1.1, later, put=[(2, 0)])
+    assert wrong == set() and changes == {(2, 0): pytest.approx(2.0, abs=1e-3)}
+    assert len(fitted) == 1 and fitted <= {(2, 1), (2, 2), (3, 0)}
+    wrong, fitted, changes = by_hand(monkeypatch, 1.1, later)
+    assert (wrong, fitted, changes) == ({(2, 0)}, set(), {})
