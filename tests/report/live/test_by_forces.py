@@ -42,16 +42,18 @@ def test_other_loads_have_a_factor_and_what_a_file_names_itself_is_left() -> Non
     variant = coursework.load("example-1-forces")
     loads = (
         Load("F1", "3", parse("C"), parse("(30, -40)", vectors=True), None), Load("P2", "3", None, None, parse("-2*F0*r1")),
-        Load("Q0", "3", None, None, parse("5*w1")), Load("Z", "3", None, None, parse("0")), Load("r2", "3", None, None, parse("7")),
+        Load("Q0", "3", None, None, parse("5*w1")), Load("Z", "3", None, None, parse("0")),
+        Load("r2", "3", None, None, parse("7")),
     )  # fmt: skip
     masses = (
-        Mass("1", parse("4"), "rod", None), Mass("2", parse("5*r1"), parse("5*r1/6"), None), Mass("3", parse("0"), parse("0"), None),
-        Mass("4", parse("2"), parse("r1"), None), Mass("5", parse("6"), "rod", None),
+        Mass("1", parse("4"), "rod", None), Mass("2", parse("5*r1"), parse("5*r1/6"), None),
+        Mass("3", parse("0"), parse("0"), None), Mass("4", parse("2"), parse("r1"), None), Mass("5", parse("6"), "rod", None),
     )  # fmt: skip
     given = (*variant.given, Given("m_5", 1.0, "m", "", "m"))
     found = with_weights(replace(variant, given=given, forces=replace(variant.forces, loads=loads, masses=masses)))
     assert more(found) == {
-        "m_1": (4.0, "kg", "kg"), "m_4": (2.0, "kg", "kg"), "m_5": (1.0, "m", "m"), "F1": (1.0, "", "1"), "Q0": (1.0, "", "1"), "Z": (1.0, "", "1"),
+        "m_1": (4.0, "kg", "kg"), "m_4": (2.0, "kg", "kg"), "m_5": (1.0, "m", "m"),
+        "F1": (1.0, "", "1"), "Q0": (1.0, "", "1"), "Z": (1.0, "", "1"),
     }  # fmt: skip
     assert [one.inertia for one in found.forces.masses] == ["rod", *(one.inertia for one in masses[1:])]
     assert len(found.given) == len(given) + 5 and found.forces.masses[4] == masses[4]

@@ -1,4 +1,4 @@
-"""The section of forces says what acts: example 1 in row 4, the crank at 30 degrees, worked again from the lengths of its links."""
+"""The section of forces: example 1 in row 4, the crank at 30 degrees, worked again from the lengths of its links."""
 
 from __future__ import annotations
 

@@ -191,3 +191,7 @@ def test_a_pair_of_mathml_without_its_second_part_is_its_first_and_a_third_part_
     )
     assert one == "a"
     assert two == three != "ab"
+
+
+def test_a_formula_deeper_than_sixty_braces_is_left_out():
+    assert bare(text_of_starmath("{" * 60 + "x" + "}" * 60)) == "x" and text_of_starmath("{" * 61 + "x" + "}" * 61) == "…"

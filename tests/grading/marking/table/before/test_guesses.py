@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.table.before import restored as search
-from coursework.grading.marking.table.before.guesses import _agreed, guesses, makers_of_several
+from coursework.grading.marking.table.before.guesses import _agreed, _begun, _open_by, guesses, makers_of_several
 from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way
 from tests.grading.marking.table.before.test_made import KEY, NAN
 
@@ -203,3 +203,24 @@ def test_a_step_that_was_wrong_when_it_was_made_is_one_slip(monkeypatch):
     assert len(fitted) == 1 and fitted <= {(2, 1), (2, 2), (3, 0)}
     wrong, fitted, changes = by_hand(monkeypatch, 1.1, later)
     assert (wrong, fitted, changes) == ({(2, 0)}, set(), {})
+
+
+def test_a_cell_is_begun_to_be_looked_for_near_its_neighbours_as_the_next_row_has_it_and_an_angle_all_around():
+    printed = np.array([[1.0, 3, 5], [80.0, 9, 5], [1.5, 4, 5], [NAN, 7, 5]])
+    key = SimpleNamespace(**{**vars(KEY), "table": np.array([[0.0] * 3, [1.2, 2.4, 0], [0.0] * 3, [2.0, 6.0, 0]])})
+    row, place, by = np.array([1, 1, 3, 3, 2]), np.array([0, 1, 0, 1, 0]), np.array([0, 4, 4, 3, 4])
+    begun, again = _begun(key, printed, row, place, by)
+    middle = [1.2, 3.0, NAN, 6.0, NAN]  # of 1, 1.2, 1.5; of 3, 2.4, 4; none; of 4, 6, 7; none: there what is printed is meant
+    middle[2], middle[4] = NAN, 1.5
+    below = [1.5, 3.0, NAN, 6.0, 1.5]
+    assert begun[:10] == pytest.approx([*middle, *below], nan_ok=True)
+    assert begun[10:] == pytest.approx([1.2 + k * math.pi / 4 for k in range(1, 8)])
+    assert again.tolist() == [0, 1, 2, 3, 4] * 2 + [0] * 7
+
+
+def test_larger_velocities_are_left_the_more_open_and_smaller_ones_less():
+    """Tolerance 0.01; least sizes 0.05 of the ranges 20 and 40: 1 and 2.  What is expected: 4 and -8, then 0.5 and 0."""
+    key = SimpleNamespace(coordinates=("p",), usual_ranges=np.array([9.0, 20.0, 40.0]))
+    way = Way("own", np.array([[1.0, 4.0, -8.0], [1.0, 0.5, 0.0]]), np.full((2, 3), 0.01))
+    found = _open_by(key, way, np.array([[5.0, -6.0, 3.0], [NAN, 0.1, -5.0]]))
+    assert found == pytest.approx(np.array([[0.01, 0.015, 0.01 - 2e-4 * 5], [0.01, 0.01, 0.025]]))
