@@ -27,7 +27,8 @@ def painter(places: dict[str, complex], **more: Any) -> Any:
 
 @pytest.mark.parametrize(("line", "other", "lies"), [
     ((0j, 10 + 0j), (4 + 0j, 20 + 0j), True), ((0j, 10 + 0j), (10 + 0j, 20 + 0j), False),
-    ((0j, 10 + 0j), (9.95 + 0j, 20 + 0j), False), ((0j, 10 + 0j), (9.85 + 0j, 20 + 0j), True), ((0j, 10 + 0j), (4 + 0.09j, 20 + 0.09j), True), ((0j, 10j), (2j, 3j), True),
+    ((0j, 10 + 0j), (9.95 + 0j, 20 + 0j), False), ((0j, 10 + 0j), (9.85 + 0j, 20 + 0j), True),
+    ((0j, 10 + 0j), (4 + 0.09j, 20 + 0.09j), True), ((0j, 10j), (2j, 3j), True),
     ((0j, 10 + 0j), (4 + 0.11j, 20 + 0.11j), False), ((0j, 10 + 0j), (4 + 0j, 20 + 9j), False), ((3j, 3j), (0j, 9j), False),
     ((0j, 9j), (3j, 3j), False), ((10 + 0j, 0j), (4 + 0j, 20 + 0j), True), ((-5 + 0j, -1 + 0j), (0j, 9 + 0j), False),
     ((0j, 10 + 10j), (20 + 20j, 5 + 5j), True), ((9 + 0j, 12 + 0j), (0j, 9 + 0j), False),
