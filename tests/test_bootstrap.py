@@ -156,3 +156,10 @@ def test_what_takes_long_is_asked_for(words, marked, runs, tmp_path, monkeypatch
     assert len(commands) == runs
     assert all((command[3:5] == ["-m", ""]) is marked for command in commands)
     assert not any("--long" in command for command in commands)
+
+
+def test_an_interpreter_that_fails_has_no_answer():
+    python = Path(sys.executable)
+    assert bootstrap.answers(python, "-S", "-c", "print(' 5 ')") == "5"
+    assert bootstrap.answers(python, "-S", "-c", "print(5); raise SystemExit(1)") == ""
+    assert bootstrap.answers(python.with_name("no-python"), "-c", "print(5)") == ""

@@ -21,7 +21,7 @@ class Job:
     """One thing to be done: its `kind`, the `body` of the request (JSON), the language, whether the answer is compressed."""
 
     kind: str
-    body: Any = None
+    body: Any = field(default_factory=dict)
     language: str = "en"
     packed: bool = False
 

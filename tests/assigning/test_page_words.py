@@ -65,3 +65,24 @@ def test_students_with_the_same_data_are_told_together_whatever_their_times(text
         for place, text in enumerate(texts, start=1)
     ]
     assert class_page._equal(given) == equal
+
+
+@pytest.mark.parametrize(("banded", "centre", "reach", "band"), [
+    (True, 5.0, (1.0, 9.0), (2.0, 6.0)), (True, 12.0, (1.0, 12.0), (2.0, 6.0)), (False, 5.0, (1.0, 9.0), (1.0, 9.0)),
+    (False, 0.5, (0.5, 9.0), (1.0, 9.0)),
+])  # fmt: skip
+def test_a_measure_is_shown_from_the_least_to_the_most(banded, centre, reach, band, monkeypatch):
+    """Students have 1, 4 and 9; the band is from 2 to 6; what has none has its own reach for one."""
+    name = next(iter(class_page.MEASURES))
+    shown = []
+    monkeypatch.setattr(class_page, "strip", lambda *given: shown.append(given))
+    accepted = [SimpleNamespace(numbers={name: value}) for value in (4.0, 1.0, 9.0)]
+    acceptance = SimpleNamespace(centre=SimpleNamespace(numbers={name: centre}), band=lambda name: (2.0, 6.0))
+    difficulty = SimpleNamespace(numbers={name: 0.2} if banded else {})
+    class_page._measure(
+        name, accepted, SimpleNamespace(acceptance=acceptance, ranges=SimpleNamespace(difficulty=difficulty)), WORDS
+    )
+    ((values, low, high, middle, ends, told),) = shown
+    assert (values, (low, high), middle) == ([4.0, 1.0, 9.0], band, centre)
+    numbers = [float(end.split()[0]) for end in ends]
+    assert numbers == pytest.approx(reach) and float(told) == centre

@@ -57,7 +57,9 @@ def test_one_where_the_motion_stops(folder):
     assert record["stop"]["block"] == ["w3"]
     assert record["rows"] == 6
     assert len(Path("coursework-dead/table.csv").read_text(encoding="utf-8").splitlines()) == 7
-    assert call("check", "dead.toml").exit_code == 1
+    checked = call("check", "dead.toml")
+    assert checked.exit_code == 1
+    assert "is possible for" in checked.stdout.splitlines()[-1]  # with which phases it would go through
     assert call("accuracy", "dead.toml").exit_code == 1
 
 

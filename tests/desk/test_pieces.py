@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from coursework import solve
+from coursework import load, solve
+from coursework.desk.answering import pieces
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from tests.desk.desks import TEXT, VARIANTS, desk
@@ -125,3 +128,12 @@ def test_what_does_not_go_together_says_why(client, begun, kind, on, word):
     found = put(client, begun, kind, *([on] if on else []))
     assert (found["text"], found["ranges"]) == (begun, [])
     assert word in found["sentence"]
+
+
+@pytest.mark.parametrize(("kind", "on", "ends"), [("crank", [], ["z"]), ("crank", ["x"], ["x"]), ("RRR", ["x"], ["x"])])
+def test_a_crank_that_hangs_on_nothing_stands_beside_the_last_point(monkeypatch, kind, on, ends):
+    found = {name: SimpleNamespace(name=name, amplitude=1.0) for name in "xyz"}
+    monkeypatch.setattr(pieces, "_ends", lambda scene: found)
+    monkeypatch.setattr(pieces, "_hang", lambda kind, ends, number, taken, desk: (kind, [one.name for one in ends], number))
+    asked = SimpleNamespace(body={"kind": kind, "on": on}, text="a", variant=load("example-1"))
+    assert pieces.piece(asked) == (kind, ends, 5)  # lengths of example 1 go up to r4

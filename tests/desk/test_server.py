@@ -175,6 +175,7 @@ def test_a_full_disk_leaves_the_file_as_it_was_and_says_so(tmp_path):
 
 
 def test_a_line_without_a_request_is_closed(monkeypatch):
+    assert 5 <= server_module.SILENCE <= 60  # s: a slow line comes through, an idle one gives its place to others
     monkeypatch.setattr(server_module, "SILENCE", 0.05)
 
     async def opened() -> bytes:

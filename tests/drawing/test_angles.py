@@ -5,11 +5,14 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
 
 from coursework import load, parse_variant, solve
+from coursework.drawing.lettering.angles import _angle
+from coursework.variant.formula.reader import parse
 from tests.drawing import measured
 
 
@@ -80,3 +83,19 @@ def test_an_angle_too_small_to_be_seen_has_no_arc(value: str, is_drawn: bool) ->
 def test_an_angle_that_is_no_direction_is_not_drawn() -> None:
     """alpha of variant 31 is the phase of its drive."""
     assert measured.names(svg_of("31"), "data-angle") == {"phi1", "phi2", "phi3"}
+
+
+@pytest.mark.parametrize(("text", "turn"), [
+    ("gamma", -0.2), ("-gamma", 0.2), ("phi3 + gamma", -0.2), ("phi3 - gamma", 0.2),
+    ("gamma - phi3 + pi/2", -0.2), ("gamma + 1", -0.2),
+    ("gamma + 2*phi3", None), ("phi3 + 2*phi3 + gamma", None), ("gamma + delta", None), ("phi3", None), ("gamma + r", -0.2),
+    ("gamma - gamma", None), ("2*gamma", None),
+])  # fmt: skip
+def test_an_angle_is_the_one_datum_of_a_direction_beside_coordinates_and_numbers(text: str, turn: float | None) -> None:
+    """Any name that is no angle of the data counts as a coordinate.  The sheet turns the other way round."""
+    given = [SimpleNamespace(name=name, value=value, si=si) for name, value, si in (
+        ("gamma", 0.2, "rad"), ("delta", 0.3, "rad"), ("r", 0.4, "m"))]  # fmt: skip
+    mechanism = SimpleNamespace(variant=SimpleNamespace(given=given))
+    found = list(_angle(mechanism, parse(text), (1 + 2j,), 1j))  # type: ignore[arg-type]
+    assert [(one.name, one.at, one.turn) for one in found] == ([] if turn is None else [("gamma", (1 + 2j,), turn)])
+    assert all(one.begin == pytest.approx(1j * cmath.exp(-1j * one.turn)) for one in found)

@@ -130,6 +130,18 @@ def test_a_datum_that_places_nothing_is_no_length_of_a_part() -> None:
     assert "c" in words and "b" not in words
 
 
+@pytest.mark.parametrize(("rolls", "place", "side"), [(True, 1j, -1), (True, -1j, 1), (False, 1j, 1), (False, -1j, 1)])
+def test_the_ground_lies_below_the_wheel_that_rolls_on_a_guide_else_where_no_points_are(
+    rolls: bool, place: complex, side: int
+) -> None:
+    """Another wheel and most points are below the guide, 3 m; the guide of a slider looks at all points but its own."""
+    rail = SimpleNamespace(base="A", toward="B", at="A", rider="K", rolls=rolls)
+    wheels = [SimpleNamespace(centre="M", contact="K"), SimpleNamespace(centre="N", contact="L")]
+    outline = SimpleNamespace(wheels=wheels, shown=("A", "B", "K", "M", "N"))
+    places = {"A": 0j, "B": 1 + 0j, "K": 9j, "M": place, "N": -3j, "L": -4j}
+    assert rail_side(outline, places, rail) == side  # type: ignore[arg-type]
+
+
 def test_the_ground_of_a_guide_lies_on_one_side_in_every_row() -> None:
     run = solve("v110", quantities=["table"])
     outline = read_outline(run.scene.mechanism)

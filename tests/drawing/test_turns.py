@@ -5,15 +5,18 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
 
 from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start
-from coursework.drawing.lettering.turns import turns
+from coursework.drawing.lettering.turns import _Arm, _begin, _gap_begin, _line, _rank, turns
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import Formula, signed
 from tests.drawing import measured
 from tests.drawing.test_angles import arc_of, turned
 from tests.drawing.test_mechanism import drawing_of, run_of
@@ -183,3 +186,50 @@ def test_an_arm_is_found_in_what_the_motion_keeps() -> None:
     values = {**variant.values, "pi": math.pi, **dict(zip(run.motion.coordinate_names, run.scene.start, strict=True))}
     found = {turn.coordinate for turn in turns(mechanism, {**values, **dict.fromkeys(dict(mechanism.points), 0j)})}
     assert found == {c.name for c in variant.coordinates if c.unit == "rad"}
+
+
+VALUES = {"O": 1 + 0j, "A": 1 + 2j, "B": 5 + 0j, "C": 5 + 3j, "r1": 2.0, "q1": math.pi / 2, "r2": 3.0, "phi2": math.pi / 2}
+
+
+def parts_of(text: str) -> list[tuple[Formula, int]]:
+    return list(signed(parse(text, vectors=True)))
+
+
+@pytest.mark.parametrize(("text", "place", "begin"), [
+    ("O + r1 @ q1", 1, 1 + 0j), ("r1 @ q1 + O", 0, 0j), ("O + r1 @ q1 + r2 @ phi2", 2, 1 + 2j),
+    ("O + r1 @ q1 - r2 @ phi2", 2, 1 - 1j), ("C - r2 @ phi2", 1, 5 + 0j),
+])  # fmt: skip
+def test_an_arm_begins_where_the_sum_before_it_ends_and_one_with_a_minus_at_its_own_end(
+    text: str, place: int, begin: complex
+) -> None:
+    assert _begin(parts_of(text), place, VALUES) == pytest.approx(begin)
+
+
+@pytest.mark.parametrize(("text", "place", "begin"), [
+    ("C - B - r2 @ phi2", 2, 5 + 0j), ("B + r2 @ phi2 - C", 1, 5 + 0j), ("C - r2 @ phi2 - B", 1, 5 + 0j),
+    ("O + r1 @ q1 + r2 @ phi2 - C", 2, 1 + 2j), ("O + r1 @ q1 + r2 @ phi2 - C", 1, 1 + 0j),
+    ("C - O - r1 @ q1 - r2 @ phi2", 3, 1 + 2j),
+])  # fmt: skip
+def test_an_arm_of_a_gap_begins_at_the_points_on_its_own_side(text: str, place: int, begin: complex) -> None:
+    assert _gap_begin(parts_of(text), place, VALUES) == pytest.approx(begin)
+
+
+@pytest.mark.parametrize(("text", "end", "line"), [
+    ("B + r2 @ phi2", "C", "BC"), ("r2 @ phi2", "C", "OC"), ("B - r2 @ phi2", "C", ""), ("B + A + r2 @ phi2", "C", ""),
+    ("-B + r2 @ phi2", "C", ""), ("B + r2 @ phi2", "", ""), ("r1 @ q1 + r2 @ phi2", "C", ""),
+])  # fmt: skip
+def test_a_point_and_an_arm_make_a_line(text: str, end: str, line: str) -> None:
+    mechanism = SimpleNamespace(points=(("O", parse("(0, 0)", vectors=True)), ("B", parse("(r1, 0)", vectors=True))))
+    assert _line(mechanism, parts_of(text), end) == line  # type: ignore[arg-type]
+    bare = SimpleNamespace(points=mechanism.points[1:])
+    assert _line(bare, parts_of(text), end) == (line if line != "OC" else "")  # type: ignore[arg-type]
+
+
+def test_an_arm_shows_a_coordinate_best_by_itself_then_beside_a_constant_then_beside_another_one() -> None:
+    def arm(part: int, rest: str, is_named: bool = True) -> _Arm:
+        return _Arm(0j, is_named, part, tuple(signed(parse(rest))) if rest else (), "")
+
+    arms = [arm(1, ""), arm(1, "", is_named=False), arm(1, "gamma"), arm(-1, ""), arm(1, "gamma", is_named=False), arm(1, "phi1"),
+        arm(1, "gamma - phi1", is_named=False)]  # fmt: skip
+    ranks = [_rank(one, {"phi1", "phi2"}) for one in arms]
+    assert ranks == [(0, False), (0, True), (1, False), (1, False), (1, True), (2, False), (2, True)]

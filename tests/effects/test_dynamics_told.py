@@ -33,7 +33,10 @@ def test_accuracy_shows_the_error_of_the_energy_against_slopes(tmp_path, monkeyp
     assert found["Runge-Kutta 4", 6400] < 1e-6 * found["semi-implicit Euler", 6400] * 10
     page = (tmp_path / "out" / "accuracy.html").read_text(encoding="utf-8")
     assert "What a step costs when forces move it: variant falling-arm" in page
-    assert solved("falling-arm", scheme="euler").scene.energy_study().orders["Runge-Kutta 4"] == pytest.approx(4, abs=0.2)
+    study = solved("falling-arm", scheme="euler").scene.energy_study()
+    assert study.orders["Runge-Kutta 4"] == pytest.approx(4, abs=0.2)
+    name, slopes, error, seconds = study.own
+    assert (str(name), slopes, seconds) == ("explicit Euler", 200, None) and error == pytest.approx(3.334, abs=0.001)
 
 
 def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
@@ -41,7 +44,7 @@ def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
     run = coursework.solve(coursework.parse_variant(steep), scheme="euler", step=0.02, end=1.6)
     study = run.scene.energy_study()
     assert str(study.rows[0].failed).startswith("it came to row")
-    assert "do not reach the end" in study.sentences[0]
+    assert "do not reach the end" in study.sentences[0] and study.own is None
 
 
 def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_of_its_energy_are():

@@ -40,6 +40,7 @@ def test_the_order_of_a_dyad_is_that_of_the_textbook():
     assert [v.name for v in first.vectors] == ["R12t", "Fin2", "G2", "Fin3", "G3", "F1", "R03t", "R03n", "R12n"]
     assert [v.name for v in second.vectors] == ["R01", "Fin1", "G1", "R21"]
     assert [(m.body, m.point) for m in first.moments] == [("2", "C"), ("3", "C")]
+    assert first.inner[0] == "R23" and second.inner is None
     # The chord is the reaction in the inner pin: what acts on link 2 ends where it begins but for that.
     on_2 = sum(v.force for v in first.vectors if v.body == "2")
     found = of("example-1-forces")

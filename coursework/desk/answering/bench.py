@@ -53,7 +53,7 @@ def opened(plain_setup: Any) -> Iterator[Callable[[Any], Answer]]:
 def answer(job: Job, setup: Setup) -> Answer:
     """Return what comes of a job: what a text breaks is told as its faults."""
     budget = Budget(setup.bounds.seconds, setup.bounds.memory)
-    desk = Desk(job.body or {}, job.language, setup)
+    desk = Desk(job.body, job.language, setup)
     try:
         with watched(budget, desk.name, lambda _fault: None):
             made = KINDS[job.kind](desk)

@@ -90,7 +90,7 @@ def _constructed(sketch: Sketch, findings: Findings) -> Kinematics:
         base = next((name for name in bar.corners if name in velocities), "")
         for name in bar.corners:
             if base and name not in velocities:
-                velocities[name] = velocities[base] + 1j * findings.omegas.get(bar.link, 0.0) * (places[name] - places[base])
+                velocities[name] = velocities[base] + 1j * findings.omegas[bar.link] * (places[name] - places[base])
     still = np.zeros(1, dtype=complex)
     points = {name: Moving(np.array([at]), np.array([velocities.get(name, 0j)]), still) for name, at in places.items()}
     none = np.zeros(1)

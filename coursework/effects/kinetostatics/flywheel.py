@@ -84,12 +84,10 @@ def _excess(wave: Array, begin: float, turn: float) -> tuple[float, tuple[float,
     series = np.fft.rfft(wave) / count
     if count % 2 == 0:
         series[-1] = 0.0  # the highest harmonic of an even count has no phase
-    orders = np.arange(len(series))
-    factors = np.where(orders > 0, 2.0, 1.0)
+    orders = np.arange(1, len(series))
 
     def at(x: Array, power: int) -> Array:
-        terms = factors * series * (1j * np.where(orders > 0, orders, 1.0)) ** power
-        return np.asarray((np.exp(1j * np.outer(x, orders)) @ np.where(orders > 0, terms, 0.0)).real)
+        return np.asarray((np.exp(1j * np.outer(x, orders)) @ (2.0 * series[1:] * (1j * orders) ** power)).real)
 
     grid = np.linspace(0.0, 2 * np.pi, _GRID + 1)
     values = at(grid, 0)

@@ -31,7 +31,7 @@ PAGES = "feedback"
 class Options:
     """How a batch is run; none of it changes a mark."""
 
-    jobs: int = 0
+    jobs: int
     scheduler: str | None = None
     limit: float = LIMIT
 

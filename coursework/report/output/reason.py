@@ -118,7 +118,6 @@ class Formulas:
     def _of(self, path: KeyPath, label: str, formula: Formula, name: str = "", rows: Rows | None = None) -> Reason | None:
         """Evaluate a formula, in some rows only; keep it under its name, or return why it has no value."""
         chosen = np.arange(len(self.t)) if rows is None else rows
-        self.values.pop(name, None)
         try:
             found = self._value(formula, chosen)
         except _Unknown:

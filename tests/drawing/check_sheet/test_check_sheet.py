@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 import pytest
 
 from coursework import load
+from coursework.drawing.check_sheet.drawing import _seen
 from coursework.drawing.check_sheet.graph_check import check_graph
 from coursework.drawing.check_sheet.instant_centres import Findings
 from coursework.drawing.check_sheet.layout import LANDSCAPE, PAGE, SCALES, lay_out
@@ -21,7 +22,7 @@ from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.paper.sheet import HEADLESS
 from coursework.variant.catalogue import names
 from coursework.variant.record.variant import Link
-from coursework.words.sentences import say
+from coursework.words.sentences import Sentence, say
 from tests.drawing import measured
 from tests.drawing.check_sheet.checked import DRAWABLE, check_of, run_of, scene, sketch_of, svg_of
 
@@ -273,3 +274,17 @@ def test_links_without_a_centre_are_told_where_there_is_something_to_ask_of_them
     pose = SimpleNamespace(bodies=bodies, slides=[SimpleNamespace(link="2", rider="B")], positions={})
     findings = SimpleNamespace(planned={"2", "3", "4"}, beyond=(), centres={})
     assert how_found(SimpleNamespace(pose=pose), findings, None) == [say("drawing.by_lines", links=("2", "3"))]
+
+
+def test_what_to_look_at_is_a_point_near_its_centre_or_the_fastest_point() -> None:
+    body = SimpleNamespace(name="2", points=("A", "B"))
+    pose = SimpleNamespace(size=10.0, positions={"A": 0j, "B": 5 + 0j}, bodies=[body])
+    sketch = SimpleNamespace(pose=pose, moving={"A", "B"})
+
+    def seen(at: complex | None, **velocities: complex) -> Sentence | str:
+        findings = SimpleNamespace(drawn={"2": SimpleNamespace(at=at, lines=[1])}, velocities=velocities)
+        return _seen(sketch, findings)  # type: ignore[arg-type]
+
+    assert seen(9j, A=3 + 4j, B=-2j, C=99j) == say("graph.fastest", point="A", speed=5.0)
+    assert seen(None, A=1j, B=-2j) == say("graph.fastest", point="B", speed=2.0)
+    assert seen(9j) == "" and seen(5 + 0j, A=1j, B=0j) == say("graph.close", link="2", point="B")

@@ -7,6 +7,7 @@ from coursework.drawing.force_plans.group_sheet import ARROW, Figure, draw_group
 from coursework.drawing.force_plans.vectors import FOUND, KNOWN, ForceVector, GroupPlan
 from coursework.takeaway.figures.shapes import Arrow, Chain, Circle, shapes_of
 from coursework.words.sentences import load_phrases
+from tests.drawing import measured
 
 # Row 1 (from 0) is drawn.  Link 2 from A to B, link 3 from B to C; forces in newtons, their sum is zero.
 FIGURE = Figure(((("A", 0j), ("B", 0.3 + 0.4j)), (("B", 0.3 + 0.4j), ("C", 0.9 + 0.4j))), 1, 0.05)
@@ -54,6 +55,8 @@ def test_forces_are_true_to_scale_one_behind_the_other_in_the_order_of_the_plan(
     assert tails == pytest.approx([tips[-1], *tips[:-1]], abs=0.03)  # the last tip is the first tail: the sum is zero
     assert all(0 <= tip.real <= drawing.width and 0 <= tip.imag <= drawing.height for tip in (*tips, *tails))
     assert (drawing.id, drawing.exact) == ("forces-4", True)
+    assert "row 2, t = 0.05 s" in {word.text.replace("\u00a0", " ") for word in measured.words(drawing.svg)}
+    assert "row 2" in drawing.caption and "row 2" in drawing.alt
 
 
 def test_beside_the_group_each_force_has_its_direction_at_its_place():

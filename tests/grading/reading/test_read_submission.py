@@ -287,6 +287,7 @@ def test_of_a_variant_file_only_the_equations_are_used() -> None:
     contents = read(("31.toml", content), ("t.csv", table()))
     assert contents.equations is not None
     assert [line.fault for line in contents.equations] == [None] * 4
+    assert not any(line.guessed or line.may_be_datum or line.repaired for line in contents.equations)
     assert contents.equations[0].line == content.decode()[: content.decode().index("VMy - 2*r3")].count("\n") + 1
     assert contents.review is None
     notes = {note.code: note.text for note in contents.notes}

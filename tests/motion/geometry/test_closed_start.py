@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from coursework.motion.geometry import closed_start as module
+from coursework.motion.geometry import closure as closure_module
 from coursework.motion.geometry.closure import Closure
 
 
@@ -19,6 +20,46 @@ def test_a_root_that_is_far_away_is_sought_downhill(monkeypatch, far, found):
     monkeypatch.setattr(module, "_downhill", lambda _: np.array([0.25]))
     monkeypatch.setattr(module, "_without_turns", lambda _, q: q)
     assert module.closed_start(closure)[1].tolist() == [found]
+
+
+@pytest.mark.parametrize(("units", "counts", "found"), [
+    ("rad rad m", False, [0.5, 1.0, 14.0]), ("rad rad m", True, [0.5, 1.0 + 2 * np.pi, 14.0]),
+    ("m rad m", False, [-12.0, 1.0, 14.0]),
+])  # fmt: skip
+def test_whole_turns_are_taken_off_angles_where_the_closure_does_not_count_them(units, counts, found):
+    """Where it does, as with a rope that winds up, it is open without the turn; a length has no turns."""
+    coordinates = [SimpleNamespace(unit=unit) for unit in units.split()]
+    q = np.array([0.5 - 4 * np.pi if units.startswith("rad") else -12.0, 1.0 + 2 * np.pi, 14.0])
+    closure = SimpleNamespace(
+        start=np.array([0.0, 0.5, 0.0]), free=(0, 1, 2), origin=None, scale=2.0,
+        equations=SimpleNamespace(variant=SimpleNamespace(coordinates=coordinates)),
+        residual=lambda t, nearer, origin: (np.array([0.0, float(counts) * abs(nearer[1] - q[1])]), None),
+    )  # fmt: skip
+    assert module._without_turns(closure, q).tolist() == pytest.approx(found)
+    assert q[1] == 1.0 + 2 * np.pi
+
+
+def test_without_a_closed_position_the_start_alone_is_looked_at(monkeypatch):
+    """Newton finds none with the drive moved on, or only up to a row."""
+    times = np.linspace(0.0, 0.02, 5)
+    monkeypatch.setattr(closure_module, "CONFIGURATIONS", 5)
+
+    def looked(closed):
+        def rows(times, guess, kept):
+            if closed is None:
+                raise np.linalg.LinAlgError
+            return guess + 1.0, np.array(closed)
+
+        closure = SimpleNamespace(
+            equations=SimpleNamespace(variant=SimpleNamespace(time=SimpleNamespace(end=1.0))), start=np.array([0.25, 0.5]),
+            driven=(1,), targets=lambda times: (None, 10 * times[:, None]), newton_rows=rows,
+        )  # fmt: skip
+        return [part.tolist() for part in Closure.configurations.func(closure)]
+
+    for closed in (None, [False, True, True, True, True]):
+        assert looked(closed) == [[0.0], [[0.25, 0.5]]]
+    assert looked([True, True, False, True, True]) == [times[:2].tolist(), [[1.25, 1.0], [1.25, pytest.approx(1.05)]]]
+    assert looked([True] * 5)[0] == times.tolist()
 
 
 @pytest.mark.parametrize(("lengths", "scale"), [((), 1.0), ((0.0,), 1.0), ((-2.0, 0.5), 2.0), ((0.3,), 0.3)])

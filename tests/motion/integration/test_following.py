@@ -37,6 +37,14 @@ def test_a_guess_that_is_far_off_leaves_its_row_in_doubt(off, kept):
     assert len(_Follower.certain(stand, np.arange(3.0), guess, guess)) == kept
 
 
+def test_where_newton_meets_a_singular_position_every_row_is_in_doubt():
+    def failing(*_):
+        raise np.linalg.LinAlgError
+
+    stand = SimpleNamespace(closure=SimpleNamespace(newton_rows=failing))
+    assert _Follower.certain(stand, np.arange(3.0), np.zeros((3, 2)), None).shape == (0, 2)
+
+
 def step_by_step(closure, rates, times, monkeypatch):
     """Return the rows when every one of them is in doubt."""
     with monkeypatch.context() as changed:

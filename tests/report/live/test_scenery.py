@@ -1,10 +1,13 @@
 """What the moving part knows as drawn: the arm from a pin ends on the line of the slot that it is rigid with."""
 
+from types import SimpleNamespace
+
 import numpy as np
 
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
-from coursework.report.live.scenery import _moving_lines
+from coursework.report.live import spots
+from coursework.report.live.scenery import Scenery, _moving_lines
 from coursework.variant.catalogue import names
 from tests.solved import solved
 
@@ -33,3 +36,19 @@ def test_an_arm_stands_upright_on_its_slot_as_long_as_the_file_says():
             assert np.allclose(((foot - pin) / along).real, 0.0, atol=1e-9), name
             looked += abs(beside) > 1.0
     assert looked > 0
+
+
+def test_a_word_without_room_leaves_those_behind_it_their_spots(monkeypatch):
+    """A short side bears no number; the next link takes its best spot, and the one after it, there too, its second."""
+    none = np.zeros((1, 0, 2))
+    monkeypatch.setattr(spots, "scenery_of", lambda *_: Scenery({}, none, none, np.zeros((1, 0)), np.zeros((1, 0, 4))))
+    one = np.array([[50 + 50j, 90 + 50j]])
+    choices = {
+        "1": spots._Choice(5.0, [], np.zeros(0), np.zeros((1, 0), complex)),
+        "2": spots._Choice(5.0, [[1], [2]], np.array([0.0, 1.0]), one),
+        "3": spots._Choice(5.0, [[3], [4]], np.array([0.0, 1.0]), one + 2),
+        "4": spots._Choice(5.0, [[5], [6]], np.array([0.0, 1.0]), one + 300),
+    }
+    monkeypatch.setattr(spots, "_of_link", lambda outline, bar, seen, weight: choices[bar])
+    outline, poses = SimpleNamespace(shown=(), bars=tuple(choices)), SimpleNamespace(t=np.zeros(1))
+    assert spots._spots(outline, poses, 1.0, ()) == [[], [1], [4], [5]]

@@ -54,7 +54,11 @@ def test_a_break_of_the_drive_is_no_jump():
         drive='v = { pieces = [["0 s", "0"], ["0.1 s", "1"], ["0.35 s", "0"]] }',
     )  # fmt: skip
     for step in (0.05, 0.02):
-        assert found(solve(text, step=step), "CONTINUITY").verdict == "PASS"
+        judged = found(solve(text, step=step), "CONTINUITY")
+        assert judged.verdict == "PASS" and judged.sentence.startswith("Jumps of the exact motion stand only where the drive")
+    smooth = scene('phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"', step=0.05, end=0.5, equations=["r*w = v"],
+        drive='v = "2*t"')  # fmt: skip
+    assert found(solve(smooth), "CONTINUITY").sentence.startswith("The exact motion has no jump")
 
 
 @pytest.mark.parametrize("step", [0.02, 0.01, 0.005])

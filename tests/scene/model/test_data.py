@@ -37,6 +37,7 @@ def test_numbers_are_si_and_texts_bring_their_unit():
         ({"r1": [1.0, 2.0], "p": [1.0]}, "the columns must have the same number of rows, found r1 2, p 1."),
         ({"r1": [1.0, np.nan]}, "r1, set 2: a finite number of at most 1e12 was expected, found nan."),
         ({"r1": [1.0, 2e12]}, "r1, set 2: a finite number of at most 1e12 was expected, found 2e+12."),
+        ({"r1": [-2e12, 1.0]}, "r1, set 1: a finite number of at most 1e12 was expected, found -2e+12."),
         ({"r1": ["0.9 m", "1.1 s"]}, 'r1, set 2: a length was expected: m, cm, mm (found "1.1 s").'),
         ({"V1": "4.5 m"}, 'V1, set 1: a speed was expected: m/s, cm/s, mm/s (found "4.5 m").'),
         ({"phi1": ["1.6 m"]}, 'phi1, set 1: an angle was expected: rad, deg (found "1.6 m").'),

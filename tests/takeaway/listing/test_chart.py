@@ -55,3 +55,23 @@ def test_both_stand_in_the_appendix_where_they_are_asked_for():
     page = render_html(model)
     assert "# 12  (11): w3" in page.replace("&#39;", "'") or "(11): w3" in page
     assert "<style>" not in picture.svg  # it would set every other drawing too
+
+
+@pytest.mark.parametrize("name", ["example-2-motor", "falling-arm"])
+def test_boxes_of_a_motion_under_forces_are_numbered_without_a_gap(name):
+    """One box more where positions are closed between the steps."""
+    numbers = [int(text.text) for text in drawn(name).iter(f"{SPACE}text") if text.get("font-size") == "10"]
+    assert numbers == list(range(1, len(numbers) + 1))
+
+
+def test_every_corner_of_a_box_is_beside_the_others():
+    """A limit of a loop has its corners cut off: no side is longer than the box is wide, none runs back across it."""
+    for one in drawn("31").iter(f"{SPACE}polygon"):
+        places = [complex(*map(float, place.split(","))) for place in one.get("points").split()]
+        wide, high = (max(part) - min(part) for part in (([p.real for p in places]), ([p.imag for p in places])))
+        assert wide < 400 and high < 200
+        turns = []
+        for k in range(len(places)):
+            a, b, c = places[k - 2], places[k - 1], places[k]
+            turns.append(((c - b) * (b - a).conjugate()).imag)
+        assert all(turn > 0 for turn in turns) or all(turn < 0 for turn in turns)  # convex

@@ -292,3 +292,10 @@ def test_a_drawing_whose_title_has_what_does_not_print_leaves_the_text_readable(
     drawn = {b"PNG": Picture("a", "<svg/>", 1.0, 1.0, "the <wheel>\x07\u202e")}
     text = _with_drawings(files, '<draw:image xlink:href="a.png"/>', drawn)
     assert text.endswith("<svg:desc>the &lt;wheel&gt;</svg:desc>") and "a.svg" in files
+
+
+def test_a_picture_that_is_no_drawing_stays_as_it_is():
+    files = {"a.png": b"PNG", MANIFEST: b"<manifest:manifest></manifest:manifest>"}
+    text = '<p><draw:image xlink:href="a.png"/><draw:image xlink:href="b.png"/></p>'
+    assert _with_drawings(files, text, {b"other": Picture("a", "<svg/>", 1.0, 1.0, "")}) == text
+    assert files[MANIFEST] == b"<manifest:manifest></manifest:manifest>"

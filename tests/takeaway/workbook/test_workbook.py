@@ -88,6 +88,18 @@ def test_every_formula_of_every_sheet_gives_its_cached_number(name):
     assert count > 500
 
 
+def test_what_must_be_zero_stands_below_its_heads():
+    """The head in the first column, times below it, as many as the table has rows; beside them the closure and the equations."""
+    sheet = openpyxl.load_workbook(io.BytesIO(book("31")), data_only=True)["Checks"]
+    columns = [[cell.value for cell in column] for column in sheet.iter_cols()]
+    (top,) = (place for place, text in enumerate(columns[0]) if str(text).startswith("What must be zero"))
+    assert columns[0][top + 1 : top + 3] == ["t", "largest"] and columns[1][top] is None
+    assert columns[0][top + 3 :] == pytest.approx([0.02 * row for row in range(25)])
+    for column in columns[1:]:
+        if column[top + 1] is not None:
+            assert column[top + 2] == pytest.approx(max(map(abs, column[top + 3 :])))
+
+
 @pytest.mark.parametrize(
     ("name", "change"), [("example-2-motor", {"step": 0.009, "r1": 0.39, "k": 40.0}), ("falling-arm", {"r1": 0.45, "phi2": 0.3})]
 )
@@ -213,7 +225,9 @@ def test_exact_has_the_true_motion_and_its_difference():
     content, run = book("jansen"), solved("jansen")
     exact = openpyxl.load_workbook(io.BytesIO(content), data_only=True)["Exact"]
     assert [exact.cell(2, 1 + place).value for place in range(1, 4)] == pytest.approx(run.motion.rows[0, :3], rel=1e-15)
-    assert exact.cell(1, 3 + len(run.columns()[0])).value == "Δphi1"
+    names = run.motion.names
+    first = 3 + len(run.columns()[0])
+    assert [exact.cell(1, first + place).value for place in range(len(names))] == [f"Δ{name}" for name in names]
 
 
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])

@@ -49,7 +49,7 @@ def decode(content: bytes) -> Decoded:
     except UnicodeDecodeError:
         # Only lines with other letters than ASCII's tell one alphabet from another.
         lines = (line for line in content[:_SEARCHED].splitlines() if not line.isascii())
-        sample = b"\n".join(lines)[:_SAMPLE] or content[:_SAMPLE]
+        sample = b"\n".join(lines)[:_SAMPLE]
     encoding = max(("cp1251", "gb18030", "cp1252", "cp866"), key=lambda name: _score(sample, name))
     return _clean(content.decode(encoding, errors="replace"), encoding)
 

@@ -51,6 +51,9 @@ def told(text, probe=None, others=(ACROSS,)):
     ("l1*sin(phi1)*w1 + 3*l2*sin(phi2)*w2 = l3*sin(phi3)*w3 + cos(phi1)*u", "factor 3*l2*sin(phi2)*w2 19"),
     ("l1*sin(phi1)*w1 - l2*sin(phi2)*w2 = l3*sin(phi3)*w3 + cos(phi1)*u", "factor l2*sin(phi2)*w2 19"),
     ("l1*sin(phi1)*w1 + l2*sin(phi2)*w2 = l3*sin(phi3)*w3/7 + cos(phi1)*u", "factor l3*sin(phi3)*w3/7 37"),
+    # a factor so large that what is left is the term itself but for a part in 3e7, or in 3e8
+    ("l1*sin(phi1)*w1 + 30000000*l2*sin(phi2)*w2 = l3*sin(phi3)*w3 + cos(phi1)*u", "factor 30000000*l2*sin(phi2)*w2 19"),
+    ("l1*sin(phi1)*w1 + 300000000*l2*sin(phi2)*w2 = l3*sin(phi3)*w3 + cos(phi1)*u", "extra 300000000*l2*sin(phi2)*w2 19"),
     # missing: a velocity that the line names nowhere before one that it names
     ("l1*sin(phi1)*w1 + l2*sin(phi2)*w2 = cos(phi1)*u", "missing w3 0"),
     ("l2*sin(phi2)*w2 = l3*sin(phi3)*w3 + cos(phi1)*u", "missing w1 0"),

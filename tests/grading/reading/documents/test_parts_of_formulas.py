@@ -56,6 +56,10 @@ def bare(text: str) -> str:
         ('<mfenced open="|" close="|"><mi>a</mi></mfenced>', "abs(a)"),
         ("<mfenced><mi>a</mi><mi>b</mi></mfenced>", "(a,b)"),
         ("<mtable><mtr><mtd><mi>a</mi></mtd><mtd><mo>=1</mo></mtd></mtr><mtr><mtd><mi>b</mi></mtd></mtr></mtable>", "a=1;b"),
+        (
+            "<mrow><mo>{</mo><mtable><mtr><mtd><mi>a</mi></mtd></mtr><mtr><mtd><mi>b</mi></mtd></mtr></mtable></mrow>", "a;b",
+        ),
+        ("<mrow><mo>{</mo><mi>a</mi><mo>+</mo><mi>b</mi><mo>}</mo></mrow>", "{a+b}"),
         ('<mrow><mi>a</mi><mspace linebreak="newline"/><mi>b</mi><mspace/><mi>c</mi></mrow>', "a;bc"),
         ("<munder><mi>a</mi><mi>i</mi></munder>", "a"),
         ("<mrow><mphantom><mi>x</mi></mphantom><mi>a</mi></mrow>", "a"),
@@ -191,3 +195,7 @@ def test_a_pair_of_mathml_without_its_second_part_is_its_first_and_a_third_part_
     )
     assert one == "a"
     assert two == three != "ab"
+
+
+def test_a_formula_deeper_than_sixty_braces_is_left_out():
+    assert bare(text_of_starmath("{" * 60 + "x" + "}" * 60)) == "x" and text_of_starmath("{" * 61 + "x" + "}" * 61) == "…"

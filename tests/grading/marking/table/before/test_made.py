@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.table.before.guesses import _by_next_row, _is_open, _ranked
-from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
+from coursework.grading.marking.table.before.made import _marched, as_it_was, beside_makers, made_from_rows, with_later
 from coursework.grading.marking.table.before.restored import _joined, _made_into, _other, _silent, _slips, _touched
 from coursework.grading.marking.table.ways import StudentTable
 
 NAN = math.nan
 KEY = SimpleNamespace(
     coordinates=("p",), velocities=("w", "u"), blocks=(("w",), ("u",)), stride=0.1, t=np.arange(4.0),
-    velocities_at=lambda t, q: np.hstack([2 * q, 4 * q]), block_at=lambda index, t, q, w: 2 * w[:, :1],
+    velocities_at=lambda t, q: np.hstack([2 * q, 4 * q]), block_at=lambda index, t, q, w: {1: 2 * w[:, :1]}[index],
     variant=SimpleNamespace(unit_of={"p": "rad"}.get),
 )  # fmt: skip
 
@@ -51,6 +51,12 @@ def test_what_follows_from_a_velocity_that_was_told_is_set_in_where_it_may_be_ot
     assert given.values.tolist() == [[3, 5, 7]]
 
 
+def test_rows_of_which_nothing_was_told_stay_as_they_are():
+    told = np.array([[False, False, False], [False, True, False]])
+    key = SimpleNamespace(**{**vars(KEY), "t": KEY.t[:2]})
+    assert with_later(key, table([3, 5, 7], [4, 6, 7]), ~told, told).values.tolist() == [[3, 5, 7], [4, 6, 12]]
+
+
 def ways(student, step=(), true=()):
     """Return ways by which the coordinates of some rows follow from the row above, and velocities may be off by a tenth."""
 
@@ -76,6 +82,43 @@ def test_cells_put_right_are_again_what_the_rows_above_made():
     follows = np.zeros_like(right)
     follows[1:3] = True  # of two, the second one that follows from the first is left; edges are made anew
     assert as_it_was(KEY, student, follows, ways(student, step=[2])).values[2, 0] == pytest.approx(1.44)
+
+
+def test_velocities_that_follow_stay_as_printed_and_a_missing_cell_is_no_change():
+    """Of 1.2 the velocities 2.45 and 4.85 are near enough to 2.4 and 4.9, 2.6 is not; row 3 follows in the second way only."""
+    student = table([1.0, 2, NAN], [1.2, 2.45, 4.85], [1.5, 2.9, 6.0], [1.95, 3.9, 7.8])
+    right = np.array([[False] * 3, [False, True, True], [False] * 3, [False] * 3])
+    assert as_it_was(KEY, student, right, ways(student)) is None
+    off = replace(student, values=np.where(student.values == 2.45, 2.6, student.values))
+    assert as_it_was(KEY, off, right, ways(off)).values[1] == pytest.approx([1.2, 2.4, 4.85])
+    right[1:, 0] = True
+    assert as_it_was(KEY, student, right, ways(student, true=[3])).values[2:, 0] == pytest.approx([1.445, 1.735])
+    right[0, 0] = True
+    assert as_it_was(KEY, student, right, ways(student, true=[2, 3])) is None
+
+
+def test_what_is_no_step_from_above_becomes_that_step_with_the_digits_of_what_it_is_made_of():
+    """Steps of 0.2 in both columns; the last place of row n (from 1) is n thousandths, that of its velocities n hundredths.
+
+    In the first, row 2 begins a run; row 4 is no step, so rows 5 and 6 are made from it; 7 is near enough; 8 follows otherwise.
+    """
+    key = SimpleNamespace(coordinates=("p", "s"), stride=0.1)
+    first = [1.0, 1.2, 1.403, 1.9, 2.15, 1.7, 2.205, 3.0, 3.2135, 9.9]
+    second = [1.0, 1.2, 1.9, 2.1, 5.0, 2.5, 2.7, 2.9, 3.1, 3.3]
+    digits = np.arange(1, 11) * 1e-3
+    student = StudentTable(
+        np.column_stack([first, second, first, second]), np.column_stack([digits, digits, 10 * digits, 20 * digits])
+    )
+    right = np.array([[False, True], *[[True, True]] * 8, [False, True]])
+    follows = np.array([[False, True], [True, True], [True, True], [False, True], *[[True, True]] * 4, [False] * 2, [True] * 2])
+    follows[4, 1] = False
+    q, units = _marched(key, student, right, follows, np.full((10, 2), 2.0))
+    assert q[:, 0] == pytest.approx([1.0, 1.2, 1.403, 1.603, 1.803, 2.003, 2.205, 3.0, 3.2, 9.9])
+    made = {1: 2 + 1 + 1, 3: 4 + 3 + 3, 4: 5 + 10 + 4, 5: 6 + 19 + 5, 8: 9 + 8 + 8}
+    assert units[:, 0] == pytest.approx([1e-3 * made.get(row, row + 1) for row in range(10)])
+    assert q[:, 1] == pytest.approx([1.0, 1.2, 1.9, 2.1, 2.3, 2.5, 2.7, 2.9, 3.1, 3.3])
+    assert units[4, 1] == pytest.approx(1e-3 * (5 + 4 + 8)) and units[5, 1] == pytest.approx(6e-3)
+    assert student.values[3, 0] == 1.9 and student.units[1, 0] == 2e-3
 
 
 def test_a_broken_step_tells_what_its_coordinate_was():
