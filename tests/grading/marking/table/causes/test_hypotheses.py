@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes import hypotheses
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.ways import StudentTable

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.key import key_of
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.own_equations import _independent, _solved, _task_lines, _used, equation_claims
 from coursework.variant.formula.reader import parse

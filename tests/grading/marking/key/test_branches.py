@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from coursework.grading.marking import branches
+from coursework.grading.marking.key import branches
 
 
 def test_roots_are_looked_for_from_many_places_and_each_is_told_once(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,11 +11,20 @@ from typing import Any
 
 import numpy as np
 import pytest
-from coursework.report.sections.forces import _clear, _convention, _math_of, _sizes, _spans, _text_of, _told, _without_noise
-from tests.report.sections.test_conclusion import plain
 
 from coursework.report.sections import forces as section
+from coursework.report.sections.effects.forces import (
+    _clear,
+    _convention,
+    _math_of,
+    _sizes,
+    _spans,
+    _text_of,
+    _told,
+    _without_noise,
+)
 from tests.report.made import model_of, solved
+from tests.report.sections.verdict.test_conclusion import plain
 
 ROW, SPEED, CRANK, COUPLER, ROCKER, FRAME = 4, 10.0, 0.4, 1.0, 0.7, 1.2
 MASSES, INERTIAS = np.array([4.0, 10.0, 7.0]), np.array([0.0533, 0.833, 0.286])
