@@ -87,7 +87,7 @@ def reduced_inertia(rows: Rows, rate: Array, change: Array) -> tuple[Array, Arra
     Not a number where the crank stands still.
     """
     total, slope = np.zeros(rows.count), np.zeros(rows.count)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for body in rows.scheme.bodies:
             if body.mass is not None:
                 first = rows.vector(body.centre, RATE) / rate

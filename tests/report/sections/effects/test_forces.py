@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from coursework.report.sections import forces as section
+from coursework.report.sections.effects import forces as section
 from coursework.report.sections.effects.forces import (
     _clear,
     _convention,
@@ -84,8 +84,8 @@ def test_masses_centres_and_inertia_of_the_row() -> None:
 
 def test_the_arms_of_the_lever_their_moments_and_what_couples_add() -> None:
     _, v, a, w, e = moved(math.radians(30))
-    acting = {f"Fin{'₁₂₃'[k]}": (-MASSES[k] * a[k], v[k]) for k in range(3)}
-    acting |= {f"G{'₁₂₃'[k]}": (-9.81j * MASSES[k], v[k]) for k in range(3)} | {"F₁": (-200 + 0j, v[3])}
+    acting = {f"Fin{k + 1}": (-MASSES[k] * a[k], v[k]) for k in range(3)}
+    acting |= {f"G{k + 1}": (-9.81j * MASSES[k], v[k]) for k in range(3)} | {"F1": (-200 + 0j, v[3])}
     lines = {line[0]: [float(cell) for cell in line[1:]] for line in table("moment")}
     assert {*lines} == {*acting}
     unit = next(moment / force / h for force, h, moment in lines.values() if h)
