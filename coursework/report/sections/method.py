@@ -29,7 +29,7 @@ def method(context: PageContext) -> list[Part]:
     slopes = [context.stepped[name] for name in states]
     named = {"coordinates": context.symbol_list(states), "rates": context.symbol_list(slopes)}
     if semi:
-        named["accelerations"] = context.symbol_list(context.stepped[name] for name in slopes)
+        named["slopes"] = context.symbol_list(context.stepped[name] for name in slopes)
     sentences = [
         words("method.meaning_semi" if semi else f"method.meaning{free}", **named),
         words("method.time", step=context.quantity(run.step, "s"), evaluations=context.numbers.whole(run.motion.evaluations)),
