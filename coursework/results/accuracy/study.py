@@ -92,7 +92,10 @@ def make_study(
     if agreement:  # where there is no closure, the reference is such a run itself
         key = "study.reference" if is_same else "study.own_reference"
         label = say(key, label=label, gap=gap, agreement=agreement)
-    told = (*sentences_of(rows, orders, end_orders, own_row, floor), *unsettled(rows, floor, broken=_is_broken(problem, rows)))
+    told = (
+        *sentences_of(rows, orders, end_orders, own_row, floor, is_own=corrected == own_row.method),
+        *unsettled(rows, floor, broken=_is_broken(problem, rows)),
+    )
     where = machine() if timed else {}
     rest = left_out(problem, bounds)
     return AccuracyStudy(tuple(rows), orders, own, floor, label, told, tuple(overhead), timed, where, rest)

@@ -146,5 +146,7 @@ def test_the_point_of_the_coursework_is_that_of_its_own_table():
     study = solved("31", scheme="euler", quantities=["table", "checks", "accuracy"], project=1).accuracy
     assert study.own[0] == "Euler + 1 Newton projection"
     assert study.sentences[0].startswith("24 steps of Euler + 1 Newton projection: ")
+    drawn = solved("31", scheme="euler", quantities=["table", "checks", "accuracy"], gain=5.0).accuracy
+    assert drawn.own is None and "24 steps of explicit Euler without the correction of the drift: 0.152 rad" in drawn.sentences[0]
     untried = [("rk4", 1, 0.0), ("euler", 0, 5.0), ("rk4", 0, 5.0)]
     assert [title_of_corrected(*way) for way in (("rk4", 0, 0.0), *untried)] == ["Runge-Kutta 4", "", "", ""]
