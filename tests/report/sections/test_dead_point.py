@@ -6,7 +6,50 @@ from types import ModuleType
 
 import coursework
 from tests.effects.test_rubbing import BLOCK
-from tests.solved import solved
+
+# Crank and rod of one length: Euler's slider passes its pivot from row 26 to 27, where the mechanism itself goes on.
+EQUAL = """format = 1
+title = "Crank and rod of one length"
+[given]
+r = "0.35 m"
+[drive]
+w1 = "5"
+[coordinates]
+phi1 = { start = "0.3 rad", rate = "w1" }
+phi2 = { start = "-0.2999997 rad", rate = "w2" }
+s = { start = "0.66873557 m", rate = "u" }
+[time]
+step = "0.01 s"
+end = "1 s"
+[[constraint]]
+name = "x"
+equation = "-r*w1*sin(phi1) - r*w2*sin(phi2) - u = 0"
+[[constraint]]
+name = "y"
+equation = "r*w1*cos(phi1) + r*w2*cos(phi2) = 0"
+[points]
+A = "(0, 0)"
+B = "A + r @ phi1"
+C = "B + r @ phi2"
+[links]
+1 = { points = ["A", "B"], rate = "w1" }
+2 = { points = ["B", "C"], rate = "w2" }
+[frame]
+hinges = ["A"]
+rails = [ { through = "C", angle = "0" } ]
+[closure]
+holds = ["C.y", "C.x - s"]
+"""
+
+
+def test_rows_lost_before_the_dead_point_are_not_said_to_be_none_of_the_motion(real: ModuleType) -> None:
+    """Rows 27 to 89 would be motion; nor do the rows end at the time of the dead point."""
+    run = coursework.solve(coursework.parse_variant(EQUAL), scheme="euler", quantities=["table", "checks"])
+    assert run.stop is not None and run.stop.row > len(run.motion.t) + 1
+    page = real.text_of(real.parts(run, "dead_point"))
+    assert f"keeps the rows up to row {len(run.motion.t)}." in page and "nothing beyond" not in page
+    told = next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION")
+    assert told.startswith(f"The rows end at t = {run.motion.t[-1]:g} s,")
 
 
 def test_a_block_held_by_friction_is_not_said_to_have_no_motion_beyond(real: ModuleType) -> None:
@@ -18,9 +61,3 @@ def test_a_block_held_by_friction_is_not_said_to_have_no_motion_beyond(real: Mod
     dead = coursework.load("31").with_data(given={"alpha": 0.02})
     run = coursework.solve(dead, quantities=["table"])
     assert "nothing beyond it would be a motion" in real.text_of(real.parts(run, "dead_point"))
-
-
-def test_moments_are_taken_about_the_pin_where_it_has_no_letter(real: ModuleType) -> None:
-    """The ram's pin is no joint with a name: "Moments about , link 4"."""
-    page = real.text_of(real.parts(solved("whitworth-forces", quantities=["table", "forces"]), "forces"))
-    assert "Moments about the pin of link 4: what is known gives" in page and "about ," not in page
