@@ -26,9 +26,12 @@ def check_variant(variant: str) -> int:
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
+    free = chosen.motor.rates if chosen.motor is not None else ()
     if chosen.sought:  # of links that forces move each alone nothing is left to be solved
-        size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": len(chosen.drive)}
+        size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": len(chosen.drive) - len(free)}
         tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
+    if free:
+        tell(say_count("dynamics.free", len(free), rates=", ".join(free)))
     _tell_mobility(run)
     closure = scene.closure
     for note in reduction.notes:
@@ -43,7 +46,7 @@ def check_variant(variant: str) -> int:
         else:
             tell(say("screen.never_zero", determinant=determinant))
     if closure is None:
-        tell(say("screen.no_positions"))
+        tell(scene.exact.label if free else say("screen.no_positions"))
     elif not closure.names:
         tell(say("screen.all_driven"))
     else:

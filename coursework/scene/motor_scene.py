@@ -32,7 +32,7 @@ from coursework.system.arrays import Array
 from coursework.system.on_demand import computed
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
-from coursework.words.sentences import say
+from coursework.words.sentences import either, say
 
 if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy
@@ -80,6 +80,12 @@ class MotorScene(Scene):
             raise InputError([Fault(told, self.variant.file, self.variant.nearest_line("motor", "rates"))]) from None
         return found
 
+    @property
+    def unit_of_rates(self) -> str:
+        """Return the unit of the free rates, of unlike ones each: "rad/s or m/s"."""
+        assert self.variant.motor is not None
+        return either(list(dict.fromkeys(map(self.variant.unit_of, self.variant.motor.rates))))
+
     @cached_property
     def regime(self) -> Regime | None:
         """The steady motion of a crank that forces turn, None where there is none that the exact rows tend to."""
@@ -88,7 +94,8 @@ class MotorScene(Scene):
         torques = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
         timed = any(formula is not None and "t" in formula.names() for formula in torques)
         speed = float(motion.column(forces.motor.rates[0])[-1]) if len(motion.t) else 0.0
-        if len(self.free_equations.free) != 1 or timed or not speed or motion.stop is not None:
+        is_crank = [self.variant.unit_of(rate) for rate in forces.motor.rates] == ["rad/s"]
+        if not is_crank or timed or not speed or motion.stop is not None:
             return None
         return find_regime(self.free_equations, list(self.start), speed)
 
@@ -109,7 +116,8 @@ class MotorScene(Scene):
         from coursework.effects.dynamics.energy_study import energy_study
 
         own = self.scheme or DEFAULT_SCHEME
-        return energy_study(self.free_equations, self.begin_of_forces, self.variant.time, self.exact, own, progress=progress)
+        unit, begin = self.unit_of_rates, self.begin_of_forces
+        return energy_study(self.free_equations, begin, self.variant.time, self.exact, own, unit, progress=progress)
 
     @property
     def begin_of_forces(self) -> tuple[list[float], list[float]]:

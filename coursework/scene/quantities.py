@@ -150,7 +150,8 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
     problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     results = results.by_scheme
-    return make_study(problem, scene.exact, results.motion.scheme)
+    settings = scene.settings
+    return make_study(problem, scene.exact, results.motion.scheme, project=settings.project, gain=settings.gain)
 
 
 @computed("mechanism", "equations", "one_period")

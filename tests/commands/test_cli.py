@@ -163,6 +163,12 @@ def test_two_where_the_input_is_wrong(case, folder):
     assert list(folder.iterdir()) == []
 
 
+def test_what_forces_move_is_not_called_driven_nor_its_motion_refined():
+    crank, arm = call("check", "example-2-motor").stdout, call("check", "falling-arm").stdout
+    assert "2 equations, drives: 0\nForces move the mechanism; w1 is free.\n" in crank
+    assert "Forces move the mechanism; free are w1, w2." in arm and "refined scheme" not in arm
+
+
 def test_three_where_the_tool_is_at_fault(monkeypatch):
     def broken(*_args, **_options):
         raise RuntimeError("something of ours")

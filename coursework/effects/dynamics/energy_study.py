@@ -28,10 +28,13 @@ MOST_ROWS = 20_000  # slopes of the table: with more there is no study
 
 
 def energy_study(
-    equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion, own: Scheme,
+    equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion, own: Scheme, unit: str,
     *, progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
-    """Return the study, never timed: slopes are what a scheme costs here; `own` is the scheme of the table."""
+    """Return the study, never timed: slopes are what a scheme costs here.
+
+    `own` is the scheme of the table, `unit` that of the free rates.
+    """
     if (len(exact.t) - 1) * PRECISE.slopes * equations.dear > MOST_ROWS:
         why = say("study.too_long", rows=len(exact.t))
         return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), seconds_shown=False, left_out=(why,))
@@ -51,7 +54,7 @@ def energy_study(
     title = title_of(own)
     mine = next(row for row in rows if row.method == title)
     point = None if mine.failed else (title, mine.evaluations, mine.max_error, None)
-    told = tuple(_told(rows, rates, mine, scale))
+    told = tuple(_told(rows, rates, unit, mine, scale))
     return AccuracyStudy(tuple(rows), orders, point, floor, exact.label, told, (), seconds_shown=False)
 
 
@@ -68,16 +71,16 @@ def _row(scheme: Scheme, tried: Trial, energy: Array, steps: int) -> StudyRow:
     return StudyRow(title, str(steps), tried.slopes, float(off.max()), float(off[-1]), None, "", "J", "J")
 
 
-def _told(rows: Sequence[StudyRow], rates: dict[str, float], own: StudyRow, scale: float) -> Iterator[Sentence]:
+def _told(rows: Sequence[StudyRow], rates: dict[str, float], unit: str, own: StudyRow, scale: float) -> Iterator[Sentence]:
     """Yield what the table's own step costs in energy, and what better schemes do with it."""
     known = {"steps": own.steps_or_tolerance, "method": own.method}
     if own.failed:
         yield say("study.energy_failed", **known, why=own.failed)
     else:
         share = 100 * own.max_error / scale
-        yield say("study.energy_own", **known, energy=own.max_error, share=share, rate=rates[own.method])
+        yield say("study.energy_own", **known, energy=own.max_error, share=share, rate=rates[own.method], unit=unit)
     for scheme, key in ((SEMI_IMPLICIT, "study.energy_semi"), (PRECISE, "study.energy_best")):
         row = next(row for row in rows if row.method == title_of(scheme))
         if not row.failed and row.method != own.method:
             given = {"steps": row.steps_or_tolerance, "method": row.method, "energy": row.max_error, "rate": rates[row.method]}
-            yield say(key, **given, end=row.end_error)
+            yield say(key, **given, unit=unit, end=row.end_error)

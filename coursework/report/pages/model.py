@@ -78,7 +78,7 @@ def build_model(
     running = [_shortened(heading, title), _shortened(author, name)] if author else [_shortened(heading, title + name)]
     return ReportModel(
         language=language,
-        kind=words("title.kind"),
+        kind=words("title.kind" if run.variant.forces is None else "title.kind_forces"),
         heading=heading,
         title_language="" if context.is_foreign(context.variant.title) else language,
         author=author,

@@ -83,7 +83,8 @@ def error_figure(context: PageContext, study: AccuracyStudy) -> Figure:
     floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context, study))
     caption = words("accuracy.caption_timed" if timed else f"accuracy.{of}caption_one")
     reference = words("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
-    caption = words.sentences([caption, words("accuracy.caption_rest", floor=floor), reference])
+    ring = words("accuracy.caption_own") if own else ""
+    caption = words.sentences([caption, ring, words("accuracy.caption_rest", floor=floor), reference])
     alt = words("accuracy.alt", methods=words.listing([method.name for method in methods]))
     svg, height = chart(page)
     return Figure(svg, WIDTH, height, alt, context.lettered(caption))

@@ -32,7 +32,9 @@ def dead_point(context: PageContext) -> list[Part]:
     if context.run.scene.phases:
         facts.append((words("stop.phases"), context.rich(context.run.scene.phases)))
     own = context.run.scene.stop is None  # the scheme stops where the mechanism does not
-    kept = words("stop.kept_so_far" if own else "stop.kept", row=len(context.run.motion.t))
+    # Nothing is known of what comes after, or it waits there, or the scheme lost the motion before.
+    is_open = stop.kind in {"too steep", "held"} or len(context.run.motion.t) < int(stop.row)
+    kept = words("stop.kept_so_far" if own else "stop.kept_only" if is_open else "stop.kept", row=len(context.run.motion.t))
     kind = context.event(stop.kind)
     lead = words("stop.lead", kind=kind[:1].upper() + kind[1:], time=time) + words("join.sentences")
     drawing = context.run.at_stop()

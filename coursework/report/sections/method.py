@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from coursework.motion.schemes import SEMI_IMPLICIT
 from coursework.report.formulas import lecture
+from coursework.report.sections.derivation.first_step import besides_the_scheme
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text.text_runs import runs
@@ -32,13 +33,10 @@ def method(context: PageContext) -> list[Part]:
         named["slopes"] = context.symbol_list(context.stepped[name] for name in slopes)
     sentences = [
         words("method.meaning_semi" if semi else f"method.meaning{free}", **named),
-        words("method.time", step=context.quantity(run.step, "s"), evaluations=context.numbers.whole(run.motion.evaluations)),
+        *besides_the_scheme(context),
+        words("method.time", step=context.quantity(run.step, "s")),
+        words("method.slopes" if free else "method.evaluations", number=context.numbers.whole(run.motion.evaluations)),
     ]
-    if run.settings.project:
-        sentences.append(words.count("method.project", run.settings.project))
-    if run.settings.gain:
-        product = context.numbers.plain(run.settings.gain * run.step)
-        sentences.append(words("method.gain", gain=context.quantity(run.settings.gain, "1/s"), product=product))
     if context.exact is not None:
         label = context.words.written(context.exact.label) or words("graphs.exact")
         sentences.append(words("method.exact", label=clean(label).rstrip(".")))

@@ -19,6 +19,7 @@ from coursework.report.wording.closeness import (
     largest_step_error,
     rows_before_breaks,
     splits,
+    turns_taken_off,
     unreturned,
 )
 from coursework.results.checks.close_to_motion.period import Split, is_a_period
@@ -78,13 +79,12 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
         rows.append(cells)
     columns = [Column([], words=True)]
     columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
-    turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=numbers.signed(s.turns)) for s in found if s.turns]
-    note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
+    turned = turns_taken_off(context, found)
     which = say("table.part", part=number, parts=many) if many > 1 else ""
     of_row = "" if row == len(motion.t) - 1 else "_row"
     told = say(f"first_last.caption{of_row}" if parts != ROWS else f"first_last.caption_motion{of_row}", row=row + 1)
     caption = runs(say.sentences([told, which]))
-    return Table(columns, rows, caption, strong=[2], note=note, id="first-last" if number == 1 else "")
+    return Table(columns, rows, caption, strong=[2], note=runs(turned) if turned else [], id="first-last" if number == 1 else "")
 
 
 def _why(context: PageContext, found: list[Split], step: LocalError | None) -> list[Part]:
@@ -103,8 +103,8 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
         if scheme.order == 1:
             told.append(say("why.tangent", scheme=title[:1].upper() + title[1:], **values))
             told += [say("why.broken")] if rows_before_breaks(evidence(context)) else []
-            told.append(say("why.half"))
-        else:
+            told += [] if context.run.settings.project else [say("why.half")]
+        elif not context.run.settings.project:  # corrected rows have another order than the scheme
             told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
     if context.run.tableau is not None and (largest := largest_error_sentence(context)):
         told.append(largest)

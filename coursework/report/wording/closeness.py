@@ -8,6 +8,7 @@ Of an exact table it speaks of the scheme's rows that stand beside it.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -76,6 +77,13 @@ def rows_before_breaks(judged: Evidence) -> list[int]:
 def splits(context: PageContext) -> tuple[Split, ...]:
     """Return last minus first row of every column of the table itself, nothing where the run reaches no period."""
     return mismatch(context.run.results.evidence) or ()
+
+
+def turns_taken_off(context: PageContext, found: Iterable[Split]) -> str:
+    """Return that whole turns are no difference, and how many of which column; "" where none of them made any."""
+    say, numbers = context.words, context.numbers
+    turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=numbers.signed(s.turns)) for s in found if s.turns]
+    return say("first_last.taken_off", turned=say("join.semicolon").join(turned)) if turned else ""
 
 
 def unreturned(context: PageContext) -> list[Split]:

@@ -1,6 +1,6 @@
 """What a student looks for, in sentences: the unknown velocities, the rows, the period, the scheme, the row to construct.
 
-Enters: a `PageContext`.  Leaves: sentences.  Used by `statement.py`.
+Enters: a `PageContext`.  Leaves: sentences.  Used by `first_step.py`, `statement.py`.
 """
 
 from __future__ import annotations
@@ -38,9 +38,21 @@ def sought(context: PageContext) -> list[str]:
         told.append(words(key, period=context.quantity(time.period, "s")))
     is_exact = run.tableau is None
     told.append(words("statement.method_exact") if is_exact else words("statement.method", scheme=context.told(run.scheme_title)))
-    if time.check_row is not None and run.asks(GRAPH_CHECK):
+    told += corrections(context)
+    if time.check_row is not None and time.check_row <= len(run.motion.t) and run.asks(GRAPH_CHECK):
         when = context.quantity((time.check_row - 1) * time.step, "s")
         told.append(words("statement.check_row", row=time.check_row, time=when))
+    return told
+
+
+def corrections(context: PageContext) -> list[str]:
+    """Return the sentences on what a run does to the drift beside its scheme."""
+    run, words, told = context.run, context.words, []
+    if run.settings.project:
+        told.append(words.count("method.project", run.settings.project))
+    if run.settings.gain:
+        product = context.numbers.plain(run.settings.gain * run.step)
+        told.append(words("method.gain", gain=context.quantity(run.settings.gain, "1/s"), product=product))
     return told
 
 

@@ -55,6 +55,13 @@ def projected_title(newton: int) -> str:
     return say_count("study.projected", newton)
 
 
+def title_of_corrected(scheme: str, project: int, gain: float) -> str:
+    """Return the name of the method by which a table was made, "" of one that is not tried."""
+    if gain or (project and scheme != DEFAULT_SCHEME.name):
+        return ""
+    return projected_title(project) if project else title_of(SCHEMES[scheme])
+
+
 def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
     """Yield every trial inside the bounds, method after method; that with the table's own step for each scheme."""
     rows = problem.rows

@@ -28,16 +28,24 @@ _HUNDRED = math.radians(99.5)
 
 
 def sentences_of(
-    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow, floor: float
+    rows: Sequence[StudyRow],
+    orders: Mapping[str, float],
+    end_orders: Mapping[str, float],
+    own: StudyRow,
+    floor: float,
+    *,
+    is_own: bool = True,
 ) -> tuple[str, ...]:
     """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap.
 
+    `is_own` is False of a table whose drift is corrected, where no trial is: then `own` is its scheme without that.
     Of errors below the round-off `floor` the last row tells nothing.
     """
     best = _first(rows, title_of(PRECISE))
     usual = _first(rows, title_of(DEFAULT_SCHEME))
     reached = {"steps": best.steps_or_tolerance, "method": best.method}
-    told = [_told("study.own", _time(own), steps=own.steps_or_tolerance, method=own.method, size=_size(own.max_error, own.unit))]
+    first = {"steps": own.steps_or_tolerance, "method": own.method, "size": _size(own.max_error, own.unit)}
+    told = [_told("study.own", _time(own), **first) if is_own else say("study.uncorrected", **first)]
     size = _size(best.max_error, best.unit)
     is_better = best.max_error < _BETTER * usual.max_error
     if is_better:

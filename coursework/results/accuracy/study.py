@@ -18,7 +18,7 @@ from coursework.motion.integration.exact_motion import OutOfReach, refine
 from coursework.motion.integration.following import NotReached, follow_closure
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES, title_of
-from coursework.results.accuracy.methods import left_out, trials
+from coursework.results.accuracy.methods import left_out, title_of_corrected, trials
 from coursework.results.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import ROUNDINGS, sentences_of, unsettled
@@ -35,9 +35,13 @@ _NO_ORDER = 0.5  # with less the error does not fall with the step, or not yet
 
 def make_study(
     problem: Problem, exact: Motion, scheme: str,
-    *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
+    *, project: int = 0, gain: float = 0.0,
+    timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
-    """Return the study; with `timed` every trial is also timed (some 0.04 s each)."""
+    """Return the study of a table made by `scheme`, corrected by `project` Newton corrections a step or by a `gain` (1/s).
+
+    With `timed` every trial is also timed (some 0.04 s each).
+    """
     if problem.work > MOST_WORK or not len(exact.t):
         return _without_runs(say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK), exact, timed)
     bounds = TIMED if timed else PAGE
@@ -79,14 +83,19 @@ def make_study(
         largest = float(np.max(columns)), float(np.max(last))
         rows.append(StudyRow(trial.method, trial.setting, evaluations, *largest, spent, "", *units, ratio))
     orders, end_orders = orders_of(rows, floor, _NO_ORDER), orders_of(rows, floor, _NO_ORDER, end=True)
-    title = title_of(SCHEMES[scheme])
-    own_row = next(row for row in rows if row.method == title)
-    own = (title, own_row.evaluations, own_row.max_error, own_row.seconds)
+    # A corrected table is none of its scheme's trials: it is that of Euler with as many projections, or none at all.
+    title, corrected = title_of(SCHEMES[scheme]), title_of_corrected(scheme, project, gain)
+    own_row = next((row for row in rows if row.method == corrected and not row.failed), None)
+    own = None if own_row is None else (own_row.method, own_row.evaluations, own_row.max_error, own_row.seconds)
+    own_row = own_row or next(row for row in rows if row.method == title)
     label = exact.label
     if agreement:  # where there is no closure, the reference is such a run itself
         key = "study.reference" if is_same else "study.own_reference"
         label = say(key, label=label, gap=gap, agreement=agreement)
-    told = (*sentences_of(rows, orders, end_orders, own_row, floor), *unsettled(rows, floor, broken=_is_broken(problem, rows)))
+    told = (
+        *sentences_of(rows, orders, end_orders, own_row, floor, is_own=corrected == own_row.method),
+        *unsettled(rows, floor, broken=_is_broken(problem, rows)),
+    )
     where = machine() if timed else {}
     rest = left_out(problem, bounds)
     return AccuracyStudy(tuple(rows), orders, own, floor, label, told, tuple(overhead), timed, where, rest)

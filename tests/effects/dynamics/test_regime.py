@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
+import coursework
 from coursework.effects.dynamics.regime import find_regime
 
 MIDDLE, SWING, LAG = 0.8, 0.15, 0.4  # rad/s, rad/s, rad: w = MIDDLE + SWING cos(phi - LAG)
@@ -57,3 +58,35 @@ def test_an_even_turn_has_no_unevenness():
 @pytest.mark.parametrize("slope", [lambda t, phi, w: (-1.0,), lambda t, phi, w: (w,), lambda t, phi, w: (1 / (phi - 1.0),)])
 def test_what_stands_still_only_grows_or_has_no_value_has_no_steady_motion(slope):
     assert find_regime(SimpleNamespace(free=(0,), others=(), kept=(), slope=slope), [0.0], 1.0) is None
+
+
+SLED = """format = 1
+title = "A block that a constant force draws through a damper"
+[coordinates]
+s = { start = "0 m", rate = "u" }
+[time]
+step = "0.1 s"
+end = "5 s"
+[points]
+C = "(s, 0)"
+[links]
+1 = { points = ["C"] }
+[frame]
+rails = [ { through = "C", angle = "0" } ]
+[masses]
+C = { mass = "1 kg", inertia = "1 kg*m^2" }
+[forces]
+F = { on = "1", at = "C", force = "(2 - u, 0)" }
+[motor]
+rates = ["u"]
+start = { u = "0 m/s" }
+[ask]
+quantities = ["table", "dynamics", "accuracy"]
+"""
+
+
+def test_a_slider_makes_no_turns_and_has_its_speed_in_metres_a_second():
+    """u was said to be so many rad/s in a steady turn."""
+    run = coursework.solve(coursework.parse_variant(SLED))
+    assert run.scene.regime is None and run.scene.unit_of_rates == "m/s"
+    assert run.accuracy.sentences[0].endswith(" m/s.")

@@ -45,7 +45,7 @@ def test_a_heading_says_a_name_once(title: str) -> None:
     [
         ({"gain": 5.0}, "the gain 5\u00a01/s; gain times step is 0.1."),
         ({"project": 2}, "After each step 2 Newton corrections bring the positions back"),
-        ({}, "24 evaluations of the velocities. Computed with"),
+        ({}, "Evaluations of the velocities: 24. Computed with"),
     ],
 )
 def test_how_the_drift_is_drawn_back_is_told(way: dict[str, Any], told: str) -> None:

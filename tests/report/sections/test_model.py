@@ -33,6 +33,11 @@ def test_sections_in_order_and_only_those_asked_for(real: ModuleType) -> None:
     assert names(real.stopped())[: len(stopped)] == stopped
 
 
+@pytest.mark.parametrize(("name", "kind"), [("31", "Kinematic analysis"), ("falling-arm", "Kinematic and dynamic analysis")])
+def test_the_head_of_a_page_names_what_is_on_it(name: str, kind: str) -> None:
+    assert model_of(solved(name, quantities=["table"])).kind == f"{kind} of a plane mechanism"
+
+
 def test_every_section_has_its_number_and_the_appendix_letters(real: ModuleType) -> None:
     for run in (real.full(), real.stopped(), coursework.solve(coursework.parse_variant(SHAPER))):
         numbers = [section.number for section in model_of(run).sections]

@@ -110,6 +110,7 @@ def unusual(real: ModuleType) -> list[Any]:
         *(solve(name, scheme, end=end, quantities=["table", "checks"]) for name, scheme, end in behind()),
         solve(parse_variant(past_the_pivot(0.001, 0.02)), quantities=["table", "checks"]),
         solve("example-2-motor", "semi-implicit", quantities=["table"]),
+        solve("example-2-motor", "rk4", quantities=["table"]),
         solve(parse_variant(CRANK), quantities=["table"]), solve(parse_variant(BOOM), quantities=["table"]),
     ]  # fmt: skip
 
@@ -138,7 +139,7 @@ BELOW = {
     "graph.alt", "graph.caption", "graph.blank", "graph.blank_plan", "graph.close", "graph.fastest", "graph.frame",
     "graph.unread", "graph.unread_given", "graph.unread_left", "graph.unread_lengths", "graph.unread_still",
     "graph.unread_together",
-    "derivation.long.one", "derivation.long.other",
+    "derivation.long.one", "derivation.long.other", "stop.kept_only",
 }  # fmt: skip
 # What the page itself says; all else is said by the rooms below it: test_language.py.
 PAGE = {

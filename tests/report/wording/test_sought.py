@@ -105,3 +105,9 @@ def test_what_drifts_is_told_as_the_student_writes_it(real: ModuleType) -> None:
 @pytest.mark.parametrize(("name", "told"), [("example-5", True), ("example-4", False)])
 def test_a_datum_called_as_the_step_is_told_apart_from_it(real: ModuleType, name: str, told: bool) -> None:
     assert ("h is a time it is this step" in statement(real, coursework.load(name))) == told
+
+
+@pytest.mark.parametrize(("end", "is_told"), [(0.06, True), (0.04, False)])
+def test_a_row_beyond_the_last_is_not_said_to_be_checked(real: ModuleType, end: float, is_told: bool) -> None:
+    run = solved("31", end=end, quantities=["table", "graph_check"])
+    assert ("is checked by construction" in real.text_of(real.parts(run, "statement"))) is is_told

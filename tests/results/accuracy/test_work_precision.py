@@ -12,10 +12,11 @@ import coursework
 from coursework.motion.integration.following import follow_closure
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
-from coursework.results.accuracy.methods import trials
+from coursework.results.accuracy.methods import title_of_corrected, trials
 from coursework.results.accuracy.problem import Problem
 from coursework.results.accuracy.study import make_study
 from coursework.results.accuracy.trace import trace
+from tests.solved import solved
 
 REFERENCE = json.loads((Path(__file__).parents[2] / "reference" / "work_precision_v31.json").read_text(encoding="utf-8"))
 TITLES = {"Euler": "explicit Euler", "Heun": "Heun", "RK4": "Runge-Kutta 4"}
@@ -138,3 +139,14 @@ def test_a_table_is_measured_against_the_motion_its_schemes_solve():
     closed = next(row for row in study.rows if row.method == "position closure (Newton)")
     assert 1e-8 < closed.max_error < 1e-6
     assert "belong to another motion than the positions" in study.reference_label
+
+
+def test_the_point_of_the_coursework_is_that_of_its_own_table():
+    """A corrected table had the error of the scheme without corrections."""
+    study = solved("31", scheme="euler", quantities=["table", "checks", "accuracy"], project=1).accuracy
+    assert study.own[0] == "Euler + 1 Newton projection"
+    assert study.sentences[0].startswith("24 steps of Euler + 1 Newton projection: ")
+    drawn = solved("31", scheme="euler", quantities=["table", "checks", "accuracy"], gain=5.0).accuracy
+    assert drawn.own is None and "24 steps of explicit Euler without the correction of the drift: 0.152 rad" in drawn.sentences[0]
+    untried = [("rk4", 1, 0.0), ("euler", 0, 5.0), ("rk4", 0, 5.0)]
+    assert [title_of_corrected(*way) for way in (("rk4", 0, 0.0), *untried)] == ["Runge-Kutta 4", "", "", ""]

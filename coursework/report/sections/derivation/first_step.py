@@ -1,6 +1,6 @@
 """How the scheme goes from row to row, and the first step by hand.
 
-Enters: a `PageContext`.  Leaves: displayed equations with the words around them.  Used by `solution.py`.
+Enters: a `PageContext`.  Leaves: displayed equations with the words around them.  Used by `solution.py`, `method.py`.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from coursework.report.text.numbers import MINUS, first_of
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
 from coursework.report.text.symbols import Symbol
+from coursework.report.wording.sought import corrections
 
 DECIMALS = 5  # of a result
 DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
@@ -26,9 +27,13 @@ def first_step(context: PageContext) -> list[Part]:
     scheme = run.tableau
     if scheme is None:
         return []
+    added = context.words.sentences(besides_the_scheme(context))
+    rest: list[Part] = [Paragraph(context.lettered(added))] if added else []
     if scheme.slopes > 1:
         lines = Equations([Display(math, text) for math, text in lecture.lines(scheme)])
-        return [Paragraph(context.say("derivation.scheme", scheme=context.told(title_of(scheme)))), lines]
+        named = {"coordinates": context.symbol_list(context.stepped), "rates": context.symbol_list(context.stepped.values())}
+        free = "_free" if run.variant.motor else ""
+        return [Paragraph(context.say(f"derivation.scheme{free}", scheme=context.told(title_of(scheme)), **named)), lines, *rest]
     # The semi-implicit scheme takes the rates that it has just made.
     ahead = set(run.motion.coordinate_names) if scheme is SEMI_IMPLICIT else set()
     stepped = dict(sorted(context.stepped.items(), key=lambda one: one[0] in ahead)[:MOST_LINES])
@@ -40,7 +45,7 @@ def first_step(context: PageContext) -> list[Part]:
         title = context.told(title_of(scheme))
         along = context.say("derivation.along_free", scheme=title[:1].upper() + title[1:], **told)
     steps = [_line(context.symbol(name), context.symbol(rate), index, ahead=name in ahead) for name, rate in stepped.items()]
-    parts: list[Part] = [Paragraph(along), Equations(steps, flow=True)]
+    parts: list[Part] = [Paragraph(along), Equations(steps, flow=True), *rest]
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
         made = _accelerations(context) if run.variant.motor else {}
         known = {name: made[name] if name in made else float(run.motion.column(rate)[1]) if name in ahead
@@ -50,6 +55,12 @@ def first_step(context: PageContext) -> list[Part]:
         listed = context.words("join.comma").join(units)
         parts += [Paragraph(context.say("derivation.first_step", units=listed)), Equations(numbers, flow=True)]
     return parts
+
+
+def besides_the_scheme(context: PageContext) -> list[str]:
+    """Return the sentences on what makes the rows beside the scheme: closed positions under forces, corrections of the drift."""
+    has_others = context.run.variant.motor is not None and {*context.run.motion.names} - {*context.stepped}
+    return [*([context.words("method.closed")] if has_others else []), *corrections(context)]
 
 
 def index_of_steps(names: Collection[str]) -> str:

@@ -19,8 +19,8 @@ from coursework.report.text.text_runs import numeral
 from coursework.scene.motor_scene import MotorScene
 from coursework.scene.quantities import DYNAMICS
 
-_ONE = ('J(phi) dot(omega) = M_"m" + M_"load" - 1/2 J\'(phi) omega^2', "J(φ)·dω/dt = M_m + M_load − ½·J′(φ)·ω²")
-_TWO = ("M(q) dot.double(q) = Q(q, dot(q), t) - h(q, dot(q))", "M(q)·q″ = Q(q, q′, t) − h(q, q′)")
+_ONE = ("J(q) dot(v) = Q(t, q, v) - 1/2 J'(q) v^2", "J(q)·dv/dt = Q(t, q, v) − ½·J′(q)·v²")
+_SEVERAL = ("M(q) dot(v) = Q(t, q, v) - c(q, v)", "M(q)·dv/dt = Q(t, q, v) − c(q, v)")
 
 
 def dynamics(context: PageContext) -> list[Part]:
@@ -28,36 +28,48 @@ def dynamics(context: PageContext) -> list[Part]:
     table, scene = context.run.of(DYNAMICS), context.run.scene
     if not len(table.rows) or not isinstance(scene, MotorScene):
         return []
-    math, text = _ONE if len(scene.free_equations.free) == 1 else _TWO
-    parts: list[Part] = [Paragraph(context.say("dynamics.equation")), Equations([Display(math, text)])]
+    parts = _equation(context, is_one=len(scene.free_equations.free) == 1)
     if scene.free_equations.rubbing is not None:
         parts.append(Paragraph(context.say("dynamics.friction")))
     if scene.stop is not None and context.run.motion.stop is None:
         parts.append(Paragraph(context.rich(scene.stop.sentence)))
     if lines := lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, scene.exact):
-        parts.append(_compared(context, lines))
+        parts.append(_compared(context, lines, scene.unit_of_rates))
     if scene.regime is not None:
         parts.append(_regime(context, scene.regime, table.names[1 + len(context.run.motion.coordinate_names)]))
     return [*parts, _energy(context, scene), *extra_parts(context, table, "dynamics.csv")]
 
 
+def _equation(context: PageContext, *, is_one: bool) -> list[Part]:
+    """Return the equation of motion, what its letters are, and where all other coordinates come from."""
+    free, names = context.stepped, context.run.motion.coordinate_names
+    named = {"free": context.symbol_list(name for name in free if name in names)}
+    named["rates"] = context.symbol_list(name for name in free if name not in names)
+    told = [context.words("dynamics.of_one" if is_one else "dynamics.of_several", **named)]
+    if {*names} - {*free}:
+        told.append(context.words("dynamics.closed"))
+    equation = Equations([Display(*(_ONE if is_one else _SEVERAL))])
+    return [Paragraph(context.say("dynamics.equation")), equation, Paragraph(context.lettered(context.words.sentences(told)))]
+
+
 def _regime(context: PageContext, found: Regime, rate: str) -> Paragraph:
     """Return the steady motion in a sentence."""
     speed, least, largest = (context.quantity(value, "rad/s", 5) for value in (found.speed, found.least, found.largest))
+    delta = context.numbers.scalar(found.delta, 4)
     told = context.words(
-        "dynamics.regime", rate=context.lettering(rate), speed=speed, least=least, largest=largest, delta=found.delta,
+        "dynamics.regime", rate=context.lettering(rate), speed=speed, least=least, largest=largest, delta=delta,
         period=context.quantity(found.period, "s", 5),
     )  # fmt: skip
     return Paragraph(context.lettered(told))
 
 
-def _compared(context: PageContext, lines: list[Row]) -> Table:
+def _compared(context: PageContext, lines: list[Row], unit: str) -> Table:
     """Return `table#dynamics-lesson`: schemes and slopes, errors of rates, energy gained."""
     numbers, cells = context.numbers, list[list[Cell]]()
     for one in lines:
         shown = [numbers.whole(one.slopes), numbers.scalar(one.error, 3), numbers.scalar(one.gained, 3)]
         cells.append([context.told(one.title), *map(numeral, shown)])
-    units = ("", context.unit("rad/s"), context.unit("J"))
+    units = ("", context.unit(context.words.written(unit)), context.unit("J"))
     keys = ("dynamics.slopes", "accuracy.head.max_error", "dynamics.gained")
     heads = [Column(context.say("dynamics.method"), words=True)]
     heads += [Column(context.say(key), unit) for key, unit in zip(keys, units, strict=True)]

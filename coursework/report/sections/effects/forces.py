@@ -124,7 +124,8 @@ def _group(context: PageContext, plans: ForcePlans, plan: GroupPlan, number: int
     for moment in plan.moments:
         told.append(
             context.words(
-                "forces.moment", point=moment.point, link=moment.body, name=_text_of(moment.name),
+                "forces.moment" if moment.point else "forces.moment_at_pin",
+                point=moment.point, link=moment.body, name=_text_of(moment.name),
                 about=context.with_unit(numbers.scalar(float(moment.about[row])), "N·m"),
                 length=context.with_unit(numbers.scalar(float(moment.length[row])), "m"),
                 force=context.with_unit(numbers.scalar(float(abs(moment.across[row]))), "N"),

@@ -12,7 +12,7 @@ from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Result, Runs
 from coursework.report.text.text_runs import runs
-from coursework.report.wording.closeness import largest_error_sentence, splits, unreturned
+from coursework.report.wording.closeness import largest_error_sentence, splits, turns_taken_off, unreturned
 from coursework.results.checks.summary import summary
 from coursework.scene.quantities import CHECKS, TABLE
 
@@ -93,12 +93,14 @@ def _misses(context: PageContext) -> list[Runs]:
     moved = [split for split in left if split.name in coordinates]
     row = (context.run.results.evidence.period_row or 0) + 1
     of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on behind a whole number of periods
+    shown = [split for split in moved if split.name not in context.run.variant.given_coordinates] or moved
     gaps = [
         f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
-        for split in [split for split in moved if split.name not in context.run.variant.given_coordinates] or moved
+        for split in shown
     ]
     if gaps:
-        told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.numbers").join(gaps))))
+        misses = say(f"result.misses{of_row}", row=row, gaps=say("join.numbers").join(gaps))
+        told.append(runs(say.sentences([misses, turns_taken_off(context, shown)])))
     elif any(split.name in coordinates for split in splits(context)):
         told.append(runs(say(f"result.repeats_positions{of_row}" if left else f"result.repeats{of_row}", row=row)))
     # Beside rows that are the motion itself there is no other word of how far the scheme's are off.

@@ -123,7 +123,7 @@ def _return(context: PageContext) -> list[str]:
     most = max(own, key=lambda split: abs(split.total) / scale.get(split.name, 1.0))
     values = {"row": row + 1, "symbol": context.lettering(most.name), "gap": _gap(context, most, most.total)}
     if context.run.tableau is None:
-        return [say("conclusion.misses", **values)]
+        return [say("conclusion.misses" if is_a_period(context.run.results.evidence) else "conclusion.away", **values)]
     parts = {"scheme": _gap(context, most, most.scheme + most.roundoff), "period": _gap(context, most, most.period)}
     has_returned = abs(most.period) <= EVEN * abs(most.total)
     key = "own" if has_returned else "parted" if is_a_period(context.run.results.evidence) else "moved"

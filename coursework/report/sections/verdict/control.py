@@ -23,7 +23,8 @@ def control(context: PageContext) -> list[Part]:
     if not judged:
         return []
     heads = [context.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
-    parts: list[Part] = [Paragraph(context.say("control.intro"), style="note")]
+    intro = "control.intro" if context.run.variant.motor is None else "control.intro_free"  # judged by other scales
+    parts: list[Part] = [Paragraph(context.say(intro), style="note")]
     for group in GROUPS:
         chosen = sorted((one for one in judged if one.group == group), key=lambda one: one.verdict == "PASS")
         lines = [

@@ -54,7 +54,8 @@ def continuity(evidence: Evidence) -> Finding:
     found = {"name": name, "share": percent(value), "row": row + 1, "next": row + 2}
     if value <= LIMIT:
         # At a break of a `pieces` law the velocities may jump, as the drive says.
-        how = "broken" if breaks(evidence.variant) else "pass" if value else "same"
+        is_broken = bool(breaks(evidence.variant))
+        how = ("broken" if is_broken else "pass") if value else ("broken_same" if is_broken else "same")
         sentence = evidence.say(f"check.CONTINUITY.{how}", **found)
         return Finding("PASS", sentence, value, LIMIT, unit, name, row + 1)
     return Finding("COARSE", evidence.say("check.CONTINUITY.coarse", **found), value, LIMIT, unit, name, row + 1)

@@ -249,7 +249,7 @@ def _is_beyond(evidence: Evidence, name: str) -> bool:
 def _why_skipped(evidence: Evidence) -> str:
     motion = evidence.motion
     if motion.stop is not None:
-        return evidence.say("check.PERIOD.stopped", time=motion.stop.time)
+        return evidence.say("check.PERIOD.stopped", time=float(motion.t[-1]) if len(motion.t) else 0.0)
     if evidence.compared < len(motion.t):
         return evidence.say("check.unknown")
     return evidence.say("check.PERIOD.short", end=float(motion.t[-1]), period=evidence.period)

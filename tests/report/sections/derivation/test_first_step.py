@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
+from tests.solved import solved
 
 
 def lines(real: ModuleType, run: Any) -> dict[str, tuple[str, str]]:
@@ -40,7 +41,28 @@ def test_under_forces_the_free_coordinates_and_their_rates_alone_are_stepped(rea
         assert (start, round(start + slope * step, 5)) == (rows[0], result) and abs(rows[1] - result) <= 5e-6
     words = " ".join(real.text_of(part["text"]) for part in real.parts(run, "method") if part["kind"] == "paragraph")
     assert "velocities of each row follow from the coordinates" not in words and "from its closed position" in words
-    assert "θ₂" not in words and "θ2" not in words
+    assert "θ₂" not in words and "θ2" not in words and "Evaluations of the accelerations: 200." in words
+
+
+def test_letters_of_a_scheme_are_the_free_coordinates_and_their_rates(real: ModuleType) -> None:
+    """With Runge-Kutta 4 q was said to be all coordinates and f their rates."""
+    page = real.text_of(real.parts(solved("example-2-motor", scheme="rk4", quantities=["table"]), "solution"))
+    assert "The scheme, Runge-Kutta 4, with q for θ1 and ω1 and f for their derivatives ω1 and ω̇1;" in page
+
+
+def test_where_all_coordinates_are_free_no_other_is_spoken_of(real: ModuleType) -> None:
+    run = solved("falling-arm", quantities=["table", "dynamics"])
+    pages = [real.text_of(real.parts(run, section)) for section in ("solution", "method", "dynamics")]
+    assert not [page for page in pages if "other coordinates" in page or "closed position" in page]
+    assert "M is the matrix of inertia" in pages[-1]
+
+
+@pytest.mark.parametrize(("way", "told"), [({"project": 1}, "one Newton correction"), ({"gain": 5.0}, "Baumgarte's term")])
+def test_what_draws_the_drift_back_stands_beside_the_step(real: ModuleType, way: dict[str, Any], told: str) -> None:
+    """φ₁(k + 1) = φ₁(k) + ω₁(k) h alone does not make the rows of such a table."""
+    run = solved("31", scheme="euler", quantities=["table"], **way)
+    assert all(told in real.text_of(real.parts(run, section)) for section in ("statement", "solution", "method"))
+    assert told not in real.text_of(real.parts(solved("31", quantities=["table"]), "solution"))
 
 
 def test_the_slope_of_a_rate_is_that_of_two_rods_let_go(real: ModuleType) -> None:

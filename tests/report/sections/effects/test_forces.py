@@ -6,7 +6,7 @@ import cmath
 import itertools
 import math
 import re
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -233,3 +233,9 @@ def test_what_is_said_behind_them(monkeypatch: pytest.MonkeyPatch, power: Any, w
     )
     said = _told(CONTEXT, drive)  # type: ignore[arg-type]
     assert [text for part in said for text in part.text] == found  # type: ignore[union-attr]
+
+
+def test_moments_are_taken_about_the_pin_where_it_has_no_letter(real: ModuleType) -> None:
+    """The ram's pin is no joint with a name: "Moments about , link 4"."""
+    page = real.text_of(real.parts(solved("whitworth-forces", quantities=["table", "forces"]), "forces"))
+    assert "Moments about the pin of link 4: what is known gives" in page and "about ," not in page

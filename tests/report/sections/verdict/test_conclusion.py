@@ -79,7 +79,7 @@ def test_nothing_is_concluded_that_was_not_asked_for(language: str) -> None:
 def test_of_a_motion_that_stops_no_extremes_are_told() -> None:
     stops = SHAPER.replace('r1 = "0.10 m"', 'r1 = "0.25 m"')
     told, rows = conclusion(solved(stops))
-    assert told[0].startswith("The rows end at t = ") and rows == []
+    assert told[0].startswith("At t = ") and ": dead point. The table has" in told[0] and rows == []
 
 
 def test_a_motion_without_a_period_is_not_said_to_have_come_back() -> None:
@@ -90,3 +90,21 @@ def test_a_motion_without_a_period_is_not_said_to_have_come_back() -> None:
     )
     told, _ = conclusion(solved(halfway, scheme="euler"))
     assert "has not come back" in told[-1] and "all of it" not in told[-1]
+
+
+def test_a_motion_without_a_period_is_not_held_against_the_end_of_one() -> None:
+    text = SHAPER.replace('period = "2*pi/n"\n', "").replace('end = "2*pi/n"', 'end = "1.5*pi/n"')
+    told, _ = conclusion(solved(text, scheme="exact"))
+    assert told[-1].endswith("the mechanism has not come back.")
+
+
+def test_whole_turns_taken_off_are_told_beside_the_difference() -> None:
+    """19.1 rad from the first row to the last stood in the box as 0.257 rad."""
+    run = coursework.solve("example-2-motor", quantities=["table", "checks"])
+    box = next(part for part in model_of(run).sections[0].parts if part.kind == "result")
+    assert any("θ1 0.257 rad" in plain(line) and "Whole turns are taken off: 3 of θ1." in plain(line) for line in box.items)
+
+
+def test_the_rows_end_at_the_last_row_and_not_at_the_stop() -> None:
+    run = coursework.solve(coursework.load("31").with_data(given={"alpha": 0.02}), quantities=["table", "checks"])
+    assert next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION").startswith("The rows end at t = 0.1 s,")

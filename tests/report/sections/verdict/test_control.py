@@ -6,6 +6,8 @@ from types import ModuleType
 
 import pytest
 
+from tests.solved import solved
+
 
 @pytest.mark.parametrize("run", ["full", "stopped"])
 def test_every_check_that_was_judged_has_one_line_in_its_group(real: ModuleType, run: str) -> None:
@@ -20,3 +22,18 @@ def test_every_check_that_was_judged_has_one_line_in_its_group(real: ModuleType,
         assert sorted(words) == sorted(marks.get(verdict, verdict) for verdict in verdicts)
         assert words == sorted(words, key=lambda word: word == "passed")
     assert [part["strong"] for part in groups] == [sum(word != "passed" for _, word, *_ in part["items"]) for part in groups]
+
+
+def test_under_forces_the_scales_told_are_those_of_its_checks(real: ModuleType) -> None:
+    """Its velocities are judged by their largest value, and neither drift nor period is judged."""
+    page = real.text_of(real.parts(solved("falling-arm", quantities=["table", "checks"]), "control"))
+    assert "largest value that the velocity has" in page
+    assert not [word for word in ("range", "period", "shortest length") if word in page]
+
+
+def test_jumps_of_the_drive_alone_are_told_without_a_column_that_is_off_by_nothing(real: ModuleType) -> None:
+    run = solved("engine-start", quantities=["checks"])
+    told = next(one.sentence for one in run.checks if one.code == "CONTINUITY")
+    assert told.endswith("from row to row as it does.")
+    assert "no jump but where the drive changes" in real.text_of(real.parts(run, "control"))
+    assert "not both back" in next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION")

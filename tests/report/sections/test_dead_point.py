@@ -1,0 +1,63 @@
+"""Where the rows end is said as what it is: nothing beyond a dead point, but a block that sticks only waits."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import coursework
+from tests.effects.test_rubbing import BLOCK
+
+# Crank and rod of one length: Euler's slider passes its pivot from row 26 to 27, where the mechanism itself goes on.
+EQUAL = """format = 1
+title = "Crank and rod of one length"
+[given]
+r = "0.35 m"
+[drive]
+w1 = "5"
+[coordinates]
+phi1 = { start = "0.3 rad", rate = "w1" }
+phi2 = { start = "-0.2999997 rad", rate = "w2" }
+s = { start = "0.66873557 m", rate = "u" }
+[time]
+step = "0.01 s"
+end = "1 s"
+[[constraint]]
+name = "x"
+equation = "-r*w1*sin(phi1) - r*w2*sin(phi2) - u = 0"
+[[constraint]]
+name = "y"
+equation = "r*w1*cos(phi1) + r*w2*cos(phi2) = 0"
+[points]
+A = "(0, 0)"
+B = "A + r @ phi1"
+C = "B + r @ phi2"
+[links]
+1 = { points = ["A", "B"], rate = "w1" }
+2 = { points = ["B", "C"], rate = "w2" }
+[frame]
+hinges = ["A"]
+rails = [ { through = "C", angle = "0" } ]
+[closure]
+holds = ["C.y", "C.x - s"]
+"""
+
+
+def test_rows_lost_before_the_dead_point_are_not_said_to_be_none_of_the_motion(real: ModuleType) -> None:
+    """Rows 27 to 89 would be motion; nor do the rows end at the time of the dead point."""
+    run = coursework.solve(coursework.parse_variant(EQUAL), scheme="euler", quantities=["table", "checks"])
+    assert run.stop is not None and run.stop.row > len(run.motion.t) + 1
+    page = real.text_of(real.parts(run, "dead_point"))
+    assert f"keeps the rows up to row {len(run.motion.t)}." in page and "nothing beyond" not in page
+    told = next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION")
+    assert told.startswith(f"The rows end at t = {run.motion.t[-1]:g} s,")
+
+
+def test_a_block_held_by_friction_is_not_said_to_have_no_motion_beyond(real: ModuleType) -> None:
+    """And rows are counted so that one row is no "1 rows"."""
+    run = coursework.solve(coursework.parse_variant(BLOCK), scheme="exact", quantities=["table"])
+    held = real.text_of(real.parts(run, "dead_point"))
+    assert "keeps the rows up to row 164." in held and "The rows up to row 164 stand;" in held
+    assert "nothing beyond" not in held
+    dead = coursework.load("31").with_data(given={"alpha": 0.02})
+    run = coursework.solve(dead, quantities=["table"])
+    assert "nothing beyond it would be a motion" in real.text_of(real.parts(run, "dead_point"))
