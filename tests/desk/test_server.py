@@ -174,6 +174,20 @@ def test_a_full_disk_leaves_the_file_as_it_was_and_says_so(tmp_path):
         process.communicate()
 
 
+def test_a_desk_looks_twice_a_second_whether_to_end_and_renews_the_date_of_answers(monkeypatch):
+    config = uvicorn.Config(lambda *_: None, lifespan="off")
+    config.load()
+    calm, slept = server_module.Calm(config), []
+
+    async def sleep(seconds: float) -> None:
+        slept.append(seconds)
+        calm.should_exit = len(slept) == 3
+
+    monkeypatch.setattr(asyncio, "sleep", sleep)
+    asyncio.run(calm.main_loop())
+    assert slept == [0.5] * 3 and b"date" in dict(calm.server_state.default_headers)
+
+
 def test_a_line_without_a_request_is_closed(monkeypatch):
     assert 5 <= server_module.SILENCE <= 60  # s: a slow line comes through, an idle one gives its place to others
     monkeypatch.setattr(server_module, "SILENCE", 0.05)
