@@ -11,7 +11,7 @@ from coursework.report.graphs.figures import drawn
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Facts, Paragraph, Part
 from coursework.report.text.tables import row_at
-from coursework.report.text.text_runs import runs
+from coursework.report.text.text_runs import begun, runs
 
 
 def dead_point(context: PageContext) -> list[Part]:
@@ -35,8 +35,7 @@ def dead_point(context: PageContext) -> list[Part]:
     # Nothing is known of what comes after, or it waits there, or the scheme lost the motion before.
     is_open = stop.kind in {"too steep", "held"} or len(context.run.motion.t) < int(stop.row)
     kept = words("stop.kept_so_far" if own else "stop.kept_only" if is_open else "stop.kept", row=len(context.run.motion.t))
-    kind = context.event(stop.kind)
-    lead = words("stop.lead", kind=kind[:1].upper() + kind[1:], time=time) + words("join.sentences")
+    lead = words("stop.lead", kind=begun(context.event(stop.kind)), time=time) + words("join.sentences")
     drawing = context.run.at_stop()
     figure = [drawn(context, drawing)] if drawing is not None else []
     return [Paragraph(runs(kept), "callout", lead), Facts(facts), *figure]

@@ -11,7 +11,7 @@ from coursework.report.text.numbers import deserved_decimals
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text.tables import motion_parts, pieces
-from coursework.report.text.text_runs import numeral, runs
+from coursework.report.text.text_runs import begun, numeral, runs
 from coursework.report.wording.closeness import (
     LocalError,
     evidence,
@@ -99,13 +99,13 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
         gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
         values = {"symbol": context.lettering(step.column), "rate": context.lettering(step.rate_name), "gap": gap}
         values |= {"row": str(step.row), "next": str(step.row + 1)}
-        title = context.told(title_of(scheme))
+        title = begun(context.told(title_of(scheme)))
         if scheme.order == 1:
-            told.append(say("why.tangent", scheme=title[:1].upper() + title[1:], **values))
+            told.append(say("why.tangent", scheme=title, **values))
             told += [say("why.broken")] if rows_before_breaks(evidence(context)) else []
             told += [] if context.run.settings.project else [say("why.half")]
         elif not context.run.settings.project:  # corrected rows have another order than the scheme
-            told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
+            told.append(say("why.order", scheme=title, order=scheme.order, less=2**scheme.order))
     if context.run.tableau is not None and (largest := largest_error_sentence(context)):
         told.append(largest)
     told += _period(context, found)

@@ -124,6 +124,15 @@ def _sub(pattern: str, replaced: str | Callable[[re.Match[str]], str], text: str
     return made_for(text, pattern).sub(replaced, text)
 
 
+def begun(text: str) -> str:
+    """Return a text as a sentence begins, with a capital.
+
+    >>> begun("explicit Euler")
+    'Explicit Euler'
+    """
+    return text[:1].upper() + text[1:]
+
+
 def unbroken(text: str) -> str:
     """Return text of our own for a sentence that is split into runs later: no line breaks within it."""
     return f"{KEPT[0]}{text}{KEPT[1]}"

@@ -13,6 +13,7 @@ from coursework.report.text.numbers import MINUS, first_of
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
 from coursework.report.text.symbols import Symbol
+from coursework.report.text.text_runs import begun
 from coursework.report.wording.sought import corrections
 
 DECIMALS = 5  # of a result
@@ -42,8 +43,7 @@ def first_step(context: PageContext) -> list[Part]:
     if run.variant.motor is None:
         along = context.say("derivation.along", **told)
     else:
-        title = context.told(title_of(scheme))
-        along = context.say("derivation.along_free", scheme=title[:1].upper() + title[1:], **told)
+        along = context.say("derivation.along_free", scheme=begun(context.told(title_of(scheme))), **told)
     steps = [_line(context.symbol(name), context.symbol(rate), index, ahead=name in ahead) for name, rate in stepped.items()]
     parts: list[Part] = [Paragraph(along), Equations(steps, flow=True), *rest]
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:

@@ -11,7 +11,7 @@ from coursework.report.text.numbers import NOTHING, ROUND_OFF, TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.text.tables import thinned
-from coursework.report.text.text_runs import numeral
+from coursework.report.text.text_runs import begun, numeral
 from coursework.results.checks.evidence import NO_ERROR
 from coursework.results.checks.result import DIGITS_LEFT, GROUPS, OF_POWER, OF_THE_SCALE, VERDICTS, Finding, never_more
 from coursework.words.sentence import Sentence
@@ -42,8 +42,7 @@ def checks(context: PageContext) -> list[Part]:
     if not findings:
         return []
     heads = [context.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
-    total = counts(context)
-    parts: list[Part] = [Paragraph(context.say("checks.counted", counts=total[:1].upper() + total[1:]))]
+    parts: list[Part] = [Paragraph(context.say("checks.counted", counts=begun(counts(context))))]
     for group in GROUPS:
         if chosen := [_judged(context, finding) for finding in findings if finding.group == group]:
             parts.append(Checks(context.words(f"checks.group.{group}"), heads, chosen))
