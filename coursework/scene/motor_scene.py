@@ -7,7 +7,7 @@ Used by `exact_scene.py`, for a file with a motor only.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
@@ -22,6 +22,7 @@ from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.scheme import read_scheme
+from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.schemes import DEFAULT_SCHEME, Scheme, scheme_named
 from coursework.motion.singular.search import Search
@@ -36,6 +37,9 @@ from coursework.words.sentences import either, say
 
 if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy
+
+
+_SAID = {"dead point": "dead", "limit position": "limit", "not finite": "far", "too steep": "steep", TOO_LARGE: "wide"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -134,18 +138,29 @@ class MotorScene(Scene):
 
     @computed("free_equations")
     def stop(self) -> Stop | None:
-        """Why the motion itself ends early: links that would have to stretch."""
+        """Why the motion itself ends early: links that would have to stretch, or a limit of its free coordinates."""
         return self._stop_of(self._true)
 
     def _stop_of(self, found: FreeMotion) -> Stop | None:
         if not found.ended:
             return None
-        step, names = self.variant.time.step, [c.name for c in self.variant.coordinates]
-        last = dict(zip(names, found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
-        key = {"dead point": "dead", "not finite": "far", "too steep": "steep"}.get(found.ended, found.ended)
-        key = "still" if key == "held" and not found.at else key
-        cause, meaning = say(f"dynamics.{key}", time=found.at, at=found.by), say(f"dynamics.{key}_means", row=len(found.t))
-        return Stop(found.ended, found.at, found.at / step, (), last, cause, meaning)
+        step, coordinates = self.variant.time.step, self.variant.coordinates
+        last = dict(zip([c.name for c in coordinates], found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
+        key = "still" if found.ended == "held" and not found.at else _SAID.get(found.ended, found.ended)
+        free = self.free_equations.free
+        turned = tuple(coordinates[place].name for place in free)
+        others = [one.rate for place, one in enumerate(coordinates) if place not in free]
+        cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned)
+        return Stop(
+            found.ended, found.at, found.at / step, (), last, cause,
+            say(f"dynamics.{key}_means", row=len(found.t), names=either(others) if others else ""),
+        )  # fmt: skip
+
+    def _ended_as(self, found: FreeMotion) -> FreeMotion:
+        """Return the rows of a scheme: where no position closes, the motion itself says whether the links or the step is why."""
+        true = self._true.ended
+        as_true = "dead point" if true and true != "limit position" else true or TOO_LARGE
+        return replace(found, ended=as_true) if found.ended == "dead point" else found
 
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:
         variant, count = self.variant, len(found.t)
@@ -171,7 +186,7 @@ class MotorScene(Scene):
         if scheme is None:
             return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
         found = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
-        return self._motion_of(found, scheme.name, stop=self._stop_of(found))
+        return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
 
     @computed("free_equations", "stop", "start")
     def exact(self) -> Motion:

@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.why_ended import Open, why_ended
 from coursework.effects.friction.held import Held
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.exact_motion import quick_times
@@ -34,19 +35,7 @@ MOST_STEPS = 3000  # from a row to the next one: more are taken where forces are
 _LEAST = 1e-11  # of the whole time: a shorter step is none
 _ALONE = ((0, 1),)  # the first slope, nothing beside it
 _LOOKS = 1000  # times at which it is looked whether friction still holds
-_SMALL = 0.1  # of a determinant: what is left of it at a dead point
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
-
-
-class Open(ArithmeticError):
-    """No closed position lies near: the mechanism is at a dead point, or a step was too wide; `at` (s), where that is known.
-
-    `too_steep`: not the links, but the forces let nobody follow the motion.
-    """
-
-    def __init__(self, at: float = math.nan, *, too_steep: bool = False) -> None:
-        super().__init__("no closed position")
-        self.at, self.too_steep = at, too_steep
 
 
 @frozen
@@ -54,7 +43,8 @@ class FreeMotion:
     """Rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f); `slopes` evaluated.
 
     `ended`: "" where it reached its end, "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by friction
-    at the point `by`), "sensitive" (beyond it is not known), at the time `at` (s).
+    at the point `by`), "sensitive" (beyond it is not known), "limit position" (of the free coordinates alone), at the time
+    `at` (s).
     """
 
     t: Array
@@ -79,6 +69,7 @@ class Dynamics:
     count: int = 0
     rests_until: float = -math.inf
     _rates: list[float] = field(default_factory=list)
+    _first: tuple[float, ...] = ()
 
     def closed(self, t: float, free: Sequence[float]) -> list[float]:
         """Return the closed position with these free coordinates.  Raises `Open` where none lies near."""
@@ -189,7 +180,7 @@ class Dynamics:
             taken, tries = min(length[0], goal - at), tries + 1
             if tries > MOST_STEPS:
                 self.q, self._rates = begin
-                raise self._ended(at, passed)
+                raise why_ended(self.motion, at, [self._first, *passed])
             kept, why = (list(self.q), list(self._rates)), None
             try:
                 slope = np.array(moving(*state.tolist()))
@@ -212,19 +203,8 @@ class Dynamics:
                 self.q, self._rates = begin
                 if isinstance(why, Held):
                     raise why.seen(at)
-                raise self._ended(at, passed)
+                raise why_ended(self.motion, at, [self._first, *passed])
         return [float(value) for value in state[:-1]]
-
-    def _ended(self, at: float, passed: Sequence[Sequence[float]]) -> Open:
-        """Return why a motion cannot be followed beyond its last state: links, where a determinant vanishes, or forces."""
-        rows = np.array(passed)
-        if self.motion.others and len(rows) > 1:
-            found = self.motion.table(*rows.T)[-self.motion.determinants :]
-            sizes = [np.abs(np.broadcast_to(one, len(rows))) for one in found]
-            least = min(sizes, key=lambda one: float(one[-1] / one.max()))
-            if least[-1] < _SMALL * least.max():
-                return Open(_vanishes(rows[:, 0], least))
-        return Open(at, too_steep=True)
 
     def _where(self, *state: float) -> tuple[float, ...]:
         """Return time, closed position and free rates of a state with its time behind it."""
@@ -242,13 +222,14 @@ class Dynamics:
                     self.q = self._followed(t, now[:count]) if self._rates else self.closed(t, now[:count])
                 positions.append(list(self.q))
                 rates.append(now[count:])
+                self._first = self._first or (t, *self.q, *now[count:])
                 if row < steps:
                     now = take(t, now)
                 if not (math.isfinite(sum(now)) and max(now) < _RUNAWAY and min(now) > -_RUNAWAY):
                     ended, at = "not finite", t + step
                     break
             except (Open, ZeroDivisionError) as error:
-                ended = "too steep" if getattr(error, "too_steep", not self.motion.others) else "dead point"
+                ended = error.kind if isinstance(error, Open) else "dead point" if self.motion.others else "too steep"
                 at = t if math.isnan(found := getattr(error, "at", math.nan)) else found
                 break
             except Held as error:
@@ -260,13 +241,6 @@ class Dynamics:
         size = len(positions)
         q, v = np.array(positions).reshape(size, -1), np.array(rates).reshape(size, count)
         return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by)
-
-
-def _vanishes(t: Array, sizes: Array) -> float:
-    """Return when (s) sizes vanish that get smaller to the last of the times: as any power of what is left until then."""
-    twice, four = (float(t[np.flatnonzero(sizes >= times * sizes[-1])[-1]]) for times in (2, 4))
-    later, before = float(t[-1]) - twice, twice - four
-    return float(t[-1]) + (later**2 / (before - later) if before > later else 0.0)
 
 
 def _stepper(scheme: Scheme) -> Callable[..., list[float]]:

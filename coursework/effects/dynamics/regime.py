@@ -13,8 +13,9 @@ import math
 
 import numpy as np
 
-from coursework.effects.dynamics.dynamics import Dynamics, Open
+from coursework.effects.dynamics.dynamics import Dynamics
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.why_ended import Open
 from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen

@@ -30,7 +30,8 @@ def rows_before(time: float, step: float) -> int:
 class Stop:
     """Why a motion ended before its time.
 
-    `kind` is "dead point", "change point" (two branches meet), "step too large" or "not finite" (the scheme's own doing);
+    `kind` is "dead point", "change point" (two branches meet), "step too large" or "not finite" (the scheme's own doing), or what
+    forces add to these (`FreeMotion.ended`);
     `time` in s; `row` as a fraction (5.84 lies between rows 5 and 6, counted from 0); `block` the unknown velocities of the
     singular block; `coordinates` the configuration there; `determinant` its name in words; `cause` and `meaning` are
     sentences for the reader; `branches` the velocities possible at a change point.

@@ -13,7 +13,8 @@ from functools import cached_property
 import numpy as np
 
 from coursework.api import make_run
-from coursework.effects.dynamics.dynamics import Dynamics, Open
+from coursework.effects.dynamics.dynamics import Dynamics
+from coursework.effects.dynamics.why_ended import Open
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.motor_scene import MotorScene
 from coursework.system.arrays import Array

@@ -1,0 +1,55 @@
+"""Why a motion under forces cannot be followed any further: its links, its free coordinates alone, or the forces.
+
+Enters: `EquationsOfMotion`, the states that a step into the end has passed.  Leaves: `Open`.
+Used by `dynamics.py`, `regime.py` and `grading/marking/key/free_rows.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.system.arrays import Array
+
+_SMALL = 0.1  # of a determinant: what is left of it at a dead point
+
+
+class Open(ArithmeticError):
+    """No closed position lies near: the mechanism is at a dead point, or a step was too wide; `at` (s), where that is known.
+
+    `kind`: "too steep" where not the links, but the forces let nobody follow the motion, "limit position" where the links move
+    on and only the free coordinates turn back.
+    """
+
+    def __init__(self, at: float = math.nan, kind: str = "dead point") -> None:
+        super().__init__("no closed position")
+        self.at, self.kind = at, kind
+
+
+def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[float]]) -> Open:
+    """Return why a motion ends behind its last state at `at` (s): a determinant vanishes there, or forces are too steep.
+
+    `passed`: time, all coordinates and free rates of the first row and of each state since the last one.  Where a determinant
+    vanishes the other velocities are those of the free coordinates divided by it.  What has mass cannot become that fast: then
+    the free ones come to rest there, and turn back.
+    """
+    rows = np.array(passed)
+    if motion.others and len(rows) > 2:
+        found = [np.abs(np.broadcast_to(one, len(rows))) for one in motion.table(*rows.T)]
+        least = min(found[-motion.determinants :], key=lambda one: float(one[-1] / one.max()))
+        if least[-1] < _SMALL * least.max():
+            fastest = np.max([found[place] for place in motion.others], axis=0)
+            # Two powers of the determinant lie between: rates of links without mass grow as its inverse, others not at all.
+            as_fast = fastest[-1] ** 2 * least[-1] < fastest[1] ** 2 * least[1]
+            return Open(_vanishes(rows[:, 0], least), "limit position" if as_fast else "dead point")
+    return Open(at, "too steep")
+
+
+def _vanishes(t: Array, sizes: Array) -> float:
+    """Return when (s) sizes vanish that get smaller to the last of the times: as any power of what is left until then."""
+    twice, four = (float(t[np.flatnonzero(sizes >= times * sizes[-1])[-1]]) for times in (2, 4))
+    later, before = float(t[-1]) - twice, twice - four
+    return float(t[-1]) + (later**2 / (before - later) if before > later else 0.0)
