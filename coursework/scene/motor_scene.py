@@ -179,19 +179,19 @@ class MotorScene(Scene):
         found = self.free_equations.table(t, *q.T, *v.T)
         return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float).T.reshape(len(t), len(found))
 
-    @computed("free_equations", "stop", "start")
+    @computed("free_equations", "exact", "stop", "start")
     def motion(self) -> Motion:
         """The rows of the scheme, or of the motion itself."""
         scheme, time = self.scheme, self.variant.time
         if scheme is None:
-            return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
+            return self.exact
         found = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
         return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
 
     @computed("free_equations", "stop", "start")
     def exact(self) -> Motion:
         """The motion without a scheme's error, on the same rows."""
-        return self._motion_of(self._true, EXACT, say("dynamics.exact"))
+        return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
 
     def accelerations_of(self, motion: Motion) -> Array:
         """Return the accelerations (n, k) that the forces give the links in each row."""

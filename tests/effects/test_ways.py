@@ -263,7 +263,7 @@ def test_a_spring_pulls_with_its_stretch_and_the_rate_of_it_whatever_its_length(
 def test_how_fast_deviations_die_out_and_swing_is_looked_at_in_forty_rows_from_the_first_on(count, rows, monkeypatch):
     looked = []
     t = np.arange(float(count))
-    motion = SimpleNamespace(t=t, coordinates=t[:, None], column=lambda name: t)
+    motion = SimpleNamespace(t=t, coordinates=t[:, None], column=lambda name: t, stop=None)
     monkeypatch.setattr(
         dynamics_checks, "_slopes", lambda *given: looked.append(int(given[1])) or (np.array([[-3.0]]), np.array([[-4.0]]))
     )

@@ -29,6 +29,7 @@ _TELLING = 0.5  # with a larger share the error has long left the straight line 
 _TINY = 1e-6  # of a rate or coordinate: by so much it is moved to see what that does
 _ROUND_OFF = 1e-12  # of the energy there is: less of it moves nothing
 _LOOKED_AT = 40  # rows
+_NEAR = 0.3  # of a determinant: nearer to where the free coordinates can go no further inertia itself makes every slope steep
 _RK4_SWINGS = 2.8  # h w up to which Runge-Kutta 4 keeps a swing; the schemes of order one and two let every swing grow
 
 
@@ -147,6 +148,8 @@ def stiffness(e: Evidence) -> tuple[float, float]:
     assert motor is not None and motor.motor is not None
     damped, swinging = 0.0, 0.0
     for row in range(0, len(motion.t), max(1, len(motion.t) // _LOOKED_AT)):
+        if motion.stop is not None and np.abs(motion.scaled[row]).min(initial=1.0) < _NEAR:
+            continue
         t, q = float(motion.t[row]), motion.coordinates[row].tolist()
         v = [float(motion.column(rate)[row]) for rate in motor.motor.rates]
         with dynamics.rubbing.sliding_as(t, *q, *v) if dynamics.rubbing is not None else nullcontext():

@@ -86,3 +86,9 @@ def test_a_step_that_is_too_wide_for_the_links_is_the_step_of_the_scheme():
     run = coursework.solve(variant, scheme="euler", step=0.5, end=0.5)
     assert run.stop is run.motion.stop and run.scene.stop is None
     assert run.stop.kind == "step too large" and "no dead point" in run.stop.cause
+
+
+def test_what_grows_beside_a_limit_is_no_force_that_falls_with_the_speed():
+    """The piston's equation has no damper: what makes slopes steep in the last rows is its inertia, without bounds there."""
+    found = {check.code: check for check in piston("u3", "euler", step=0.01).checks}
+    assert found["STABLE"].verdict != "COARSE" and found["ENERGY"].verdict == "COARSE"
