@@ -1,0 +1,12 @@
+"""The velocity equations on a page as the guide writes them: vectors along a path, their projections, the sums they come to."""
+
+from tests.report.made import model_of
+from tests.solved import solved
+
+
+def test_projections_are_written_as_in_the_guide():
+    """Guide, (8): the velocity that is sought stands left, what it is made of right of it, in the order of the path."""
+    (found,) = (one for one in model_of(solved("31")).sections if one.name == "equations")
+    told = [[item.text for item in part.items] for part in found.parts if part.kind == "equations"]
+    assert told[1][0] == "V_C = V_M + V_BM + V_CB"
+    assert told[2][0] == "V_Cy = V_My + ω₃ · 2 r₃ cos(φ₃ + π) + ω₃ r₃ cos(φ₃ + π / 2) = 0"

@@ -1,0 +1,16 @@
+"""What is read of a number with its unit."""
+
+from fractions import Fraction
+
+import pytest
+
+from coursework.variant.formula.units import read
+
+
+@pytest.mark.parametrize(
+    ("text", "quarters"),
+    [("270 deg", 3), ("−90°", -1), ("0 deg", 0), ("45 deg", None), ("90 rad", None), ("90 m", None), ("1.8e2 deg", 2)],
+)
+def test_angles_in_whole_right_angles_are_known_as_such(text, quarters):
+    """So that the cosine of 90° is nought and not 6e-17."""
+    assert read(text).quarters == (None if quarters is None else Fraction(quarters))
