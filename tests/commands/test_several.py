@@ -49,6 +49,9 @@ def test_each_gets_a_folder_and_the_faulty_ones_a_line(folder):
     assert int(rows["mine"]["coarse"]) >= 1
     assert 'there is no variant "nosuch"' in result.stderr
     assert "5 variants: 2 with status 0, 1 with status 1, 2 with status 2" in result.stdout
+    lines = {line.split()[0]: line for line in result.stdout.splitlines() if "  " in line}
+    told = {name: bool(row["sentence"]) and row["sentence"][:100] in lines[Path(name).stem] for name, row in rows.items()}
+    assert told == {"mine": False, "bad.toml": True, "stops.toml": True, "nosuch": True, "31": False}
 
 
 def test_the_summary_names_what_is_coarse_only_where_that_counts(folder):

@@ -3,6 +3,8 @@
 import pytest
 
 import coursework
+from coursework.motion.geometry.rigid import _is_arm
+from coursework.variant.formula.reader import parse
 from tests.motion.geometry.test_turning import closure, of
 
 TRAMMEL = """
@@ -156,3 +158,15 @@ def test_a_start_with_few_digits_tells_nothing_of_links():
 def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivot():
     with pytest.raises(coursework.InputError, match=r"V314 .*A and C of link 1 are 1\.6 m apart"):
         closure(of("example-2"), ('["A", "B"],', '["A", "B", "C"],'))
+
+
+@pytest.mark.parametrize(
+    ("end", "base", "is_arm"),
+    [
+        ("A + r @ phi", "(1, 0)", True), ("A - r @ phi", "(1, 0)", True), ("r @ phi", "(0, 0)", True),
+        ("r @ phi", "(1, 0)", False), ("A + (r, 0)", "(1, 0)", False),
+        ("A + r @ phi + b @ psi", "(1, 0)", False), ("B + r @ phi", "(1, 0)", False),
+    ],
+)  # fmt: skip
+def test_an_arm_is_one_vector_from_its_base(end, base, is_arm):
+    assert _is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_arm
