@@ -14,7 +14,7 @@ from coursework.variant.formula.reader import parse as parse_formula
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.test_change_points import past_the_pivot
 from tests.report.own import BOOM, STEPHENSON
-from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, SLIDER
+from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, slider_crank
 
 EVERYTHING = ["table", "plots", "checks", "analogs", "invariants"]
 
@@ -114,12 +114,12 @@ def test_harmonics_are_told_where_the_motion_is_no_single_sine(real: ModuleType)
 
 def test_where_one_sine_carries_all_the_motion_is_as_the_drive(real: ModuleType) -> None:
     """A crank that swings a little moves its slider as a sine, whatever the guide."""
-    run = solved(SLIDER.format(e=0.0, start=1.2, drive="0.2*w0*cos(w0*t)"), "table", "checks")
+    run = solved(slider_crank(0.0, 1.2, "0.2*n*cos(n*t)"), "table", "checks")
     assert finding(run, "SINUSOID").sentence.startswith(
         "The velocities are sinusoidal, as the drive is: its own frequency alone carries 9"
     )
     assert "The velocities are sinusoidal, as the drive is" in told(real, run, "control")
-    wide = solved(SLIDER.format(e=0.0, start=0.0, drive="0.9*w0*cos(w0*t)"), "table", "checks")
+    wide = solved(slider_crank(0.0, 0.0, "0.9*n*cos(n*t)"), "table", "checks")
     assert "but not the drive's own frequency alone" in finding(wide, "SINUSOID").sentence
 
 
@@ -131,8 +131,8 @@ def test_where_one_sine_carries_all_the_motion_is_as_the_drive(real: ModuleType)
     ],
 )
 def test_a_slider_stands_on_its_pivot_only_without_an_offset(offset: str, words: str) -> None:
-    variant = parse_variant(SHAPER.replace('coordinates = ["phi3", "s3"]\n', f'coordinates = ["phi3", "s3"]\n{offset}'))
-    assert meaning(parse_formula("s3"), variant, ()) == f"the distance s3 is zero {words}"
+    variant = parse_variant(SHAPER.replace('coordinates = ["phi3", "s"]\n', f'coordinates = ["phi3", "s"]\n{offset}'))
+    assert meaning(parse_formula("s"), variant, ()) == f"the distance s is zero {words}"
 
 
 def test_a_distance_that_no_point_shows_is_no_more_than_zero() -> None:
