@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import coursework
-from tests.effects.massed import text_of
 from tests.effects.test_rubbing import UNRUBBED
 from tests.mechanisms.library import mechanism
 
@@ -58,7 +57,7 @@ def test_a_row_at_a_jump_keeps_every_scheme_of_second_order_exact_on_parabolas(s
 @pytest.mark.parametrize("longer", [1e-3, 1e3])
 def test_a_mechanism_a_thousand_times_as_long_turns_alike(longer):
     """Lengths, and with them torques and inertias, in another size: the angles of Euler's table stay, no dead point comes."""
-    text = text_of("example-2-motor")
+    text = mechanism("example-2-motor")
     for name, size, unit, power in (
         ("r1", 0.4, "m", 1), ("r2", 1.2, "m", 1), ("M0", 600, "N*m", 2), ("k", 35, "N*m*s", 2),
     ):  # fmt: skip
@@ -70,7 +69,7 @@ def test_a_mechanism_a_thousand_times_as_long_turns_alike(longer):
     text = text.replace('"9.81 m/s^2"', f'"{9.81 * longer!r} m/s^2"').replace("B + 0.4 @", f"B + {0.4 * longer} @")
     angles = [
         coursework.solve(coursework.parse_variant(one), "euler", end=0.6).motion.column("theta1")
-        for one in (text, text_of("example-2-motor"))
+        for one in (text, mechanism("example-2-motor"))
     ]
     assert len(angles[0]) == 61 and angles[0] == pytest.approx(angles[1], abs=1e-9)
     assert angles[0][-1] > math.pi

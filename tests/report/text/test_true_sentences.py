@@ -13,6 +13,7 @@ from coursework.equations.reduction.meaning import meaning
 from coursework.variant.formula.reader import parse as parse_formula
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.test_change_points import past_the_pivot
+from tests.mechanisms.library import mechanism
 from tests.report.own import BOOM, STEPHENSON
 from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, slider_crank
 
@@ -192,36 +193,7 @@ def test_what_the_numbers_are_parts_of_is_said_where_they_first_stand(real: Modu
 
 
 # An arm whose second angle is counted from its first link, and one whose links have rates of their own.
-ARM = """\
-[given]
-a = "0.4 m"
-b = "0.3 m"
-v = "0.1 m/s"
-[drive]
-VMx = "v"
-VMy = "v"
-[coordinates]
-phi1 = { start = "0.5 rad", rate = "w1" }
-phi2 = { start = "1 rad", rate = "w2" }
-[unknowns]
-W2 = "1/s"
-[time]
-step = "0.1 s"
-end = "0.2 s"
-[[constraint]]
-equation = "W2 = w1 + w2"
-[[constraint]]
-equation = "VMx = -a*w1*sin(phi1) - b*W2*sin(phi1 + phi2)"
-[[constraint]]
-equation = "VMy = a*w1*cos(phi1) + b*W2*cos(phi1 + phi2)"
-[points]
-O = "(0, 0)"
-A = "O + a @ phi1"
-M = "A + b @ (phi1 + phi2)"
-[links]
-1 = { points = ["O", "A"], rate = "w1" }
-2 = { points = ["A", "M"], rate = "W2" }
-"""
+ARM = mechanism("arm-with-relative-angle")
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ CRANKS = np.array([0.1, 0.12, 0.9, 0.2])
 
 
 def angles(a, side):
-    """Return phi2 and phi3 of the coupler and the rocker of a crank (m) at 40 degrees, B on one side of the line from A to D."""
+    """Return phi2 and phi3 of the coupler and the rocker of a crank (m) at 40 degrees, C on one side of the line from B to D."""
     crank = a * np.exp(1j * math.radians(40))
     base = 0.4 - crank
     at_a = math.acos((0.35**2 + abs(base) ** 2 - 0.25**2) / (2 * 0.35 * abs(base)))
@@ -21,14 +21,19 @@ def angles(a, side):
     return float(np.angle(point - crank)), float(np.angle(point - 0.4))
 
 
+def four_bar(coupler, rocker, mode):
+    """Return that four-bar with the angles at which its coupler and its rocker begin."""
+    return mechanism(
+        "four-bar", ('"0 deg"', '"40 deg"'), ("phi2 = {", f'phi2 = {{ start = "{coupler}",'),
+        ("phi3 = {", f'phi3 = {{ start = "{rocker}",'), mode=mode,
+    )  # fmt: skip
+
+
 @pytest.mark.parametrize("is_written", [True, False])
 @pytest.mark.parametrize(("side", "turns"), [(1, 0), (-1, 0), (1, 1), (-1, -2)])
 def test_a_group_is_put_together_in_the_branch_and_the_turn_of_the_file(side, turns, is_written):
     begin = np.array(angles(0.1, side)) + 2 * math.pi * turns
-    text = mechanism(
-        "four-bar", ('"0 deg"', '"40 deg"'), ("phi2 = {", f'phi2 = {{ start = "{float(begin[0])!r} rad",'),
-        ("phi3 = {", f'phi3 = {{ start = "{float(begin[1])!r} rad",'), mode=f"{side:+d}" if is_written else None,
-    )  # fmt: skip
+    text = four_bar(*(f"{float(angle)!r} rad" for angle in begin), mode=f"{side:+d}" if is_written else None)
     model = coursework.compile_model(coursework.parse_variant(text, "own.toml"))
     data = model.data({"r1": CRANKS})
     with np.errstate(all="ignore"):
