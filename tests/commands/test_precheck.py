@@ -12,6 +12,7 @@ from coursework.commands.cli import main
 from coursework.words.data_folders import folder
 from tests.grading.batch.classroom import EQUATIONS, csv
 from tests.grading.marking import students
+from tests.mechanisms.library import mechanism
 
 
 def precheck(place: Path, table: bytes | None, equations: str = "\n".join(EQUATIONS), *options: str) -> Result:
@@ -111,40 +112,10 @@ def test_the_variant_is_asked_for(tmp_path: Path) -> None:
     assert "--variant" in found.stderr
 
 
-FOUR_BAR = """
-title = "four-bar of no catalogue"
-[given]
-a = "0.1 m"
-b = "0.3 m"
-c = "0.25 m"
-d = "0.3 m"
-n = "20 rpm"
-[drive]
-w1 = "n"
-[coordinates]
-phi1 = { start = "60 deg", rate = "w1" }
-phij = { rate = "wj", unit = "rad" }
-theta_3 = { rate = "w_3", unit = "rad" }
-[time]
-step = "0.05 s"
-end = "0.5 s"
-[points]
-A = "(0, 0)"
-D = "(d, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["a"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRR"
-from = ["B", "D"]
-meets = "C"
-lengths = ["b", "c"]
-mode = "+1"
-coordinates = ["phij", "theta_3"]
-"""
+FOUR_BAR = mechanism(
+    "four-bar", ('"0 deg"', '"60 deg"'), ("phi2", "phij"), ('"w2"', '"wj"'), ("phi3", "theta_3"), ('"w3"', '"w_3"'), r2="0.3 m",
+    d="0.3 m", n="20 rpm", end="0.5 s", period=None,
+)  # fmt: skip
 
 
 def test_a_person_reads_letters_as_pages_set_them_and_a_program_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

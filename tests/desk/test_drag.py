@@ -11,7 +11,8 @@ from coursework.desk.answering.drag import _places
 from coursework.desk.job import Policy
 from coursework.variant.reading import reader
 from coursework.variant.reading.reader import parse_variant
-from tests.desk.desks import TEXT, VARIANTS, desk
+from tests.desk.desks import TEXT, desk
+from tests.mechanisms.library import mechanism
 from tests.sample import sampled
 
 
@@ -19,10 +20,6 @@ from tests.sample import sampled
 def client(tmp_path_factory):
     with desk(tmp_path_factory.mktemp("drag")) as opened:
         yield opened
-
-
-def text_of(name: str) -> str:
-    return (VARIANTS / f"{name}.toml").read_text(encoding="utf-8")
 
 
 def drag(client, text: str, joint: str, by: complex, **more) -> dict:
@@ -54,7 +51,7 @@ def test_with_alt_lengths_follow_with_the_digits_they_have(client):
 
 @pytest.mark.parametrize(("name", "joint", "far"), [("jansen", "X", 0.01), ("jansen", "F", 0.1), ("example-1", "B", -0.5)])
 def test_lengths_are_rounded_to_what_still_closes(client, name, joint, far):
-    found = drag(client, text_of(name), joint, far, free=True)
+    found = drag(client, mechanism(name), joint, far, free=True)
     reached = _places(parse_variant(found["text"]))  # raises where it does not close, and where a link has no length
     assert abs(reached[joint] - complex(*found["reached"])) < 1e-9
 
@@ -62,12 +59,12 @@ def test_lengths_are_rounded_to_what_still_closes(client, name, joint, far):
 def test_the_file_is_read_anew_only_for_what_is_written(client, monkeypatch):
     read, build = [], reader._build
     monkeypatch.setattr(reader, "_build", lambda *given: read.append(given) or build(*given))
-    assert not drag(client, text_of("jansen"), "X", 0.01, free=True)["near"]
+    assert not drag(client, mechanism("jansen"), "X", 0.01, free=True)["near"]
     assert len(read) < 10  # a hundred places are tried on the way
 
 
 def test_what_rounding_takes_away_again_is_said(client):
-    text = text_of("robot-arm")
+    text = mechanism("robot-arm")
     found = drag(client, text, "A", 0.01, free=True)
     assert found["text"] == text
     assert "more digits" in found["sentence"]
@@ -76,7 +73,7 @@ def test_what_rounding_takes_away_again_is_said(client):
 @pytest.mark.parametrize(("name", "joint"), [("jansen", "F"), ("example-1", "C"), ("v102", "C"), ("watt", "E")])
 @pytest.mark.parametrize("free", [False, True])
 def test_a_closed_chain_stays_closed(client, name, joint, free):
-    text = text_of(name)
+    text = mechanism(name)
     size = max(map(abs, _places(parse_variant(text)).values()))
     found = drag(client, text, joint, 0.05 * size, free=free)
     run = solve(parse_variant(found["text"]))  # raises where it does not close
@@ -111,7 +108,7 @@ def bare(text: str) -> str:
 
 @pytest.mark.parametrize("name", sampled(WRITTEN))
 def test_equations_that_are_written_for_a_student_are_right_and_enough(client, name):
-    text = text_of(name)
+    text = mechanism(name)
     assert client.post("/api/equations", json={"text": text}).json()["text"] == text  # none is lacking
     found = client.post("/api/equations", json={"text": bare(text), "language": "ru"}).json()
     told = client.post("/api/check", json={"text": found["text"]}).json()

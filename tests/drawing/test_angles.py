@@ -10,18 +10,15 @@ from xml.etree import ElementTree
 
 import pytest
 
-from coursework import load, parse_variant, solve
+from coursework import parse_variant, solve
 from coursework.drawing.lettering.angles import _angle
 from coursework.variant.formula.reader import parse
 from tests.drawing import measured
+from tests.mechanisms.library import mechanism
 
 
 def svg_of(name: str, **changes: str) -> str:
-    text = load(name).path.read_text(encoding="utf-8")  # type: ignore[union-attr]
-    for old, new in changes.items():
-        assert old in text
-        text = text.replace(old, new)
-    drawing = solve(parse_variant(text), quantities=["table"]).mechanism()
+    drawing = solve(parse_variant(mechanism(name, *changes.items())), quantities=["table"]).mechanism()
     assert drawing is not None
     return drawing.svg
 

@@ -15,81 +15,10 @@ from coursework.drawing.figures import draw_start
 from coursework.run import Run
 from tests.drawing import measured
 from tests.drawing.test_mechanism import drawing_of
+from tests.mechanisms.library import mechanism
 
-ARMS = """format = 1
-title = "Two arms"
-[given]
-r1 = "0.3 m"
-r2 = "0.25 m"
-[drive]
-w1 = "1 rad/s"
-w2 = "2 rad/s"
-[coordinates]
-phi1 = { start = "20 deg", rate = "w1" }
-phi2 = { start = "PHI deg", rate = "w2" }
-[time]
-step = "0.1 s"
-end = "1 s"
-[points]
-O = "(0, 0)"
-A = "O + r1 @ phi1"
-B = "A + r2 @ phi2"
-[links]
-1 = { points = ["O", "A"], rate = "w1" }
-2 = { points = ["A", "B"], rate = "w2" }
-[frame]
-hinges = ["O"]
-"""
 # The shaper of a task sheet: at 90 degrees crank and lever lie on one line, and the end of the lever beside the guide of the ram.
-SHAPER = """format = 1
-title = "Shaper with slotted lever"
-[given]
-n1 = "120 rpm"
-r1 = "0.10 m"
-d = "0.25 m"
-L = "0.50 m"
-b = "0.30 m"
-h = "0.48 m"
-[drive]
-w1 = "n1"
-[coordinates]
-phi1 = { start = "90 deg", rate = "w1" }
-phi3 = { rate = "w3", unit = "rad" }
-s2 = { rate = "u2", unit = "m" }
-phi4 = { rate = "w4", unit = "rad" }
-s5 = { rate = "u5", unit = "m" }
-[time]
-step = "0.02 s"
-end = "0.5 s"
-period = "2*pi/n1"
-[points]
-O = "(0, 0)"
-D = "(0, -d)"
-G = "D + (0, h)"
-[[group]]
-kind = "crank"
-from = ["O"]
-meets = "A"
-lengths = ["r1"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RPR"
-from = ["A", "D"]
-meets = "B"
-lengths = ["L"]
-coordinates = ["phi3", "s2"]
-mode = "+1"
-[[group]]
-kind = "RRP"
-from = ["B"]
-guide = { through = "G", angle = "0" }
-meets = "C"
-lengths = ["b"]
-coordinates = ["phi4", "s5"]
-mode = "+1"
-[frame]
-hinges = ["O", "D"]
-"""
+SHAPER = mechanism("shaper", ('"0 deg"', '"90 deg"'), step="0.02 s", end="0.5 s", rails=None, quantities=None)
 
 
 def solved(text: str) -> Run:
@@ -113,7 +42,7 @@ def test_the_start_is_shown_where_its_links_are_seen_apart(degrees: str, starts:
     """Stretched by less than 2.5 degrees, or folded by less than 7.5, two links are one line."""
     angle = (float(degrees) - 20) % 360
     assert starts == (min(angle, 360 - angle) > 2.5 and abs(angle - 180) > 7.45)
-    caption = caption_of(ARMS.replace("PHI", degrees))
+    caption = caption_of(mechanism("two-arms", ('"80 deg"', f'"{degrees} deg"')))
     assert ("in row 1, t = 0," in caption) == starts
     assert ("in row 1 links lie almost on one line" in caption) != starts
 

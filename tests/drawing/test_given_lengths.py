@@ -23,6 +23,7 @@ from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
 from coursework.words.data_folders import folder
 from tests.drawing import measured
+from tests.mechanisms.library import mechanism
 from tests.sample import sampled
 from tests.solved import solved
 
@@ -100,28 +101,7 @@ def test_a_datum_by_chance_as_long_as_a_part_is_not_taken_for_it() -> None:
     assert "e" not in written(h=0.0558)
 
 
-UNUSED = """format = 1
-[given]
-L = "2.4 m"
-c = "1.3 m"
-b = "1.1 m"
-n = "30 rpm"
-[drive]
-w1 = "n"
-[coordinates]
-phi1 = { start = "50 deg", rate = "w1" }
-[time]
-step = "0.1 s"
-end = "1 s"
-[points]
-A = "(0, 0)"
-C = "A + c @ phi1"
-D = "A + L @ phi1"
-[links]
-1 = { points = ["A", "C", "D"], rate = "w1" }
-[frame]
-hinges = ["A"]
-"""
+UNUSED = mechanism("one-arm")
 
 
 def test_a_datum_that_places_nothing_is_no_length_of_a_part() -> None:

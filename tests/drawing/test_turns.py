@@ -20,37 +20,7 @@ from coursework.variant.formula.tree import Formula, signed
 from tests.drawing import measured
 from tests.drawing.test_angles import arc_of, turned
 from tests.drawing.test_mechanism import drawing_of, run_of
-from tests.hard.scenes import scene
-
-RELATIVE = """format = 1
-title = "Two arms, the second measured from the first, a third clockwise from the vertical"
-[given]
-r1 = "0.3 m"
-r2 = "0.25 m"
-r3 = "0.2 m"
-[drive]
-w1 = "1 rad/s"
-w2 = "0.5 rad/s"
-w3 = "0.2 rad/s"
-[coordinates]
-q1 = { start = "50 deg", rate = "w1" }
-q2 = { start = "Q2 deg", rate = "w2" }
-psi = { start = "70 deg", rate = "w3" }
-[time]
-step = "0.1 s"
-end = "1 s"
-[points]
-O = "(0, 0)"
-A = "O + r1 @ q1"
-B = "A + r2 @ (q1 + q2)"
-C = "B + r3 @ (pi/2 - psi)"
-[links]
-1 = { points = ["O", "A"], rate = "w1" }
-2 = { points = ["A", "B"] }
-3 = { points = ["B", "C"] }
-[frame]
-hinges = ["O"]
-"""
+from tests.mechanisms.library import mechanism
 
 
 def svg_of(text: str) -> str:
@@ -101,7 +71,7 @@ def test_names_stand_beside_their_arcs() -> None:
 
 
 def test_arcs_begin_on_their_axis_and_end_on_their_link() -> None:
-    svg = svg_of(RELATIVE.replace("Q2", "30"))
+    svg = svg_of(mechanism("three-arms"))
     ends = {name: (direction(arc, 0), direction(arc, -1)) for name in ("q1", "q2", "psi") if (arc := arc_of(svg, name))}
     assert ends["q1"] == pytest.approx((0, 50), abs=0.1)
     assert ends["q2"] == pytest.approx((50, 80), abs=0.1)  # from the line of the first arm
@@ -120,7 +90,7 @@ def test_arcs_begin_on_their_axis_and_end_on_their_link() -> None:
     ],
 )  # fmt: skip
 def test_an_angle_is_drawn_in_its_positive_sense_and_one_of_nought_is_told(degrees: str, size: float, said: str) -> None:
-    svg = svg_of(RELATIVE.replace("Q2", degrees))
+    svg = svg_of(mechanism("three-arms", ('"30 deg"', f'"{degrees} deg"')))
     assert math.degrees(turned(arc_of(svg, "q2"))) == pytest.approx(size, abs=0.2)
     assert said in {word.text for word in measured.words(svg)}
 
@@ -133,37 +103,10 @@ def test_an_arrow_ends_each_arc() -> None:
         assert min(abs(tip - arc_of(svg, name)[-1]) for tip in tips) < 1e-3
 
 
-FIVE_BAR = scene(
-    'phi1 = { start = "60 deg", rate = "w1" }\nphi4 = { start = "120 deg", rate = "w4" }\n'
-    'phi2 = { rate = "w2", unit = "rad" }\nphi3 = { rate = "w3", unit = "rad" }',
-    given='r1 = "0.12 m"\nr2 = "0.30 m"\nr3 = "0.32 m"\nr4 = "0.10 m"\nd = "0.35 m"',
-    drive='w1 = "60 rpm"\nw4 = "-90 rpm"',
-    more="""[points]
-A = "(0, 0)"
-E = "(d, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["r1"]
-coordinates = ["phi1"]
-[[group]]
-kind = "crank"
-from = ["E"]
-meets = "D"
-lengths = ["r4"]
-coordinates = ["phi4"]
-[[group]]
-kind = "RRR"
-from = ["B", "D"]
-meets = "C"
-lengths = ["r2", "r3"]
-coordinates = ["phi2", "phi3"]
-mode = "+1"
-[frame]
-hinges = ["A", "E"]
-""",
-)
+FIVE_BAR = mechanism(
+    "five-bar", ('"30 deg"', '"60 deg"'), r1="0.12 m", r2="0.30 m", r3="0.32 m", r4="0.10 m", d="0.35 m", n4="-90 rpm",
+    step="0.02 s", end="1 s", period=None, quantities=None,
+)  # fmt: skip
 
 
 def test_both_drives_of_a_five_bar_and_its_dyad_are_counted_where_they_begin() -> None:

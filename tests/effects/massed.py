@@ -39,15 +39,6 @@ def massed(variant: Variant) -> Variant:
     return replace(variant, forces=Forces(tuple(masses), (value(0.7), value(-9.81))))
 
 
-def text_of(name: str, *changes: tuple[str, str]) -> str:
-    """Return the text of a file of the catalogue with some parts of it replaced."""
-    text = (CATALOGUE / f"{name}.toml").read_text(encoding="utf-8")
-    for old, new in changes:
-        assert old in text, old
-        text = text.replace(old, new)
-    return text
-
-
 def analysis(scene: Scene, *, exact: bool = False) -> ForceAnalysis:
     """Return the forces of a scene's rows, or of its exact ones."""
     motion = scene.exact if exact else scene.motion
@@ -66,4 +57,4 @@ def of_text(text: str, **options: Any) -> ForceAnalysis:
     return analysis(coursework.solve(coursework.parse_variant(text), **options).scene)
 
 
-__all__ = ["CATALOGUE", "analysis", "load", "massed", "of", "of_text", "text_of", "value"]
+__all__ = ["CATALOGUE", "analysis", "load", "massed", "of", "of_text", "value"]

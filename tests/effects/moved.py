@@ -1,11 +1,11 @@
 """The mechanism of variant 31 without its drive: two degrees of freedom, moved by two motors; what tests share."""
 
-from tests.effects.massed import text_of
+from tests.mechanisms.library import mechanism
 
 
 def free_31(motor='rates = ["w1", "w2"]\nstart = { w1 = "-1.5 rad/s", w2 = "-0.7 rad/s" }\n'):
     """Return the file: positions say what the written equations said with the drive in them."""
-    text = text_of("31-forces")
+    text = mechanism("31-forces")
     begin, rest = text.split("[drive]", 1)
     _, rest = rest.split("[coordinates]", 1)
     before, rest = rest.split("[[constraint]]", 1)

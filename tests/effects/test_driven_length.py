@@ -4,46 +4,15 @@ import numpy as np
 import pytest
 
 from tests.effects.massed import of_text
+from tests.mechanisms.library import mechanism
 
 # A slider-crank whose crank turns clockwise and has a driven length.
-REACHING = """\
-[given]
-l = "50 cm"
-e = "2 cm"
-n = "-90 rpm"
-v = "100 mm/s"
-p = "2 1/s"
-[drive]
-w1 = "n"
-vr = "v*cos(p*t)"
-[coordinates]
-phi1 = { start = "75 deg", rate = "w1" }
-r = { start = "100 mm", rate = "vr" }
-phi2 = { rate = "w2", unit = "rad" }
-s = { rate = "u", unit = "m" }
-[time]
-step = "0.5 s"
-end = "2 s"
-[points]
-A = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["r"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRP"
-from = ["B"]
-guide = { through = "A", angle = "0", offset = "e" }
-meets = "C"
-lengths = ["l"]
-coordinates = ["phi2", "s"]
-mode = "+1"
-[frame]
-hinges = ["A"]
-rails = [{ through = "C", angle = "0" }]
-[masses]
+REACHING = mechanism(
+    "slider-crank", ("[time]", 'r = { start = "100 mm", rate = "vr" }\n[time]'), ('"0 deg"', '"75 deg"'),
+    ("[drive]", 'v = "100 mm/s"\np = "2 1/s"\n[drive]\nvr = "v*cos(p*t)"'), r=None, l="50 cm", e="2 cm", n="-90 rpm",
+    step="0.5 s", end="2 s", period=None,
+)  # fmt: skip
+HEAVY = """[masses]
 1 = { mass = "1 kg", inertia = "0.01 kg*m^2" }
 2 = { mass = "1 kg", inertia = "rod" }
 3 = { mass = "1 kg", inertia = "0.01 kg*m^2" }
@@ -56,7 +25,7 @@ F1 = { on = "4", at = "C", force = "(-100, 0)" }
 
 def test_both_drives_of_a_crank_of_driven_length_are_those_of_lagrange():
     """Couple and force along the crank at 0, 0.5 and 2 s: Lagrange's equations of (phi1, r) by differences, another program."""
-    found = of_text(REACHING)
+    found = of_text(REACHING + HEAVY)
     assert found.drive_names == ("M1", "F3")
     drives = np.stack([found.column(name) for name in found.drive_names], axis=1)[[0, 1, 4]]
     assert drives == pytest.approx(

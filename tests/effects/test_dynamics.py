@@ -20,8 +20,8 @@ from coursework.effects.dynamics.dynamics_lesson import lesson
 from coursework.motion.schemes import SCHEMES, SEMI_IMPLICIT
 from coursework.results.checks.result import Finding
 from tests.commands.test_cli import call
-from tests.effects.massed import text_of
 from tests.effects.moved import free_31
+from tests.mechanisms.library import mechanism
 from tests.solved import solved
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "forces"
@@ -109,7 +109,7 @@ def test_a_limit_of_the_free_coordinates_stops_the_rows():
 
 
 def test_andrews_squeezer_at_the_end_of_its_test():
-    text = text_of("andrews-forces", ('w1 = "a0*t"                    # from rest\n', ""), ("[drive]\n", ""))
+    text = mechanism("andrews-forces", ('w1 = "a0*t"                    # from rest\n', ""), ("[drive]\n", ""))
     text = text.split("# --- texts of the page")[0].replace('["table", "checks", "forces", "energy"]', '["dynamics"]')
     text = text.replace("[ask]", '[motor]\nrates = ["w1"]\n1 = { torque = "0.033 N*m" }\n\n[ask]')
     run = coursework.solve(coursework.parse_variant(text), scheme="exact")
@@ -164,7 +164,7 @@ def test_a_step_is_advised_from_errors_that_still_tell_one(share, stable, told):
 
 
 def test_a_steep_motor_is_told_and_its_explosion_shown():
-    text = text_of("example-2-motor", ('"35 N*m*s"', '"3500 N*m*s"'), ('"600 N*m"', '"35000 N*m"'))
+    text = mechanism("example-2-motor", ('"35 N*m*s"', '"3500 N*m*s"'), ('"600 N*m"', '"35000 N*m"'))
     run = coursework.solve(coursework.parse_variant(text), scheme="euler")
     told = {one.code: one for one in run.results.checks}["STABLE"]
     assert told.verdict == "COARSE" and told.value > 2
@@ -184,13 +184,13 @@ def stiffness_of(run):
 
 
 def test_a_motor_between_two_links_and_a_spring():
-    arm = text_of("falling-arm", ('rates = ["w1", "w2"]', 'rates = ["w1", "w2"]\n2 = { from = 1, torque = "-0.5*(w2 - w1)" }'))
+    arm = mechanism("falling-arm", ('rates = ["w1", "w2"]', 'rates = ["w1", "w2"]\n2 = { from = 1, torque = "-0.5*(w2 - w1)" }'))
     run = coursework.solve(coursework.parse_variant(arm), scheme="exact")
     energy = run.results.forces.energy
     assert energy.drive.max() <= 1e-12  # the joint only brakes
     found = run.results.forces
     assert found.column("M2") == pytest.approx(-0.5 * (run.motion.column("w2") - run.motion.column("w1")), abs=1e-9)
-    held = text_of(
+    held = mechanism(
         "falling-arm", ('gravity = "9.81 m/s^2"', 'k1 = { spring = ["D", "M"], stiffness = "200 N/m", free = "0.7 m" }')
     )
     run = coursework.solve(coursework.parse_variant(held), scheme="exact")
@@ -219,7 +219,7 @@ def test_semi_implicit_is_a_scheme_of_motion_under_forces_alone():
 )
 def test_faults_of_a_motor(old, new, code):
     with pytest.raises(coursework.InputError, match=code):
-        coursework.parse_variant(text_of("example-2-motor", (old, new)), "bad.toml")
+        coursework.parse_variant(mechanism("example-2-motor", (old, new)), "bad.toml")
 
 
 def test_dynamics_of_a_driven_mechanism_are_refused():
@@ -246,7 +246,7 @@ def test_the_steady_motion_of_the_motor():
 
 
 def test_what_has_no_mass_is_refused():
-    text = text_of(
+    text = mechanism(
         "falling-arm", ('1 = { mass = "3 kg", inertia = "rod" }\n', ""), ('2 = { mass = "2 kg", inertia = "rod" }\n', "")
     )
     text = text.replace("[masses]\n", "")

@@ -5,7 +5,7 @@ import pytest
 
 import coursework
 from tests.commands.test_cli import call
-from tests.effects.massed import text_of
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of
 from tests.solved import solved
 
@@ -40,7 +40,7 @@ def test_accuracy_shows_the_error_of_the_energy_against_slopes(tmp_path, monkeyp
 
 
 def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
-    steep = text_of("example-2-motor", ('k = { value = "35 N*m*s"', 'k = { value = "3000 N*m*s"'))
+    steep = mechanism("example-2-motor", ('k = { value = "35 N*m*s"', 'k = { value = "3000 N*m*s"'))
     run = coursework.solve(coursework.parse_variant(steep), scheme="euler", step=0.02, end=1.6)
     study = run.scene.energy_study()
     assert str(study.rows[0].failed).startswith("it came to row")
@@ -67,31 +67,7 @@ def test_what_falls_freely_is_driven_by_nothing_on_its_page_and_has_no_power_of_
     assert "unknown velocit" not in checked and "driven" not in checked
 
 
-PENDULUM = """
-[given]
-k = "200 N/m"
-c = "6 N*s/m"
-[coordinates]
-phi = { start = "-20 deg", rate = "w" }
-[time]
-step = "20 ms"
-end = "0.2 s"
-[points]
-O = "(0, 0)"
-B = "O + 0.6 @ phi"
-K = "(0.5, -0.7)"
-[links]
-1 = { points = ["O", "B"], rate = "w" }
-[frame]
-hinges = ["O"]
-[masses]
-1 = { mass = "4 kg", inertia = "rod" }
-[forces]
-s = { spring = ["B", "K"], stiffness = "k", free = "0.4 m" }
-d = { damper = ["B", "K"], damping = "c" }
-[motor]
-rates = ["w"]
-"""
+PENDULUM = mechanism("pendulum")
 
 
 @pytest.mark.parametrize(("old", "new"), [

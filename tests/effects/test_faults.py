@@ -4,8 +4,8 @@ import pytest
 
 import coursework
 from coursework.variant.formula.units import read_mass
-from tests.effects.massed import text_of
 from tests.effects.test_ways import UNNAMED
+from tests.mechanisms.library import mechanism
 
 CASES = [
     ("31-forces", 'inertia = "0.454 kg*m^2"', 'inertia = "-0.454 kg*m^2"', "V704", "a value that is not below zero"),
@@ -42,7 +42,7 @@ CASES = [
 
 @pytest.mark.parametrize(("name", "old", "new", "code", "told"), CASES, ids=[case[3] + case[1][:12] for case in CASES])
 def test_fault(name, old, new, code, told):
-    text = text_of(name, (old, new))
+    text = mechanism(name, (old, new))
     with pytest.raises(coursework.InputError) as caught:
         run = coursework.solve(coursework.parse_variant(text, "bad.toml"), quantities=["forces"])
         _ = run.results.forces
@@ -54,19 +54,19 @@ def test_fault(name, old, new, code, told):
 
 
 def test_a_file_with_a_motor_may_name_the_scheme_of_motion_under_forces():
-    text = text_of("example-2-motor", ('step   = "0.01 s"', 'step = "0.01 s"\nscheme = "semi-implicit"'))
+    text = mechanism("example-2-motor", ('step   = "0.01 s"', 'step = "0.01 s"\nscheme = "semi-implicit"'))
     assert coursework.parse_variant(text).time.scheme == "semi-implicit"
 
 
 def test_forces_that_cannot_be_found_or_followed_are_refused():
     """Nothing is heavy; no link is named; a rod has an inertia and no rate; nothing says where the others are."""
-    bare = text_of("31", ("# --- texts of", '[masses]\n1 = { mass = "1 kg", inertia = "rod" }\n\n# --- texts of'))
+    bare = mechanism("31", ("# --- texts of", '[masses]\n1 = { mass = "1 kg", inertia = "rod" }\n\n# --- texts of'))
     bare = bare.replace(bare[bare.index("[points]") : bare.index("[masses]")], "")
     moved = UNNAMED.replace('[drive]\nw1 = "w0"\n', "") + '[motor]\nrates = ["w1"]\n1 = { torque = "5 N*m" }\n'
     open_loop = moved.replace('inertia = "rod"', 'inertia = "point"')
     line = moved.splitlines().index('2 = { mass = "12 kg", inertia = "rod" }') + 1
     for text, told in (
-        (text_of("31"), "V721"), (bare, "V722"), (moved, f"V741 bad.toml:{line}  link 2"),
+        (mechanism("31"), "V721"), (bare, "V722"), (moved, f"V741 bad.toml:{line}  link 2"),
         (open_loop, "V742 .*s3 .*only 0 independent"),
     ):  # fmt: skip
         with pytest.raises(coursework.InputError, match=told):
@@ -82,11 +82,11 @@ def test_units():
 
 def test_a_file_without_forces_knows_no_units_of_mass():
     with pytest.raises(coursework.InputError, match="V105"):
-        coursework.parse_variant(text_of("31", ('"0.953 m"', '"0.953 kg"')))
+        coursework.parse_variant(mechanism("31", ('"0.953 m"', '"0.953 kg"')))
 
 
 def test_a_mass_may_be_a_datum_and_is_set():
-    text = text_of("example-1-forces", ('mass = "4 kg"', 'mass = "m1"'), ("[given]\n", '[given]\nm1 = "4000 g"\n'))
+    text = mechanism("example-1-forces", ('mass = "4 kg"', 'mass = "m1"'), ("[given]\n", '[given]\nm1 = "4000 g"\n'))
     variant = coursework.parse_variant(text)
     assert variant.values["m1"] == 4.0
     assert variant.with_data(given={"m1": "5 kg"}).values["m1"] == 5.0
@@ -98,7 +98,7 @@ def test_a_mass_may_be_a_datum_and_is_set():
 def test_a_load_table_that_ends_early_is_told_with_its_line(name, code, scheme):
     force = {"example-1-forces": "(F0, 0)", "example-2-motor": "(-c*u3, 0)"}[name]
     law = '\n[functions]\nP = { of = "t", table = "load.csv" }\n\n[time]'
-    text = text_of(name, ("\n[time]", law), (f'force = "{force}"', 'force = "(P, 0)"'))
+    text = mechanism(name, ("\n[time]", law), (f'force = "{force}"', 'force = "(P, 0)"'))
     table = b"t,P\n" + b"\n".join(b"%.2f,%d" % (0.05 * k, 10 * k) for k in range(8)) + b"\n"
     with pytest.raises(coursework.InputError, match=f"{code} bad.toml:.*Add nodes, or end the"):
         variant = coursework.parse_variant(text.encode(), "bad.toml", {"load.csv": table})
@@ -106,7 +106,7 @@ def test_a_load_table_that_ends_early_is_told_with_its_line(name, code, scheme):
 
 
 def test_forces_that_hold_a_mechanism_where_it_stands_are_told():
-    weightless = text_of("falling-arm", ('gravity = "9.81 m/s^2"', ""))
+    weightless = mechanism("falling-arm", ('gravity = "9.81 m/s^2"', ""))
     run = coursework.solve(coursework.parse_variant(weightless), scheme="euler")
     told = {one.code: str(one.sentence) for one in run.results.checks}
     assert "it does not start" in told["ENERGY"]
@@ -114,11 +114,11 @@ def test_forces_that_hold_a_mechanism_where_it_stands_are_told():
 
 def test_a_rate_that_neither_a_motor_frees_nor_anything_ties_is_named():
     with pytest.raises(coursework.InputError) as caught:
-        coursework.parse_variant(text_of("falling-arm", ('rates = ["w1", "w2"]', 'rates = ["w1"]')), "bad.toml")
+        coursework.parse_variant(mechanism("falling-arm", ('rates = ["w1", "w2"]', 'rates = ["w1"]')), "bad.toml")
     told = str(caught.value)
     assert told.startswith("V746 bad.toml:") and "motor.rates: nothing ties w2 to w1" in told
 
 
 def test_a_crank_that_a_motor_does_not_free_is_to_be_freed():
     with pytest.raises(coursework.InputError, match=r'V747 .*group 1: nothing turns its crank.*Add "w1" to rates in'):
-        coursework.parse_variant(text_of("example-2-motor", ('rates = ["w1"]', 'rates = ["w2"]')))
+        coursework.parse_variant(mechanism("example-2-motor", ('rates = ["w1"]', 'rates = ["w2"]')))

@@ -15,8 +15,8 @@ from coursework.effects.draft import with_forces
 from coursework.report.text.parts import Panels, Table
 from coursework.report.text.words import load_words
 from tests.commands.test_cli import call
-from tests.effects.massed import text_of
 from tests.effects.test_ways import PARALLEL
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, solved
 
 HEAD_31 = (
@@ -101,7 +101,7 @@ def test_new_with_something_else_is_refused(folder):
 
 
 def test_a_motion_of_no_rows_has_tables_of_no_rows_and_no_error():
-    text = text_of("31-forces", ('start = "2.87 rad"', 'start = "2.0344439357957027 rad"'))
+    text = mechanism("31-forces", ('start = "2.87 rad"', 'start = "2.0344439357957027 rad"'))
     results = coursework.solve(coursework.parse_variant(text), quantities=["forces", "energy"]).results
     assert len(results.forces.table) == 0
     assert not [check.code for check in results.force_checks if check.verdict == "ERROR"]
@@ -121,7 +121,7 @@ def test_units_of_forces_are_said_in_the_language_of_the_page():
     ],
 )  # fmt: skip
 def test_a_copy_with_forces_asks_for_each_once(asked, then):
-    text = re.sub(r"quantities = .*", f"quantities = {asked}", text_of("example-1"))
+    text = re.sub(r"quantities = .*", f"quantities = {asked}", mechanism("example-1"))
     made = with_forces(coursework.parse_variant(text), text, str)
     assert f"quantities = {then}" in made
     assert coursework.parse_variant(made).forces is not None

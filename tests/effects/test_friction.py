@@ -9,13 +9,14 @@ import coursework
 from coursework.effects.kinetostatics.checks import check_forces
 from coursework.effects.told import force_record
 from coursework.report.pages import build_model, render_html
-from tests.effects.massed import of, of_text, text_of
+from tests.effects.massed import of, of_text
 from tests.effects.test_ways import PARALLEL
+from tests.mechanisms.library import mechanism
 from tests.report.real import text_of as shown
 
 
 def rubbing(name, entries):
-    return of_text(text_of(name, ("[ask]", f"[friction]\n{entries}\n\n[ask]")))
+    return of_text(mechanism(name, ("[ask]", f"[friction]\n{entries}\n\n[ask]")))
 
 
 def test_friction_of_a_guide_is_its_force_times_the_coefficient():
@@ -29,7 +30,7 @@ def test_friction_of_a_guide_is_its_force_times_the_coefficient():
 
 def test_a_guide_of_some_length_bears_a_couple_at_its_two_ends():
     """Two forces 50 mm apart with the sum N and the couple K: together |N|, or 2 |K|/length where they have two directions."""
-    text = text_of(
+    text = mechanism(
         "example-2-forces", ("[ask]", '[friction]\nC = { coefficient = "0.1", length = "50 mm" }\n\n[ask]'),
         ('C = { mass = "20 kg", ', 'C = { mass = "20 kg", centre = "C + (0, 0.1)", '),
     )  # fmt: skip
@@ -112,7 +113,7 @@ def test_a_redundant_support_with_friction_locks_nothing():
 
 
 def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_them():
-    text = text_of("example-2-forces", ("[ask]", '[friction]\nC = { coefficient = "4" }\n\n[ask]'))
+    text = mechanism("example-2-forces", ("[ask]", '[friction]\nC = { coefficient = "4" }\n\n[ask]'))
     run = coursework.solve(coursework.parse_variant(text), scheme="exact", quantities=["table", "checks", "forces", "energy"])
     page = shown(render_html(build_model(run, "en")))
     assert "where friction locks the mechanism" in page and "where a reaction is not unique" not in page
@@ -123,7 +124,7 @@ def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_
 
 def test_a_coefficient_among_the_data_is_a_plain_number():
     data = ("[given]", '[given]\nmu = "7"'), ("[ask]", '[friction]\nC = { coefficient = "mu" }\n\n[ask]')
-    assert coursework.parse_variant(text_of("example-2-forces", *data)).remarks == ()
+    assert coursework.parse_variant(mechanism("example-2-forces", *data)).remarks == ()
 
 
 def test_a_file_without_friction_has_none():
@@ -135,7 +136,7 @@ def test_a_file_without_friction_has_none():
     "entry", ['B = { coefficient = "0.1" }', 'S = { coefficient = "0.1", radius = "5 mm" }', 'C = { arm = "1 mm" }']
 )
 def test_friction_where_nothing_rubs_is_told_with_its_line(entry):
-    text = text_of(
+    text = mechanism(
         "example-2-forces", ("[points]\n", '[points]\nS = "B + 0.4 @ theta2"\n'), ("[ask]", f"[friction]\n{entry}\n\n[ask]")
     )
     line = text[: text.index(entry)].count("\n") + 1

@@ -22,8 +22,8 @@ from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.words.sentences import say
-from tests.effects.massed import text_of
 from tests.effects.moved import free_31
+from tests.mechanisms.library import mechanism
 
 
 @cache
@@ -80,7 +80,7 @@ def test_a_slip_that_is_carried_on_costs_its_own_row():
 def test_a_table_that_forces_did_not_make_earns_little(slip):
     of = key()
     if slip == "weight":
-        weightless = coursework.parse_variant(text_of("falling-arm", ('gravity = "9.81 m/s^2"', 'gravity = "4.9 m/s^2"')))
+        weightless = coursework.parse_variant(mechanism("falling-arm", ('gravity = "9.81 m/s^2"', 'gravity = "4.9 m/s^2"')))
         rows = key_of(weightless.timed(end=0.6)).table
     elif slip == "copied":
         rows = np.tile(of.table[:1], (len(of.table), 1))

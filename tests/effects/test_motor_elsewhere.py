@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import coursework
-from tests.effects.massed import of_text, text_of
+from tests.effects.massed import of_text
+from tests.mechanisms.library import mechanism
 from tests.report.real import parts
 from tests.solved import solved
 
@@ -19,7 +20,7 @@ CHANGES = (
 
 
 def test_a_motor_on_the_rocker_acts_there():
-    found = of_text(text_of("example-1-forces", *CHANGES))
+    found = of_text(mechanism("example-1-forces", *CHANGES))
     motion = found.rows.motion
     q = [np.exp(1j * motion.column(f"theta{place}")) for place in (1, 2, 3)]
     b, c = 0.4 * q[0], 1.2 + 0.7 * q[2]
@@ -45,39 +46,13 @@ def test_a_motor_on_the_rocker_acts_there():
 
 
 def test_the_page_prints_no_round_off_for_what_is_nothing():
-    run = coursework.solve(coursework.parse_variant(text_of("example-1-forces", *CHANGES)), quantities=["table", "forces"])
+    run = coursework.solve(coursework.parse_variant(mechanism("example-1-forces", *CHANGES)), quantities=["table", "forces"])
     compared = next(one for one in parts(run, "forces") if one.get("id") == "forces-compare")
     name, _, computed, _, _, apart = compared["rows"][-1]
     assert (name, computed, apart) == ([{"v": "M", "s": ""}], "0", "–")
 
 
-WHEEL = """format = 1
-title = "A wheel that a torque of the time turns"
-[given]
-r = "0.1 m"
-J = "0.5 kg*m^2"
-M0 = "3 N*m"
-p = "7 rad/s"
-[coordinates]
-phi = { start = "0.2 rad", rate = "w" }
-[time]
-step = "0.05 s"
-end = "0.5 s"
-[points]
-O = "(0, 0)"
-A = "O + r @ phi"
-[links]
-1 = { points = ["O", "A"], rate = "w" }
-[frame]
-hinges = ["O"]
-[masses]
-1 = { mass = "2 kg", inertia = "J", centre = "O" }
-[motor]
-rates = ["w"]
-1 = { torque = "M0*cos(p*t)" }
-[ask]
-quantities = ["table"]
-"""
+WHEEL = mechanism("flywheel")
 
 
 def test_a_torque_of_the_time_turns_a_wheel_as_its_integrals_say():

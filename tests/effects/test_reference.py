@@ -12,7 +12,8 @@ import pytest
 
 import coursework
 from coursework.effects.kinetostatics.flywheel import find_flywheel
-from tests.effects.massed import of, of_text, text_of
+from tests.effects.massed import of, of_text
+from tests.mechanisms.library import mechanism
 from tests.report.real import parts
 from tests.report.real import text_of as shown
 
@@ -57,7 +58,7 @@ def test_the_rows_of_a_student():
 
 
 def test_centres_off_the_lines_tilted_gravity_and_a_force_anywhere():
-    text = text_of(
+    text = mechanism(
         "example-1-forces",
         ('inertia = "0.0533 kg*m^2" }', 'inertia = "0.0533 kg*m^2", centre = "A + 0.1 @ theta1 + 0.05 @ (theta1 + pi/2)" }'),
         ('inertia = "0.833 kg*m^2" }', 'inertia = "0.833 kg*m^2", centre = "B + 0.4 @ theta2 + 0.15 @ (theta2 + pi/2)" }'),

@@ -8,45 +8,18 @@ import pytest
 import coursework
 from coursework.effects.dynamics.dynamics_checks import remainder
 from coursework.report.pages import build_model, render_html
-from tests.effects.massed import text_of
 from tests.effects.test_ways import PARALLEL
+from tests.mechanisms.library import mechanism
 from tests.report.real import text_of as shown
 
-BLOCK = """
-format = 1
-title = "Block on a spring"
-[coordinates]
-s = { start = "1 m", rate = "u" }
-[time]
-step = "0.05 s"
-end = "12 s"
-[points]
-O = "(-1, 0)"
-C = "(s, 0)"
-[links]
-1 = { points = ["C"] }
-[frame]
-hinges = ["O"]
-rails = [ { through = "C", angle = "0" } ]
-[masses]
-C = { mass = "2 kg", inertia = "0.1 kg*m^2" }
-[forces]
-gravity = "9.81 m/s^2"
-k1 = { spring = ["O", "C"], stiffness = "50 N/m", free = "1 m" }
-[friction]
-C = { coefficient = "0.1" }
-[motor]
-rates = ["u"]
-[ask]
-quantities = ["table", "checks", "dynamics", "energy"]
-"""
+BLOCK = mechanism("block-on-a-spring")
 PIN = '{ radius = "20 mm", coefficient = "0.1" }'
 RUBS = f'A = {PIN}\nB = {PIN}\nC = {{ coefficient = "0.1" }}'
 
 
 def rubbing(name, entries, end="0.6 s"):
     changed = ("[ask]", f"[friction]\n{entries}\n\n[ask]"), ('end    = "2 s"', f'end    = "{end}"')
-    return coursework.solve(coursework.parse_variant(text_of(name, *changed)))
+    return coursework.solve(coursework.parse_variant(mechanism(name, *changed)))
 
 
 @pytest.mark.parametrize(("start", "speed"), [("0.5 m/s", 0.5), ("-20 cm/s", -0.2), ("0", 0.0)])

@@ -16,87 +16,16 @@ from coursework.effects.rows import PLACE
 from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of
 from coursework.variant.catalogue import names
-from tests.effects.massed import analysis, massed, of, of_text, text_of
+from tests.effects.massed import analysis, massed, of, of_text
+from tests.mechanisms.library import mechanism
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "forces"
 # A crank of changing length is no rigid body, so it has no centre of mass: told as such.
 OTHERS = [name for name in names() if not name.endswith("-forces") and not name.startswith("variable-crank")]
-PARALLEL = """
-format = 1
-[given]
-r = "0.3 m"
-w0 = "2 rad/s"
-[drive]
-w1 = "w0"
-[coordinates]
-phi1 = { start = "60 deg", rate = "w1" }
-phi2 = { start = "60 deg", rate = "w2" }
-phi3 = { start = "60 deg", rate = "w3" }
-phi4 = { start = "0 deg", rate = "w4" }
-[time]
-step = "0.01 s"
-end = "0.1 s"
-[points]
-A = "(0, 0)"
-B = "(0.5, 0)"
-C = "(1, 0)"
-D = "A + r @ phi1"
-E = "D + 0.5 @ phi4"
-F = "D + 1 @ phi4"
-[links]
-1 = { points = ["A", "D"], rate = "w1" }
-2 = { points = ["B", "E"], rate = "w2" }
-3 = { points = ["C", "F"], rate = "w3" }
-4 = { points = ["D", "E", "F"], rate = "w4" }
-[frame]
-hinges = ["A", "B", "C"]
-[[constraint]]
-closure = "B + r @ phi2 = E"
-[[constraint]]
-closure = "C + r @ phi3 = F"
-[masses]
-1 = { mass = "1 kg", inertia = "rod" }
-2 = { mass = "1 kg", inertia = "rod" }
-3 = { mass = "1 kg", inertia = "rod" }
-4 = { mass = "3 kg", inertia = "0.25 kg*m^2", centre = "E" }
-[forces]
-gravity = "9.81 m/s^2"
-"""
+PARALLEL = mechanism("parallel-cranks")
 
 
-UNNAMED = """
-format = 1
-[given]
-r1 = "0.4 m"
-r2 = "1.2 m"
-w0 = "10 rad/s"
-[drive]
-w1 = "w0"
-[coordinates]
-theta1 = { start = "0 deg", rate = "w1" }
-s3 = { start = "1.6 m", rate = "u3", unit = "m" }
-[time]
-step = "2*pi/(36*w0)"
-end = "pi/w0"
-[points]
-A = "(0, 0)"
-B = "r1 @ theta1"
-C = "(s3, 0)"
-[links]
-1 = { points = ["A", "B"], rate = "w1" }
-2 = { points = ["B", "C"] }
-[frame]
-hinges = ["A"]
-rails = [ { through = "C", angle = "0" } ]
-[[constraint]]
-equation = "(s3 - r1*cos(theta1))*u3 + s3*r1*sin(theta1)*w1 = 0"
-[masses]
-1 = { mass = "4 kg", inertia = "0.0533 kg*m^2" }
-2 = { mass = "12 kg", inertia = "rod" }
-C = { mass = "20 kg", inertia = "0.6 kg*m^2" }
-[forces]
-gravity = "9.81 m/s^2"
-"""
+UNNAMED = mechanism("slider-crank-without-rod-angle")
 
 
 @pytest.mark.parametrize(
@@ -127,7 +56,7 @@ def replace_rows(found, rows):
 
 
 def test_power_is_the_change_of_the_energy_where_rows_are_close_enough():
-    close = of_text(text_of("example-2-forces", ("2*pi/(36*w0)", "2*pi/(180*w0)")))
+    close = of_text(mechanism("example-2-forces", ("2*pi/(36*w0)", "2*pi/(180*w0)")))
     verdicts = {one.code: one.verdict for one in check_forces(close, close)}
     assert verdicts["POWER"] == "PASS"
     assert {one.code: one.verdict for one in check_forces(of("example-1-forces"), None)}["POWER"] == "COARSE"
@@ -165,7 +94,7 @@ def test_a_redundant_support_gives_what_is_unique_and_nothing_else():
 
 
 def test_forces_grow_with_the_square_towards_a_dead_point():
-    text = text_of("31-forces", ('"4.35 rad"', '"0.02 rad"'), ('step      = "0.02 s"', 'step      = "0.0005 s"'))
+    text = mechanism("31-forces", ('"4.35 rad"', '"0.02 rad"'), ('step      = "0.02 s"', 'step      = "0.0005 s"'))
     run = coursework.solve(coursework.parse_variant(text.replace('scheme    = "exact"', "")), scheme="exact")
     stop, found = run.stop.time, analysis(run.scene)
     left = stop - found.rows.motion.t
@@ -195,9 +124,9 @@ def test_a_rod_whose_rate_has_no_name_turns_as_its_ends_do():
 
 def test_the_drive_of_a_forearm_stands_on_the_upper_arm():
     """Rods of 3 and 2 kg, 0.5 and 0.4 m: Lagrange's equations of the angles, the second moment between the two links."""
-    motor = text_of("falling-arm").partition("[motor]")[2].partition("[ask]")[0]
+    motor = mechanism("falling-arm").partition("[motor]")[2].partition("[ask]")[0]
     driven = '[drive]\nw1 = "2 rad/s"\nw2 = "3*sin(5*t)"\n\n[time]'
-    text = text_of("falling-arm", (f"[motor]{motor}", ""), ("[time]", driven), ('"dynamics", ', ""), ('"2 s"', '"0.2 s"'))
+    text = mechanism("falling-arm", (f"[motor]{motor}", ""), ("[time]", driven), ('"dynamics", ', ""), ('"2 s"', '"0.2 s"'))
     found = of_text(text, scheme="rk4")
     first, second, w1, w2 = (found.rows.motion.column(name) for name in ("phi1", "phi2", "w1", "w2"))
     epsilon, apart, inertia, g = 15 * np.cos(5 * found.rows.motion.t), first - second, 2 * 0.5 * 0.4 / 2, 9.81
@@ -210,7 +139,7 @@ def test_the_drive_of_a_forearm_stands_on_the_upper_arm():
 
 
 def test_no_mass_and_no_load_is_statics_of_nothing():
-    text = text_of("example-1-forces", ("F1 = {", "F9 = {"))
+    text = mechanism("example-1-forces", ("F1 = {", "F9 = {"))
     still = text.replace('"4 kg"', '"0 kg"').replace('"10 kg"', '"0 kg"').replace('"7 kg"', '"0 kg"')
     light = of_text(
         still.replace('inertia = "0.0533 kg*m^2"', 'inertia = "point"')

@@ -4,40 +4,9 @@ import numpy as np
 
 import coursework
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
+from tests.mechanisms.library import mechanism
 
-WHEEL = """
-format = 1
-[given]
-R = "0.25 m"
-v0 = "1.2 m/s"
-p = "9 1/s"
-[drive]
-u = "v0*sin(p*t)"
-[coordinates]
-x = { start = "0 m", rate = "u", unit = "m" }
-psi = { start = "0 rad", rate = "w" }
-[time]
-step = "0.02 s"
-end = "0.7 s"
-[[constraint]]
-equation = "u + R*w = 0"
-because = "the wheel rolls"
-[points]
-C = "(x, R)"
-P = "(x, 0)"
-[links]
-1 = { wheel = "C", contact = "P", rate = "w" }
-[frame]
-rails = [ { through = "P", angle = "0" } ]
-[closure]
-holds = ["x + R*psi"]
-[masses]
-1 = { mass = "10 kg", inertia = "0.4 kg*m^2", centre = "C + 0.05 @ (psi + 0.3)" }
-[forces]
-gravity = "9.81 m/s^2"
-[ask]
-quantities = ["table", "forces"]
-"""
+WHEEL = mechanism("wheel-on-a-rail")
 
 
 def test_a_driven_length_that_no_link_has_is_driven_by_a_force_in_newtons():

@@ -6,13 +6,16 @@ rows or on one; the turn that it makes there is of the order of 1 rad.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from random import Random
 
 import mpmath as mp
 
+from tests.mechanisms.library import changed, mechanism
+
 END, STEP = 1.0, 0.01
+ANSWERS = '[ask]\nquantities = ["table", "checks"]\n'
 
 
 @dataclass(frozen=True)
@@ -102,45 +105,15 @@ KINDS = ("pulse", "lorentz", "decay", "switch", "step", "root", "fold", "chirp",
 
 def four_bar(law: Law, *, step: float = STEP, end: float = END, scheme: str = "exact", start: float = 0.0) -> str:
     """Return a crank-rocker 0.4, 1.0, 0.7, 1.2 m whose crank turns by a law."""
-    drive = law.drive if law.drive.startswith("{") else f'"{law.drive}"'
-    given = "\n".join(f'{name} = "{value}"' for name, value in law.given.items())
-    return FOUR_BAR.format(drive=drive, given=given, step=step, end=end, scheme=scheme, start=start)
+    given = "".join(f'{name} = "{value}"\n' for name, value in law.given.items())
+    text = mechanism(
+        "four-bar", ("[drive]", f"{given}[drive]"), ('"0 deg"', f'"{start!r} rad"'),
+        ("[points]", f'scheme = "{scheme}"\n[points]'), r1="0.4 m", r2="1.0 m", r3="0.7 m", d="1.2 m", n=None, w1=law.drive,
+        step=f"{step!r} s", end=f"{end!r} s", period=None,
+    )  # fmt: skip
+    return text + ANSWERS
 
 
-FOUR_BAR = """format = 1
-title = "four-bar"
-[given]
-l1 = "0.4 m"
-l2 = "1.0 m"
-l3 = "0.7 m"
-xC = "1.2 m"
-{given}
-[drive]
-w1 = {drive}
-[coordinates]
-th1 = {{ start = "{start!r} rad", rate = "w1", unit = "rad" }}
-th2 = {{ rate = "w2", unit = "rad" }}
-th3 = {{ rate = "w3", unit = "rad" }}
-[time]
-step = "{step!r} s"
-end = "{end!r} s"
-scheme = "{scheme}"
-[points]
-A = "(0, 0)"
-C = "(xC, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-lengths = ["l1"]
-meets = "B"
-coordinates = ["th1"]
-[[group]]
-kind = "RRR"
-from = ["B", "C"]
-lengths = ["l2", "l3"]
-meets = "D"
-coordinates = ["th2", "th3"]
-mode = "+1"
-[ask]
-quantities = ["table", "checks"]
-"""
+def with_sides(text: str, sides: Iterable[float]) -> str:
+    """Return that crank-rocker with a crank, a coupler, a rocker and a frame of other lengths (m)."""
+    return changed(text, **{name: f"{float(side)!r} m" for name, side in zip(("r1", "r2", "r3", "d"), sides, strict=True)})

@@ -12,8 +12,9 @@ from random import Random
 
 import mpmath as mp
 
-from tests.hard.drives import KINDS, Law, four_bar
+from tests.hard.drives import ANSWERS, KINDS, Law, four_bar, with_sides
 from tests.hard.drives import drawn as drive
+from tests.mechanisms.library import mechanism
 
 Columns = dict[str, mp.mpf]
 # What README says holds, by the first word of its rows: a width (s), a distance (of the shortest link), turns, a ratio.
@@ -70,7 +71,7 @@ def of_four_bar(
         p, q, _ = dyad(arm, mp.mpc(d), b, c, 1)
         w = rate(t)
         wp, wq = closing(1j * w * arm, mp.mpc(0), b, c, p, q)
-        return {"th1": angle, "th2": p, "th3": q, "w1": w, "w2": wp, "w3": wq}
+        return {"phi1": angle, "phi2": p, "phi3": q, "w1": w, "w2": wp, "w3": wq}
 
     return true
 
@@ -103,45 +104,14 @@ def quick(random: Random) -> Edge:
 def as_equations(text: str, start: Columns) -> str:
     """Return a four-bar with its groups replaced by two velocity equations and start values."""
     text = text.split("[points]")[0]
-    for name, rate in (("th2", "w2"), ("th3", "w3")):
+    for name, rate in (("phi2", "w2"), ("phi3", "w3")):
         text = text.replace(
             f'{name} = {{ rate = "{rate}", unit', f'{name} = {{ start = "{float(start[name])!r} rad", rate = "{rate}", unit'
         )
-    return text + (
-        '[[constraint]]\nname = "1"\nequation = "l1*w1*sin(th1) + l2*w2*sin(th2) - l3*w3*sin(th3) = 0"\n'
-        '[[constraint]]\nname = "2"\nequation = "l1*w1*cos(th1) + l2*w2*cos(th2) - l3*w3*cos(th3) = 0"\n'
-        '[ask]\nquantities = ["table", "checks"]\n'
-    )
-
-
-SLIDER = """format = 1
-[given]
-r = "{r!r} m"
-l = "{l!r} m"
-a = "{a!r} m"
-p = "{p!r} 1/s"
-[drive]
-v = "a*p*sin(p*t)"
-[coordinates]
-x = {{ start = "{x!r} m", rate = "v", unit = "m" }}
-th = {{ rate = "w2", unit = "rad" }}
-ps = {{ rate = "w3", unit = "rad" }}
-[time]
-step = "{step!r} s"
-end = "{end!r} s"
-scheme = "{scheme}"
-[points]
-A = "(0, 0)"
-[[group]]
-kind = "RRR"
-from = ["A", "(x, 0)"]
-lengths = ["r", "l"]
-meets = "B"
-coordinates = ["th", "ps"]
-mode = "+1"
-[ask]
-quantities = ["table", "checks"]
-"""
+    return text + ANSWERS + "".join(
+        f'[[constraint]]\nname = "{name}"\nequation = "r1*w1*{of}(phi1) + r2*w2*{of}(phi2) - r3*w3*{of}(phi3) = 0"\n'
+        for name, of in (("1", "sin"), ("2", "cos"))
+    )  # fmt: skip
 
 
 def dead(random: Random) -> Edge:
@@ -166,8 +136,12 @@ def dead(random: Random) -> Edge:
     ends = None
     if missed < 0:
         ends = float(mp.acos(1 - (mp.mpf(r) + long - mp.mpf(x)) / a) / p)
-    text = SLIDER.format(r=r, l=long, a=a, p=p, x=x, step=step, end=end, scheme=random.choice(["exact", "euler", "rk4"]))
-    return Edge("dead", f"missed by {float(missed):.1e}", text, true, float(missed), ends)
+    scheme = random.choice(["exact", "euler", "rk4"])
+    text = mechanism(
+        "driven-slider", ('"0.25 m"', f'"{x!r} m"'), ("[points]", f'scheme = "{scheme}"\n[points]'), r=f"{r!r} m",
+        l=f"{long!r} m", a=f"{a!r} m", p=f"{p!r} 1/s", step=f"{step!r} s", end=f"{end!r} s",
+    )  # fmt: skip
+    return Edge("dead", f"missed by {float(missed):.1e}", text + ANSWERS, true, float(missed), ends)
 
 
 def far(random: Random) -> Edge:
@@ -177,9 +151,7 @@ def far(random: Random) -> Edge:
     rocker, base = float(f"{unit * random.uniform(1.8, 2.2):.4g}"), float(f"{unit * ratio * 3:.4g}")
     order = random.choice([(small, base, rocker, base), (small, rocker, base, base)])
     law = Law("steady", "n", {"n": "7.3 rad/s"}, lambda t: mp.mpf(7.3) * t)
-    text = four_bar(law, scheme=random.choice(["exact", "euler", "rk4"]), start=1.0, end=0.5)
-    for name, old, new in zip(("l1", "l2", "l3", "xC"), ("0.4", "1.0", "0.7", "1.2"), order, strict=True):
-        text = text.replace(f'{name} = "{old} m"', f'{name} = "{new!r} m"')
+    text = with_sides(four_bar(law, scheme=random.choice(["exact", "euler", "rk4"]), start=1.0, end=0.5), order)
     true = of_four_bar(tuple(mp.mpf(one) for one in order), law, lambda t: mp.mpf(7.3), mp.mpf(1))
     return Edge("far", f"lengths {ratio:.0e} apart", text, true, digits=16 - float(mp.log10(ratio)))
 

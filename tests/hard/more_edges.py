@@ -11,7 +11,7 @@ from random import Random
 
 import mpmath as mp
 
-from tests.hard.drives import KINDS, Law, four_bar
+from tests.hard.drives import KINDS, Law, four_bar, with_sides
 from tests.hard.drives import drawn as drive
 from tests.hard.edges import Columns, Edge, of_four_bar, rate_of
 from tests.hard.more_mechanisms import SCHEMES, passed, rocking, rolling, two
@@ -140,8 +140,7 @@ def opened(random: Random) -> Edge:
     gap = float(mp.mpf(c) - mp.mpf(b) - apart if long else apart - mp.mpf(b) - mp.mpf(c))
     law = Law("steady", "n", {"n": "0.5 rad/s"}, lambda t: mp.mpf(0.5) * t, 0.5)
     text = four_bar(law, scheme="exact", start=start, end=0.1)
-    for name, old, new in zip(("l1", "l2", "l3", "xC"), ("0.4", "1.0", "0.7", "1.2"), (a, b, c, d), strict=True):
-        text = text.replace(f'{name} = "{old} m"', f'{name} = "{new!r} m"')
+    text = with_sides(text, (a, b, c, d))
     cosine = (mp.mpf(a) ** 2 + mp.mpf(d) ** 2 - (mp.mpf(b) + c) ** 2) / (2 * mp.mpf(a) * d)
     ends = None if long or gap > 0 else float((mp.acos(cosine) - start) / 0.5)  # stretched, it soon is at its dead point
     return Edge("opened", f"open by {gap:.1e}", text, lambda t: {}, -gap / b, ends if ends and ends < 0.1 else None, gap=gap)

@@ -10,13 +10,13 @@ from random import Random
 
 import mpmath as mp
 
-from tests.hard.drives import Law, four_bar
+from tests.hard.drives import ANSWERS, Law, four_bar, with_sides
 from tests.hard.drives import drawn as drive
 from tests.hard.edges import Columns, Edge, closing, dyad, of_four_bar, rate_of
 from tests.hard.scenes import V31
+from tests.mechanisms.library import mechanism
 
 SCHEMES = ["exact", "exact", "euler", "rk4"]
-FIVE = ("ra", "re", "rb", "rc", "xO")
 
 
 def as_second(law: Law) -> tuple[dict[str, str], str]:
@@ -31,12 +31,14 @@ def two(random: Random) -> Edge:
     kinds = ["pulse", "switch", "fold", "chirp", "step"]
     first, second = (drive(random.choice(kinds), random, 10 ** -random.uniform(0, 6)) for _ in range(2))
     a, e, long, other, d = random.choice([0.1, 0.2, 0.3]), random.choice([0.15, 0.25]), 0.8, 0.9, 1.0
-    lengths = "".join(f'{name} = "{value!r} m"\n' for name, value in zip(FIVE, (a, e, long, other, d), strict=True))
     more, law = as_second(second)
-    given = first.given | more
-    text = f"format = 1\n[given]\n{lengths}" + "".join(f'{name} = "{value}"\n' for name, value in given.items())
-    text += f'[drive]\nw1 = "{first.drive}"\nv1 = "{law}"\n'
-    text += FIVE_BAR.format(scheme=random.choice(SCHEMES), step=random.choice([0.01, 0.002]))
+    given = "".join(f'{name} = "{value}"\n' for name, value in (first.given | more).items())
+    text = mechanism(
+        "five-bar", ("[drive]", f"{given}[drive]"), ("[points]", f'scheme = "{random.choice(SCHEMES)}"\n[points]'),
+        ('"30 deg"', '"0 rad"'), ('"120 deg"', '"1 rad"'), r1=f"{a} m", r4=f"{e} m", r2=f"{long} m", r3=f"{other} m", d=f"{d} m",
+        n1=None, n4=None, w1=first.drive, w4=law, step=f"{random.choice([0.01, 0.002])} s", end="1 s", period=None,
+        quantities='["table", "checks"]',
+    )  # fmt: skip
     rate, turning = rate_of(first), rate_of(second)
     ra, re_, rb, rc, xo = (mp.mpf(x) for x in (a, e, long, other, d))
 
@@ -45,48 +47,11 @@ def two(random: Random) -> Edge:
         left, right = ra * mp.expj(q), xo + re_ * mp.expj(p)
         u, v, _ = dyad(left, right, rb, rc, 1)
         wu, wv = closing(1j * rate(t) * ra * mp.expj(q), 1j * turning(t) * re_ * mp.expj(p), rb, rc, u, v)
-        return {"q": q, "p": p, "u": u, "v": v, "w1": rate(t), "v1": turning(t), "wu": wu, "wv": wv}
+        return {"phi1": q, "phi4": p, "phi2": u, "phi3": v, "w1": rate(t), "w4": turning(t), "w2": wu, "w3": wv}
 
     quickly = (*first.sudden, *second.sudden)
     most, wave = max(first.most, second.most), max(first.wave, second.wave)
     return Edge("two", f"{first.kind} and {second.kind}", text, true, about=quickly, most=most, wave=wave)
-
-
-FIVE_BAR = """
-[coordinates]
-q = {{ start = "0 rad", rate = "w1", unit = "rad" }}
-p = {{ start = "1 rad", rate = "v1", unit = "rad" }}
-u = {{ rate = "wu", unit = "rad" }}
-v = {{ rate = "wv", unit = "rad" }}
-[time]
-step = "{step!r} s"
-end = "1.0 s"
-scheme = "{scheme}"
-[points]
-A = "(0, 0)"
-O = "(xO, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-lengths = ["ra"]
-meets = "B"
-coordinates = ["q"]
-[[group]]
-kind = "crank"
-from = ["O"]
-lengths = ["re"]
-meets = "C"
-coordinates = ["p"]
-[[group]]
-kind = "RRR"
-from = ["B", "C"]
-lengths = ["rb", "rc"]
-meets = "D"
-coordinates = ["u", "v"]
-mode = "+1"
-[ask]
-quantities = ["table", "checks"]
-"""
 
 
 def rocking(random: Random) -> Edge:
@@ -102,8 +67,7 @@ def rocking(random: Random) -> Edge:
     )
     step = random.choice([0.01, 0.005, 0.002])
     text = four_bar(law, scheme=random.choice(SCHEMES), start=start, step=step, end=3.0)
-    for name, old, new in zip(("l1", "l2", "l3", "xC"), ("0.4", "1.0", "0.7", "1.2"), (a, b, c, d), strict=True):
-        text = text.replace(f'{name} = "{old} m"', f'{name} = "{float(new)!r} m"')
+    text = with_sides(text, (a, b, c, d))
     farthest = mp.mpf(start) + mp.mpf(reach)
     missed = (b + c - abs(d - a * mp.expj(farthest))) / b  # of the shortest link
     ends = float(mp.acos(1 - 2 * (last - start) / mp.mpf(reach)) / k) if missed < 0 else None
@@ -121,9 +85,12 @@ def passed(random: Random) -> Edge:
     law = Law("steady", "n", {"n": f"{float(n)!r} rad/s"}, lambda t: n * t, float(n))
     if kind != "steady":
         law = drive(kind, random, 10 ** -random.uniform(0, 5))
-    text = SLIDER.format(
-        r=r, l=long, drive=law.drive, given="\n".join(f'{name} = "{value}"' for name, value in law.given.items()),
-        step=random.choice([0.01, 0.002]), scheme=random.choice(SCHEMES),
+    given = "".join(f'{name} = "{value}"\n' for name, value in law.given.items())
+    step, scheme = random.choice([0.01, 0.002]), random.choice(SCHEMES)
+    text = mechanism(
+        "slider-crank", ("[drive]", f"{given}[drive]"), ('"0 deg"', '"0 rad"'), (', offset = "e"', ""),
+        ("[points]", f'scheme = "{scheme}"\n[points]'), r=f"{r!r} m", l=f"{long!r} m", e=None, n=None, w1=law.drive,
+        step=f"{step} s", end="1 s", period=None,
     )  # fmt: skip
     rate, (rr, ll) = rate_of(law), (mp.mpf(r), mp.mpf(long))
 
@@ -132,45 +99,11 @@ def passed(random: Random) -> Edge:
         high, over = rr * mp.sin(th), mp.sqrt(ll**2 - (rr * mp.sin(th)) ** 2)
         ps, wps = mp.atan2(-high, over), -rr * mp.cos(th) * w / over
         slide = -rr * mp.sin(th) * w - high / over * rr * mp.cos(th) * w
-        return {"th": th, "ps": ps, "s": rr * mp.cos(th) + over, "w1": w, "w2": wps, "u": slide}
+        return {"phi1": th, "phi2": ps, "s": rr * mp.cos(th) + over, "w1": w, "w2": wps, "u": slide}
 
-    return Edge("passed", f"rod longer by {more:.0e}, {kind}", text, true, more, about=law.sudden, most=law.most, wave=law.wave)
-
-
-SLIDER = """format = 1
-[given]
-lr = "{r!r} m"
-ll = "{l!r} m"
-{given}
-[drive]
-w1 = "{drive}"
-[coordinates]
-th = {{ start = "0 rad", rate = "w1", unit = "rad" }}
-ps = {{ rate = "w2", unit = "rad" }}
-s = {{ rate = "u", unit = "m" }}
-[time]
-step = "{step!r} s"
-end = "1.0 s"
-scheme = "{scheme}"
-[points]
-A = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-lengths = ["lr"]
-meets = "B"
-coordinates = ["th"]
-[[group]]
-kind = "RRP"
-from = ["B"]
-guide = {{ through = "A", angle = "0" }}
-lengths = ["ll"]
-meets = "C"
-coordinates = ["ps", "s"]
-mode = "+1"
-[ask]
-quantities = ["table", "checks"]
-"""
+    return Edge(
+        "passed", f"rod longer by {more:.0e}, {kind}", text + ANSWERS, true, more, about=law.sudden, most=law.most, wave=law.wave
+    )
 
 
 def rolling(random: Random) -> Edge:

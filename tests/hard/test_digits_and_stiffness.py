@@ -12,19 +12,15 @@ import coursework
 from coursework.motion.schemes import SCHEMES
 from coursework.results.checks.result import percent
 from coursework.variant.reading.reader import parse_variant
-from tests.hard.drives import Law, four_bar
+from tests.hard.drives import ANSWERS, Law, four_bar, with_sides
 from tests.hard.edges import of_four_bar
 from tests.hard.scenes import check, scene, solve
-
-ANSWERS = '[ask]\nquantities = ["table", "checks"]\n'
 
 
 def far(base: float, scheme: str = "exact") -> str:
     """Return a four-bar of two links of a micrometre and two of `base` (m)."""
     text = four_bar(Law("steady", "n", {"n": "3 rad/s"}, lambda t: 3 * t), scheme=scheme, start=1.0)
-    for name, old, new in (("l1", "0.4", 1e-6), ("l2", "1.0", base), ("l3", "0.7", 2e-6), ("xC", "1.2", base)):
-        text = text.replace(f'{name} = "{old} m"', f'{name} = "{new!r} m"')
-    return text
+    return with_sides(text, (1e-6, base, 2e-6, base))
 
 
 @pytest.mark.parametrize(("base", "verdict"), [(1e-3, "PASS"), (1e3, "PASS"), (1e4, "FAIL"), (3e5, "FAIL")])
@@ -36,7 +32,7 @@ def test_digits_lost_to_lengths_far_apart_are_known(base, verdict):
     true = of_four_bar(tuple(mp.mpf(one) for one in (1e-6, base, 2e-6, base)), law, lambda t: mp.mpf(3), mp.mpf(1))
     places = range(0, 101, 5)
     apart = max(
-        abs(float(mp.mpf(float(run.motion.column("th3")[i])) - true(mp.mpf(float(run.motion.t[i])))["th3"])) for i in places
+        abs(float(mp.mpf(float(run.motion.column("phi3")[i])) - true(mp.mpf(float(run.motion.t[i])))["phi3"])) for i in places
     )
     assert found.verdict == verdict
     assert found.value - 1.5 < -math.log10(apart)  # it never says many more digits than there are

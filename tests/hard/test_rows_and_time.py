@@ -181,10 +181,10 @@ def test_h27_a_ripple_on_a_larger_motion_is_followed(formula, swing, scheme):
     """Of whatever has less than two rows a period: the rows are the motion, and STEP says that they do not show the drive."""
     law = Law("ripple", formula, {"n": "3 rad/s", "k": f"{swing!r} 1/s"}, lambda t: t)
     run = coursework.solve(parse_variant(driven_four_bar(law, scheme=scheme)), quantities=("table", "checks"))
-    assert run.exact.column("th1")[-1] == pytest.approx(RIPPLES[formula](3.0, swing, 1.0), abs=1e-12)
+    assert run.exact.column("phi1")[-1] == pytest.approx(RIPPLES[formula](3.0, swing, 1.0), abs=1e-12)
     verdicts = {one.code: one.verdict for one in run.checks}
     assert verdicts["STEP"] == "COARSE"
-    off = abs(run.motion.column("th1") - run.exact.column("th1")).max() / run.results.evidence.scale["th1"]
+    off = abs(run.motion.column("phi1") - run.exact.column("phi1")).max() / run.results.evidence.scale["phi1"]
     assert verdicts["ACCURACY"] == "COARSE" or off <= 0.05
     with pytest.raises(InputError, match=r"^C021"):
         _ = coursework.solve(parse_variant(driven_four_bar(replace(law, drive="n*sin(k*t)"), scheme=scheme))).motion

@@ -14,6 +14,7 @@ from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentences import load_phrases
 from tests.command import call
 from tests.hard.drives import Law, four_bar
+from tests.mechanisms.library import changed
 from tests.results.checks.scenes import found
 
 WIDTH, MIDDLE = 1e-4, 0.50437
@@ -27,8 +28,8 @@ def pulse(high=1e4, width=WIDTH, back=None):
 
 
 def rocking(law, **times):
-    """Return a four-bar whose crank only swings: it meets a dead point at th1 = 2.006 rad."""
-    return parse_variant(four_bar(law, **times).replace('l1 = "0.4 m"', 'l1 = "0.8 m"'))
+    """Return a four-bar whose crank only swings: it meets a dead point at phi1 = 2.006 rad."""
+    return parse_variant(changed(four_bar(law, **times), r1="0.8 m"))
 
 
 def test_many_sets_stop_where_one_alone_does():

@@ -10,52 +10,22 @@ from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.variant.reading.reader import parse_variant
+from tests.mechanisms.library import changed, mechanism
 from tests.solved import solved
 
 PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 WRITTEN = PAGE[: PAGE.index("# --- geometry")]
 GEOMETRY = PAGE[: PAGE.index("[[constraint]]")].replace('w4 = "1/s"', "") + PAGE[PAGE.index("[points]") : PAGE.index("[links]")]
 GEOMETRY += PAGE[PAGE.index("[closure]") : PAGE.index("[ask]")]
-CHAIN = """[given]
-r = "0.4 m"
-l2 = "1 m"
-l3 = "0.7 m"
-d = "1.2 m"
-g = "0 rad"
-[drive]
-w1 = "10"
-[coordinates]
-phi1 = { start = "0.3 rad", rate = "w1" }
-phi2 = { rate = "w2" }
-phi3 = { rate = "w3" }
-[time]
-step = "0.01 s"
-end = "0.6 s"
-[points]
-O = "(0, 0)"
-D = "d @ g"
-[[group]]
-kind = "crank"
-from = ["O"]
-meets = "A"
-lengths = ["r"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRR"
-from = ["A", "D"]
-meets = "C"
-lengths = ["l2", "l3"]
-coordinates = ["phi2", "phi3"]
-mode = "+1"
-"""
+CHAIN = mechanism(
+    "four-bar", ('"(d, 0)"', '"d @ g"'), ("[drive]", 'g = "0 rad"\n[drive]'), ('"0 deg"', '"0.3 rad"'), r1="0.4 m", r2="1 m",
+    r3="0.7 m", d="1.2 m", n=None, w1="10", step="0.01 s", end="0.6 s", period=None,
+)  # fmt: skip
 
 
 def rows(text, scheme="euler", pairs=(), **options):
     """Return the coordinates and velocities of a run of a text with some pieces exchanged."""
-    for old, new in pairs:
-        assert old in text, old
-        text = text.replace(old, new)
-    motion = coursework.solve(parse_variant(text), scheme, quantities=["table"], **options).motion
+    motion = coursework.solve(parse_variant(changed(text, *pairs)), scheme, quantities=["table"], **options).motion
     assert motion.stop is None
     return motion.coordinates, motion.velocities
 

@@ -13,6 +13,7 @@ from coursework.scene.scene_run import SceneRun
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from tests.hard.scenes import four_bar, scene
+from tests.mechanisms import library
 from tests.report.made import model_of
 from tests.solved import solved
 
@@ -27,10 +28,7 @@ HOSTILE = (
 
 def changed(changes: Mapping[str, str], text: str = V31) -> Variant:
     """Return the variant of a file in which some texts are others."""
-    for old, new in changes.items():
-        assert old in text, old
-        text = text.replace(old, new)
-    return parse_variant(text)
+    return parse_variant(library.changed(text, *changes.items()))
 
 
 @cache

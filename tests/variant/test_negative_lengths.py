@@ -6,59 +6,14 @@ from click.testing import CliRunner
 import coursework
 from coursework.commands.cli import main
 from coursework.variant.catalogue import find
+from tests.mechanisms.library import changed, mechanism
 
-LEVER = """
-[given]
-a = "0.2 m"
-b = "0.5 m"
-e = "0.05 m"
-h = "0.3 m"
-[drive]
-w1 = "2"
-[coordinates]
-phi1 = { start = "30 deg", rate = "w1" }
-phi2 = { start = "-20 deg", rate = "w2" }
-[time]
-step = "0.05 s"
-end = "0.5 s"
-[points]
-O = "(0, h)"
-A = "O + a @ phi1"
-B = "A + b @ phi2"
-E = "B + e @ (phi2 + pi/2)"
-F = "O - 2*a @ phi1"
-G = "(h, e) + h @ (pi/2)"
-[closure]
-holds = ["B.y"]
-"""
-WHEEL = """
-[given]
-R = "0.2 m"
-Q = "0.9 m"
-b = "0.5 m"
-[drive]
-w1 = "2"
-[coordinates]
-phi1 = { start = "30 deg", rate = "w1" }
-[time]
-step = "0.05 s"
-end = "0.5 s"
-[points]
-C = "(R*phi1, R)"
-P = "C - (0, R)"
-B = "C + b @ phi1"
-[links]
-1 = { wheel = "C", contact = "P", points = ["B"], rate = "w1" }
-[frame]
-circles = [ { center = "(0, 0)", radius = "Q" } ]
-[closure]
-holds = ["C.y"]
-"""
+LEVER = mechanism("arm-with-offsets")
+WHEEL = mechanism("rolling-wheel")
 
 
 def with_datum(text, name, value):
-    start = text.index(f'\n{name} = "') + len(f'\n{name} = "')
-    return coursework.parse_variant(f"{text[:start]}{value}{text[text.index(chr(34), start) :]}", "v.toml")
+    return coursework.parse_variant(changed(text, **{name: value}), "v.toml")
 
 
 def refused(text, name, value):
@@ -67,7 +22,7 @@ def refused(text, name, value):
     return caught.value.faults
 
 
-@pytest.mark.parametrize(("text", "name", "line"), [(LEVER, "a", 17), (LEVER, "b", 18), (WHEEL, "R", 15), (WHEEL, "Q", 20)])
+@pytest.mark.parametrize(("text", "name", "line"), [(LEVER, "a", 18), (LEVER, "b", 19), (WHEEL, "R", 16), (WHEEL, "Q", 21)])
 def test_a_length_below_zero_is_refused_where_it_is_used(text, name, line):
     assert with_datum(text, name, "1e-9 m").values[name] == 1e-9
     (fault,) = refused(text, name, "-1e-9 m")

@@ -5,48 +5,15 @@ import re
 import pytest
 
 import coursework
+from tests.mechanisms.library import mechanism
 
-CHAIN = """
-[given]
-r = "0.3 m"
-l = "0.8 m"
-d = "0.5 m"
-b = "0.6 m"
-[drive]
-w1 = "2"
-[coordinates]
-phi1 = { start = "40 deg", rate = "w1" }
-phi2 = { rate = "w2" }
-phi3 = { rate = "w3" }
-q4 = { rate = "w4" }
-p4 = { rate = "u4" }
-[time]
-step = "0.05 s"
-end = "1 s"
-[points]
-O = "(0, 0)"
-D = "(d, 0)"
-K = "(d/2, -d)"
-T = "K + b @ q4"
-[[group]]
-kind = "crank"
-from = ["O"]
-meets = "A"
-lengths = ["r"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRR"
-from = ["A", "D"]
-meets = "C"
-lengths = ["l", "b"]
-coordinates = ["phi2", "phi3"]
-mode = "+1"
-[[group]]
-kind = "RPR"
-from = ["C", "K"]
-coordinates = ["q4", "p4"]
-mode = "+1"
-"""
+# Neither a unit nor a length of the last group tells what q4 and p4 are, but the point T does.
+CHAIN = mechanism(
+    "six-bar-with-sleeve", ('meets = "E"\nlengths = ["L"]\ncoordinates = ["phi5", "s4"]', 'coordinates = ["q4", "p4"]'),
+    ("[time]", 'q4 = { rate = "w4" }\np4 = { rate = "u4" }\n[time]'), ('F = "(d, -f)"', 'F = "(d/2, -d)"\nT = "F + L @ q4"'),
+    ('"0 deg"', '"40 deg"'), r1="0.3 m", r2="0.8 m", r3="0.6 m", d="0.5 m", f=None, L="0.6 m", n1="2 rad/s", phi5=None, s4=None,
+    step="0.05 s", end="1 s", period=None,
+)  # fmt: skip
 
 
 def solved(text):
@@ -64,7 +31,7 @@ def refused(text):
 @pytest.mark.parametrize("is_measured", [True, False])
 def test_a_distance_where_the_angle_stands(names, is_measured):
     """Where a formula of the file measures one of the two, that tells; else names that only angles have do."""
-    text = CHAIN if is_measured else CHAIN.replace('T = "K + b @ q4"\n', "")
+    text = CHAIN if is_measured else CHAIN.replace('T = "F + L @ q4"\n', "")
     text = re.sub(r"\bq4\b", names[0], re.sub(r"\bp4\b", names[1], text))
     assert len(solved(text).table)
     turned = text.replace(f'["{names[0]}", "{names[1]}"]', f'["{names[1]}", "{names[0]}"]')
@@ -77,9 +44,9 @@ def test_a_distance_where_the_angle_stands(names, is_measured):
 
 
 def test_units_tell_the_order_of_an_rrp():
-    text = CHAIN[: CHAIN.index('[[group]]\nkind = "RPR"')].replace('T = "K + b @ q4"\n', "")
+    text = CHAIN[: CHAIN.index('[[group]]\nkind = "RPR"')].replace('T = "F + L @ q4"\n', "")
     text = text.replace("q4 = { rate", 'q4 = { unit = "rad", rate').replace("p4 = { rate", 'p4 = { unit = "m", rate')
-    slider = '[[group]]\nkind = "RRP"\nfrom = ["C"]\nlengths = ["2*l"]\nguide = { through = "K", angle = "0 deg" }\nmode = "+1"\n'
+    slider = '[[group]]\nkind = "RRP"\nfrom = ["C"]\nlengths = ["2*r2"]\nguide = { through = "F", angle = "0" }\nmode = "+1"\n'
     assert len(solved(f'{text}{slider}coordinates = ["q4", "p4"]\n').table)
     assert refused(f'{text}{slider}coordinates = ["p4", "q4"]\n').code == "V156"
 
@@ -91,7 +58,7 @@ def with_starts(text, digits, off=0.0):
     return text
 
 
-@pytest.mark.parametrize(("key", "order"), [("from", '["A", "D"]'), ("coordinates", '["phi2", "phi3"]')])
+@pytest.mark.parametrize(("key", "order"), [("from", '["B", "D"]'), ("coordinates", '["phi2", "phi3"]')])
 def test_start_values_tell_the_order(key, order):
     first, second = re.findall(r'"(\w+)"', order)
     turned = CHAIN.replace(f"{key} = {order}", f'{key} = ["{second}", "{first}"]')

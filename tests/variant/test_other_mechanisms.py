@@ -8,6 +8,7 @@ import pytest
 
 import coursework
 from tests.drawing.plans.moving_groups import HEAD, crank, dyad
+from tests.mechanisms.library import mechanism
 
 LEVER = HEAD.format(
     name="slotted lever", drive='w1 = "6"', step="0.01 s", end="0.1 s", hinges='["P", "Q"]', rails="",
@@ -91,18 +92,5 @@ def test_a_value_without_a_number_is_advised_by_what_it_measures(old: str, new: 
 
 
 def test_the_units_of_what_is_open_are_those_of_the_equations() -> None:
-    gears = """
-format = 1
-title = "two gears"
-[drive]
-w1 = "3"
-[coordinates]
-phi1 = { start = "0 rad", rate = "w1" }
-phi2 = { start = "0.3 rad", rate = "w2" }
-[time]
-step = "0.1 s"
-end = "1 s"
-[[constraint]]
-closure = "phi2 + 2*phi1 = 0"
-"""
+    gears = mechanism("two-gears", ('"0 rad", rate = "w2"', '"0.3 rad", rate = "w2"'))
     assert "residuals 1 0.3 (rad)." in told(gears)

@@ -6,6 +6,7 @@ import pytest
 
 import coursework
 from coursework.words.data_folders import folder
+from tests.mechanisms.library import mechanism
 from tests.report.own import SHAPER
 
 TEMPLATE = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8").replace("NAME", "mine")
@@ -52,27 +53,9 @@ def test_a_slip_is_told_by_one_sentence_with_what_to_write(right: str, wrong: st
         assert told[fault.code] in str(fault.message)
 
 
-SLIDER_CRANK = """
-[given]
-r = "0.1 m"
-l = "0.3 m"
-[drive]
-eps1 = "2"
-[coordinates]
-phi1 = { start = "0 deg", rate = "w1" }
-phi2 = { start = "0 deg", rate = "w2" }
-s = { start = "0.4 m", rate = "u" }
-[time]
-step = "0.01 s"
-end = "1 s"
-[[constraint]]
-closure = "r @ phi1 + l @ phi2 = (s, 0)"
-"""
-
-
 def test_an_acceleration_for_a_drive_is_told_as_that() -> None:
     with pytest.raises(coursework.InputError, match=r"V404 .*Nothing is moved by eps1 .* a velocity, such as w1; of an acceler"):
-        assert coursework.solve(coursework.parse_variant(SLIDER_CRANK)).motion
+        assert coursework.solve(coursework.parse_variant(mechanism("slider-crank-loop", ("w1 =", "eps1 =")))).motion
 
 
 def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:

@@ -11,38 +11,11 @@ import pytest
 import coursework
 from coursework.variant.catalogue import find, names
 from coursework.variant.reading.reader import parse_variant
-
-FOUR_BAR = """
-format = 1
-[given]
-a = "0.1 m"
-b = "0.3 m"
-c = "0.25 m"
-d = "0.28 m"
-n = "60 rpm"
-[drive]
-w1 = "n"
-[coordinates]
-phi1 = { start = "60 deg", rate = "w1" }
-phi2 = { start = "0.7 rad", rate = "w2" }
-phi3 = { start = "1.5 rad", rate = "w3" }
-[points]
-A = "a @ phi1"
-[time]
-step = "0.01 s"
-end = "pi/n"
-period = "2*pi/n"
-[[constraint]]
-closure = "A + b @ phi2 = (d, 0) + c @ phi3"
-"""
+from tests.mechanisms.library import mechanism
 
 
 def four_bar():
-    """Return the four-bar with its start closed to all digits."""
-    rough = parse_variant(FOUR_BAR, "bar")
-    start = rough.with_data(start={"phi1": "60 deg"})
-    values = coursework.solve(start, quantities=["table"]).scene.start
-    return rough.with_data(start={"phi2": values[1], "phi3": values[2]})
+    return parse_variant(mechanism("four-bar-loop"), "bar")
 
 
 def without_origin(variant):

@@ -8,48 +8,25 @@ import pytest
 
 import coursework
 from coursework.scene.quantities import PLANS
+from tests.mechanisms.library import mechanism
 
 RADIUS, PIVOT, SPEED, STEP = 0.9, 0.5 - 0.5j, 0.12, 0.5
 REACH = RADIUS * cmath.exp(0.9j) - PIVOT
-BOOM = f"""
-[given]
-r = "{RADIUS} m"
-d = "0.5 m"
-u0 = "{SPEED} m/s"
-[drive]
-u = "u0"
-[coordinates]
-phi = {{ start = "0.9 rad", rate = "w1" }}
-psi = {{ start = "{cmath.phase(REACH)!r} rad", rate = "w2" }}
-s = {{ start = "{abs(REACH)!r} m", rate = "u", unit = "m" }}
-[time]
-step = "{STEP} s"
-end = "3 s"
-check_row = 7
-[points]
-O = "(0, 0)"
-C = "(d, -d)"
-B = "O + r @ phi"
-[links]
-1 = {{ points = ["O", "B"], rate = "w1" }}
-LINKS
-[frame]
-hinges = ["O", "C"]
-[[constraint]]
-name = "loop"
-because = "the cylinder reaches from C to B"
-closure = "C + s @ psi = O + r @ phi"
-[ask]
-quantities = ["table", "plans"]
-"""
-SLEEVE = '2 = { points = ["C"], rate = "w2" }\n3 = { points = ["B"], slides = "2" }'
-BOTH = SLEEVE.replace('["C"]', '["C", "B"]')  # the rod's end stands among the points of the cylinder too
-BAR = '2 = { points = ["C", "B"], rate = "w2" }'
+SLIDES = '2 = { points = ["B"], rate = "w2" }\n3 = { points = ["C"], slides = 2, rate = "w2" }'
+SLEEVE = SLIDES.replace('slides = 2, rate = "w2"', "slides = 2")
+BOTH = SLEEVE.replace('["B"]', '["B", "C"]')  # the rod's end stands among the points of the cylinder too
+BAR = '2 = { points = ["B", "C"], rate = "w2" }'
 
 
 def solved(links: str, ask: str = "") -> Any:
-    text = BOOM.replace("LINKS", links).replace('"plans"', '"plans"' + ask)
-    return coursework.solve(coursework.parse_variant(text, "boom.toml"), "euler")
+    text = mechanism(
+        "boom", ('"1.5 m"', f'"{abs(REACH)!r} m"'), ("56.5095660113926 deg", "0.9 rad"), (SLIDES, links),
+        ("81.6690103396294 deg", f"{cmath.phase(REACH)!r} rad"), ("check_row = 20", "check_row = 7"), c=f"{RADIUS} m",
+        v1=f"{SPEED} m/s", xB="0.5 m", yB="-0.5 m", p=None, us="v1", step=f"{STEP} s", end="3 s", period=None,
+    )  # fmt: skip
+    return coursework.solve(
+        coursework.parse_variant(f'{text}[ask]\nquantities = ["table", "plans"{ask}]\n', "boom.toml"), "euler"
+    )
 
 
 def by_hand() -> tuple[float, float, float, float]:
@@ -69,20 +46,20 @@ def test_what_slides_at_a_driven_rate_has_it_in_the_plan_too():
     last = {(s.plan, s.kind, s.start, s.end): complex(s.vector[-1]) for s in run.of(PLANS).table.segments}
     arm = RADIUS * cmath.exp(1j * phi) - PIVOT
     assert abs(abs(arm) - (abs(REACH) + 6 * STEP * SPEED)) > 0.01  # the row has drifted
-    sliding = last["velocity", "sliding", "B'", "B"]
+    sliding = last["velocity", "sliding", "C'", "C"]
     assert sliding == pytest.approx(SPEED * cmath.exp(1j * psi), abs=1e-12)
-    assert last["velocity", "absolute", "pole", "B'"] == pytest.approx(
+    assert last["velocity", "absolute", "pole", "C'"] == pytest.approx(
         1j * w1 * RADIUS * cmath.exp(1j * phi) - sliding, abs=1e-12
     )
-    assert abs(last["acceleration", "sliding", "B'", "B"]) < 1e-12  # the speed is constant
+    assert abs(last["acceleration", "sliding", "C'", "C"]) < 1e-12  # the speed is constant
 
 
 @pytest.mark.parametrize("links", [BOTH, BAR])
 def test_a_cylinder_among_whose_points_the_rods_end_stands_is_drawn_and_no_rigid_link(links):
     run = solved(links)
     first = run.of(PLANS).drawings(str)[0].steps[0]
-    assert "from the pole at right angles to CB." not in first
-    assert ("No two known lines meet in b" in first) == (links == BAR)
+    assert "from the pole at right angles to BC." not in first
+    assert ("No two known lines meet in c" in first) == (links == BAR)
     assert links == BAR or "12.0 mm along link 2, as its length is driven" in first
     with pytest.raises(coursework.InputError, match="BC changes"):
         solved(links, ', "graph_check"').graph_check.sheets(str)

@@ -23,6 +23,7 @@ from coursework.variant.reading.reader import parse_variant
 from tests.drawing import measured
 from tests.drawing.check_sheet.checked import check_of
 from tests.drawing.plans.moving_groups import CLOSED, HEAD, acceleration, crank, run_of, velocity
+from tests.mechanisms.library import mechanism
 
 GIVEN = {"shaper": {"V_B"}, "six-bar": {"V_B"}, "pin": {"V_K", "V_N"}, "block": {"V_K", "V_N"}, "pushed": set()}
 # The rows of each, V_XY that of X about Y; of the others only what the closed form has besides.
@@ -113,38 +114,10 @@ def test_the_plan_of_accelerations_has_coriolis_and_closes(name: str) -> None:
     assert slides == {"shaper": 1, "six-bar": 1, "pin": 2, "block": 2, "pushed": 0}[name]
 
 
-FIVE_BAR = """
-format = 1
-title = "five-bar: a crank and a driven point"
-[drive]
-w1 = "5"
-VMx = "0.5*cos(5*t)"
-VMy = "0.15*sin(5*t)"
-[coordinates]
-phi1 = { start = "80 deg", rate = "w1" }
-phi2 = { start = "20 deg", rate = "w2" }
-phi3 = { start = "-50 deg", rate = "w3" }
-[time]
-step = "0.02 s"
-end = "0.2 s"
-[[constraint]]
-equation = "-0.2*w1*sin(phi1) - 0.4*w2*sin(phi2) - 0.45*w3*sin(phi3) = VMx"
-[[constraint]]
-equation = "0.2*w1*cos(phi1) + 0.4*w2*cos(phi2) + 0.45*w3*cos(phi3) = VMy"
-[points]
-A = "(0, 0)"
-B = "A + 0.2 @ phi1"
-C = "B + 0.4 @ phi2"
-M = "C + 0.45 @ phi3"
-[links]
-1 = { points = ["A", "B"], rate = "w1" }
-2 = { points = ["B", "C"], rate = "w2" }
-3 = { points = ["C", "M"], rate = "w3" }
-[frame]
-hinges = ["A"]
-[closure]
-driven = "M"
-"""
+FIVE_BAR = mechanism(
+    "crank-and-driven-point", ('"60 deg"', '"80 deg"'), ('"0.9 rad"', '"20 deg"'), ('"-0.9 rad"', '"-50 deg"'), r1="0.2 m",
+    r2="0.4 m", r3="0.45 m", V=None, p=None, n="5 rad/s", VMx="0.5*cos(5*t)", VMy="0.15*sin(5*t)", end="0.2 s",
+)  # fmt: skip
 
 
 def test_a_dyad_between_a_crank_and_a_driven_point_is_read_off_the_plan() -> None:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
-from tests.effects.massed import text_of
 from tests.effects.test_rubbing import UNRUBBED
+from tests.mechanisms.library import mechanism
 
 FREE = UNRUBBED.replace(
     'k1 = { spring = ["O", "C"], stiffness = "50 N/m", free = "1 m" }', 'F = { on = "1", at = "C", force = "(PUSH, 0)" }'
@@ -57,7 +57,7 @@ def test_a_row_at_a_jump_keeps_every_scheme_of_second_order_exact_on_parabolas(s
 @pytest.mark.parametrize("longer", [1e-3, 1e3])
 def test_a_mechanism_a_thousand_times_as_long_turns_alike(longer):
     """Lengths, and with them torques and inertias, in another size: the angles of Euler's table stay, no dead point comes."""
-    text = text_of("example-2-motor")
+    text = mechanism("example-2-motor")
     for name, size, unit, power in (
         ("r1", 0.4, "m", 1), ("r2", 1.2, "m", 1), ("M0", 600, "N*m", 2), ("k", 35, "N*m*s", 2),
     ):  # fmt: skip
@@ -69,42 +69,13 @@ def test_a_mechanism_a_thousand_times_as_long_turns_alike(longer):
     text = text.replace('"9.81 m/s^2"', f'"{9.81 * longer!r} m/s^2"').replace("B + 0.4 @", f"B + {0.4 * longer} @")
     angles = [
         coursework.solve(coursework.parse_variant(one), "euler", end=0.6).motion.column("theta1")
-        for one in (text, text_of("example-2-motor"))
+        for one in (text, mechanism("example-2-motor"))
     ]
     assert len(angles[0]) == 61 and angles[0] == pytest.approx(angles[1], abs=1e-9)
     assert angles[0][-1] > math.pi
 
 
-ROD = """
-[given]
-r1 = "R1 m"
-[coordinates]
-phi1 = { start = "0.5 rad", rate = "w1" }
-phi2 = { rate = "w2", unit = "rad" }
-s = { rate = "u", unit = "m" }
-[time]
-step = "10 ms"
-end = "0.8 s"
-[points]
-A = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["r1"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRP"
-from = ["B"]
-guide = { through = "A", angle = "0" }
-meets = "C"
-lengths = ["0.35"]
-coordinates = ["phi2", "s"]
-mode = "+1"
-[frame]
-hinges = ["A"]
-rails = [ { through = "C", angle = "0" } ]
-[masses]
+HEAVY = """[masses]
 1 = { mass = "M1 kg", inertia = "rod" }
 2 = { mass = "M2 kg", inertia = "rod" }
 C = { mass = "0.1 kg", inertia = "point" }
@@ -117,25 +88,29 @@ start = { w1 = "2 rad/s" }
 """
 
 
-def rod_of(**data):
-    text = ROD
+def rod_of(r, **data):
+    masses = HEAVY
     for name, value in data.items():
-        text = text.replace(name, str(value))
-    return text
+        masses = masses.replace(name, str(value))
+    crank = mechanism(
+        "slider-crank", ("[drive]\n", ""), ('"0 deg"', '"0.5 rad"'), r=f"{r} m", l="0.35 m", e="0 m", n=None, w1=None,
+        step="10 ms", end="0.8 s", period=None,
+    )  # fmt: skip
+    return crank + masses
 
 
-def rod(**data):
-    return coursework.solve(coursework.parse_variant(rod_of(**data)), scheme="exact")
+def rod(r, **data):
+    return coursework.solve(coursework.parse_variant(rod_of(r, **data)), scheme="exact")
 
 
 def test_a_rod_shorter_than_its_crank_stops_it_where_the_rod_stands_across_its_guide():
     """0.61730816 s by SciPy's DOP853 (1e-12) from Lagrange's equations with two multipliers, which pass that place."""
-    run = rod(R1=0.36, M1=1, M2=2, T=0)
+    run = rod(r=0.36, M1=1, M2=2, T=0)
     assert run.stop.kind == "limit position" and run.stop.time == pytest.approx(0.61730816, abs=1e-7)
     assert len(run.motion.t) == 62
 
 
 def test_what_has_no_mass_in_its_dead_position_is_no_mechanism_at_a_dead_point():
     """A crank of 1e-9 kg, shorter than its rod, may turn right round; where the slider turns back nothing has mass."""
-    run = rod(R1=0.1, M1=1e-9, M2=1e-9, T=6)
+    run = rod(r=0.1, M1=1e-9, M2=1e-9, T=6)
     assert run.stop.kind == "too steep" and "hardly any mass there" in run.stop.sentence

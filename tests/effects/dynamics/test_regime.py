@@ -7,6 +7,7 @@ import pytest
 
 import coursework
 from coursework.effects.dynamics.regime import find_regime
+from tests.mechanisms.library import mechanism
 
 MIDDLE, SWING, LAG = 0.8, 0.15, 0.4  # rad/s, rad/s, rad: w = MIDDLE + SWING cos(phi - LAG)
 
@@ -60,29 +61,7 @@ def test_what_stands_still_only_grows_or_has_no_value_has_no_steady_motion(slope
     assert find_regime(SimpleNamespace(free=(0,), others=(), kept=(), slope=slope), [0.0], 1.0) is None
 
 
-SLED = """format = 1
-title = "A block that a constant force draws through a damper"
-[coordinates]
-s = { start = "0 m", rate = "u" }
-[time]
-step = "0.1 s"
-end = "5 s"
-[points]
-C = "(s, 0)"
-[links]
-1 = { points = ["C"] }
-[frame]
-rails = [ { through = "C", angle = "0" } ]
-[masses]
-C = { mass = "1 kg", inertia = "1 kg*m^2" }
-[forces]
-F = { on = "1", at = "C", force = "(2 - u, 0)" }
-[motor]
-rates = ["u"]
-start = { u = "0 m/s" }
-[ask]
-quantities = ["table", "dynamics", "accuracy"]
-"""
+SLED = mechanism("drawn-block")
 
 
 def test_a_slider_makes_no_turns_and_has_its_speed_in_metres_a_second():

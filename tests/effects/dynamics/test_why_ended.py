@@ -7,48 +7,13 @@ import pytest
 
 import coursework
 from tests.effects.dynamics.test_dynamics import rod_of
-
-PISTON = """
-[given]
-r1 = "0.4 m"
-r2 = "1.2 m"
-F = "300 N"
-[coordinates]
-theta1 = { start = "60 deg", rate = "w1" }
-theta2 = { start = "-16.7786549 deg", rate = "w2" }
-s3 = { start = "1.34891253 m", rate = "u3" }
-[time]
-step = "2 ms"
-end = "0.6 s"
-[points]
-A = "(0, 0)"
-B = "A + r1 @ theta1"
-C = "A + (s3, 0)"
-[links]
-1 = { points = ["A", "B"], rate = "w1" }
-2 = { points = ["B", "C"], rate = "w2" }
-[[constraint]]
-equation = "-r1*w1*sin(theta1) - r2*w2*sin(theta2) - u3 = 0"
-[[constraint]]
-equation = "r1*w1*cos(theta1) + r2*w2*cos(theta2) = 0"
-[closure]
-holds = ["r1*cos(theta1) + r2*cos(theta2) - s3", "r1*sin(theta1) + r2*sin(theta2)"]
-[frame]
-hinges = ["A"]
-rails = [ { through = "C", angle = "0" } ]
-[masses]
-1 = { mass = "4 kg", inertia = "0.0533 kg*m^2" }
-2 = { mass = "12 kg", inertia = "1.5 kg*m^2", centre = "B + 0.4 @ theta2" }
-C = { mass = "20 kg" }
-[forces]
-F1 = { on = "C", at = "C", force = "(-F, 0)" }
-[motor]
-rates = ["FREE"]
-"""
+from tests.mechanisms.library import mechanism
 
 
 def piston(free, scheme="exact", **options):
-    return coursework.solve(coursework.parse_variant(PISTON.replace("FREE", free)), scheme=scheme, **options)
+    return coursework.solve(
+        coursework.parse_variant(mechanism("slider-crank-under-a-force", rates=f'["{free}"]')), scheme=scheme, **options
+    )
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +38,7 @@ def test_rows_of_a_scheme_that_reach_the_limit_are_told_so():
 
 def test_links_without_mass_would_have_to_stretch():
     """A heavy crank drives a rod that is too short for it, and nothing but the crank has a mass: it hits its limit."""
-    text = rod_of(R1=0.36, M1=1, T=0)
+    text = rod_of(r=0.36, M1=1, T=0)
     kept = "".join(line for line in text.splitlines(keepends=True) if "M2 kg" not in line and not line.startswith("C = { mass"))
     run = coursework.solve(coursework.parse_variant(kept), scheme="exact")
     assert run.stop.kind == "dead point" and "would have to stretch" in run.stop.cause
@@ -82,7 +47,7 @@ def test_links_without_mass_would_have_to_stretch():
 
 def test_a_step_that_is_too_wide_for_the_links_is_the_step_of_the_scheme():
     """At 2 rad/s from 0.5 rad one step of 0.5 s asks for 1.5 rad, and arcsin(35/36) is 1.335 rad; weight slows the motion."""
-    variant = coursework.parse_variant(rod_of(R1=0.36, M1=1, M2=2, T=0))
+    variant = coursework.parse_variant(rod_of(r=0.36, M1=1, M2=2, T=0))
     run = coursework.solve(variant, scheme="euler", step=0.5, end=0.5)
     assert run.stop is run.motion.stop and run.scene.stop is None
     assert run.stop.kind == "step too large" and "no dead point" in run.stop.cause

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from coursework.variant.formula.tree import spelled
+from tests.mechanisms.library import mechanism
 
 DEGREE = math.pi / 180
 
@@ -112,75 +113,5 @@ def _turning(in_degrees, of_degrees=False):
 
 
 # Two mechanisms that are in no file.
-SLIDER_CRANK = b"""
-format = 1
-title = "Slider crank with a rod of its own"
-source = "own"
-teaches = "own"
-[given]
-r = "0.21 m"
-l = "0.63 m"
-e = "0.05 m"
-w0 = "7 1/s"
-eps = "1.5 1/s"
-[drive]
-w1 = "w0 + eps*sin(3*t)"
-[coordinates]
-phi1 = { start = "0.4 rad", rate = "w1" }
-phi2 = { start = "-0.21 rad", rate = "w2" }
-[unknowns]
-u = "m/s"
-[time]
-step = "0.02 s"
-end = "0.6 s"
-[[constraint]]
-name = "x"
-because = "x"
-equation = "-r*w1*sin(phi1) - l*w2*sin(phi2) = u"
-[[constraint]]
-name = "y"
-because = "y"
-equation = "r*w1*cos(phi1) + l*w2*cos(phi2) = 0"
-"""
-PULLED_BARS = b"""
-format = 1
-title = "Two bars pulled at their end and a follower"
-source = "own"
-teaches = "own"
-[given]
-a = "0.5 m"
-b = "0.62 m"
-d = "0.35 m"
-k = "0.7 m"
-V = "0.9 m/s"
-p = "6 1/s"
-beta = "0.7 rad"
-[drive]
-Vx = "V*cos(p*t + beta)"
-Vy = "0.6*V*sin(p*t)"
-[coordinates]
-phi1 = { start = "0.9 rad", rate = "w1" }
-phi2 = { start = "2.6 rad", rate = "w2" }
-psi = { start = "1.2 rad", rate = "wp" }
-[unknowns]
-u = "m/s"
-[time]
-step = "0.025 s"
-end = "0.75 s"
-[[constraint]]
-name = "A"
-because = "x"
-equation = "Vx + a*w1*sin(phi1) + b*w2*sin(phi2) = 0"
-[[constraint]]
-name = "B"
-because = "y"
-equation = "Vy - a*w1*cos(phi1) - b*w2*cos(phi2) = 0"
-[[constraint]]
-name = "C"
-because = "x"
-equation = "d*w1*sin(phi1) + k*wp*sin(psi) + u = 0"
-[[constraint]]
-name = "E"
-because = "y"
-equation = "d*w1*cos(phi1) + k*wp*cos(psi) = 0"
-"""
+SLIDER_CRANK = mechanism("slider-crank-equations").encode()
+PULLED_BARS = mechanism("pulled-bars").encode()

@@ -15,32 +15,10 @@ from coursework.system.plain_lines import plain_of
 from coursework.words.sentences import load_phrases
 from tests.grading.batch.classroom import EQUATIONS
 from tests.grading.pages.truths import VARIANT, files
+from tests.mechanisms.library import mechanism
 
 # A crank a turns a rod b whose end B slides along x: x = a cos q + b cos s, a sin q + b sin s = 0.
-SLIDER = """format = 1
-title = "Slider of a test"
-[given]
-a = "0.21 m"
-b = "0.74 m"
-n = "2.5 1/s"
-[drive]
-u = "n"
-[coordinates]
-q = { start = "0.4 rad", rate = "u" }
-s = { start = "-0.110749 rad", rate = "v" }
-x = { start = "0.928881 m", rate = "y" }
-[time]
-step = "0.02 s"
-end = "0.3 s"
-[[constraint]]
-name = "up"
-because = "B keeps its height"
-equation = "a*u*cos(q) + b*v*cos(s) = 0"
-[[constraint]]
-name = "along"
-because = "B slides along x"
-equation = "y + a*u*sin(q) + b*v*sin(s) = 0"
-"""
+SLIDER = mechanism("slider-crank-in-other-letters")
 A, B, N, H, ROWS = 0.21, 0.74, 2.5, 0.02, 16
 
 

@@ -10,6 +10,7 @@ from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.formula.tree import spelled
 from tests.grading.reading.dialects import DIALECTS, archive, written
 from tests.grading.scenes import expected, times
+from tests.mechanisms.library import mechanism
 
 GRID = expected().grid
 COLUMNS = {column.name: (column.unit, column.values) for column in GRID.columns}
@@ -272,12 +273,8 @@ def test_text_typed_into_moodle() -> None:
     assert [line.fault for line in typed.equations] == [None, None]
 
 
-def variant_file(**changes: str) -> bytes:
-    text = (expected().variant.path or __file__).read_text(encoding="utf-8")  # type: ignore[union-attr]
-    for old, new in changes.values():
-        assert old in text
-        text = text.replace(old, new)
-    return text.encode()
+def variant_file(**changes: tuple[str, str]) -> bytes:
+    return mechanism(expected().variant.name, *changes.values()).encode()
 
 
 def test_of_a_variant_file_only_the_equations_are_used() -> None:

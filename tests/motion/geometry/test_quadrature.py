@@ -112,7 +112,7 @@ def test_the_scenes_that_were_wrong_by_two_radians(kind, drive, given, turned, s
     whole = len(run.motion.t) == round(END / STEP) + 1
     scale = run.results.evidence.scale
     off = np.max(np.abs(run.motion.coordinates - run.scene.exact.coordinates[: len(run.motion.t)]), axis=0)
-    share = max(off[1] / scale["th2"], off[2] / scale["th3"])
+    share = max(off[1] / scale["phi2"], off[2] / scale["phi3"])
     assert accuracy.verdict == ("SKIP" if len(run.motion.t) == 1 else "PASS" if scheme == "exact" else accuracy.verdict)
     assert (accuracy.verdict != "PASS") or (whole and share <= 0.05), accuracy.sentence
     assert scheme != "euler" or accuracy.verdict != "PASS"

@@ -5,72 +5,15 @@ import pytest
 import coursework
 from coursework.motion.geometry.rigid import _is_arm
 from coursework.variant.formula.reader import parse
-from tests.motion.geometry.test_turning import closure, of
+from tests.mechanisms.library import mechanism
+from tests.motion.geometry.test_turning import closure
 
-TRAMMEL = """
-[given]
-l = "300 mm"
-V = "10 cm/s"
-k = "2 rad/s"
-[drive]
-u = "V*cos(k*t)"
-[coordinates]
-x = { start = "18 cm", rate = "u" }
-y = { start = "24 cm", rate = "v" }
-th = { start = "53.13010235415598 deg", rate = "w" }
-[time]
-step = "2*pi/(80*k)"
-end = "2*pi/k"
-[points]
-A = "(x, 0)"
-B = "(0, y)"
-E = "A + 0.4*(B - A)"
-[links]
-1 = { points = ["A", "B", "E"], rate = "w" }
-[frame]
-rails = [{ through = "A", angle = "0 deg" }, { through = "B", angle = "90 deg" }]
-[[constraint]]
-name = "x"
-equation = "u + l*sin(th)*w = 0"
-because = "x = l cos th"
-[[constraint]]
-name = "y"
-equation = "v - l*cos(th)*w = 0"
-because = "y = l sin th"
-[closure]
-holds = ["x - l*cos(th)", "y - l*sin(th)"]
-[ask]
-quantities = ["table"]
-"""
+TRAMMEL = mechanism("trammel")
 # A cylinder, whose two ends are a link: its length is a coordinate.
-CYLINDER = """
-[given]
-a = "0.5 m"
-d = "1.1 m"
-v = "0.05 m/s"
-[drive]
-u = "v"
-[coordinates]
-s = { start = "1.2 m", rate = "u", unit = "m" }
-f = { start = "24.62 deg", rate = "w1" }
-g = { start = "91.04 deg", rate = "w2" }
-[time]
-step = "0.1 s"
-end = "1 s"
-[[constraint]]
-closure = "K + s @ f = J + a @ g"
-[points]
-K = "(0, 0)"
-J = "(d, 0)"
-N = "J + a @ g"
-[links]
-2 = { points = ["K", "N"], rate = "w1" }
-3 = { points = ["J", "N"], rate = "w2" }
-[frame]
-hinges = ["K", "J"]
-[ask]
-quantities = ["table"]
-"""
+CYLINDER = mechanism(
+    "boom", ('points = ["B"], rate = "w2"', 'points = ["B", "C"], rate = "w2"'),
+    ('3 = { points = ["C"], slides = 2, rate = "w2" }\n', ""),
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("text", [TRAMMEL, CYLINDER], ids=["trammel", "cylinder"])
@@ -83,7 +26,7 @@ def test_a_circle_that_no_wheel_rolls_on_may_be_drawn_beside():
         'circles = [ { center = "O", radius = "R0" } ]',
         'circles = [ { center = "O", radius = "R" }, { center = "O", radius = "R0" } ]',
     )
-    assert closure(of("epicyclic"), slip).agreed
+    assert closure(mechanism("epicyclic"), slip).agreed
 
 
 def test_wheels_that_roll_on_each_other_need_no_circle():
@@ -92,14 +35,14 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
         ('radius = "R0"', 'radius = "1.01*R0"'),
         ('3 = { points = ["E"', '4 = { wheel = "O", contact = "P" }\n3 = { points = ["E"'),
     )
-    assert closure(of("epicyclic"), *slips).names
+    assert closure(mechanism("epicyclic"), *slips).names
 
 
 @pytest.mark.parametrize(
     ("text", "slip", "told"),
     [
         (
-            of("31"),
+            mechanism("31"),
             ('["M", "B", "C"]', '["M", "A", "C"]'),
             r"V314 .*A and . of link 3 are .* keep their distance\. .*keeps it to",
         ),
@@ -109,10 +52,10 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
             r'V316 .*through B lies at 0°.*angle = "90 deg"',
         ),
         (TRAMMEL, ('through = "B", angle = "90 deg"', 'through = "E", angle = "90 deg"'), "V316 .*E leaves that line"),
-        (of("epicyclic"), ('radius = "R0"', 'radius = "1.01*R0"'), "V317 .*radius of 0.1.* contact P is 0.1"),
-        (of("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
-        (of("31"), ('hinges = ["D"]', 'hinges = ["D", "A"]'), "V319 .*A moves: at t = .*Take it out of hinges"),
-        (of("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
+        (mechanism("epicyclic"), ('radius = "R0"', 'radius = "1.01*R0"'), "V317 .*radius of 0.1.* contact P is 0.1"),
+        (mechanism("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
+        (mechanism("31"), ('hinges = ["D"]', 'hinges = ["D", "A"]'), "V319 .*A moves: at t = .*Take it out of hinges"),
+        (mechanism("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
     ],
     ids=["link", "rail", "curved", "circle", "contact on a rail", "moving hinge", "contact in a ring"],
 )
@@ -133,18 +76,18 @@ def test_a_rail_may_be_off_by_a_millionth_of_the_way(turned, told):
 
 @pytest.mark.parametrize(("part", "told"), [(0.9e-6, False), (1.1e-6, True)])
 def test_a_circle_may_be_off_by_a_millionth_of_the_largest_length(part, told):
-    whole = closure(of("epicyclic"))
+    whole = closure(mechanism("epicyclic"))
     slip = 'radius = "R0"', f'radius = "R0*(1 + {part * whole.scale / whole.equations.variant.values["R0"]!r})"'
     if told:
         with pytest.raises(coursework.InputError, match="V317"):
-            closure(of("epicyclic"), slip)
+            closure(mechanism("epicyclic"), slip)
     else:
-        assert closure(of("epicyclic"), slip).names == whole.names
+        assert closure(mechanism("epicyclic"), slip).names == whole.names
 
 
 def test_a_bar_that_its_sleeve_leaves_is_told():
     with pytest.raises(coursework.InputError, match=r"V315 .*link 4 slides along link 2, and its point O lies"):
-        closure(of("v107"), ('slides = "3"', 'slides = "2"'))
+        closure(mechanism("v107"), ('slides = "3"', 'slides = "2"'))
 
 
 def test_a_start_with_few_digits_tells_nothing_of_links():
@@ -157,7 +100,7 @@ def test_a_start_with_few_digits_tells_nothing_of_links():
 
 def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivot():
     with pytest.raises(coursework.InputError, match=r"V314 .*A and C of link 1 are 1\.6 m apart"):
-        closure(of("example-2"), ('["A", "B"],', '["A", "B", "C"],'))
+        closure(mechanism("example-2"), ('["A", "B"],', '["A", "B", "C"],'))
 
 
 @pytest.mark.parametrize(

@@ -6,9 +6,10 @@ import pytest
 
 import coursework
 from coursework.motion.geometry.start import start_values
-from tests.scene.model.test_start import TEXT, angles
+from tests.mechanisms.library import changed
+from tests.scene.model.test_start import angles, four_bar
 
-FROM, NAMES = 'from = ["A", "D"]', 'coordinates = ["g", "h"]'
+FROM, NAMES = 'from = ["B", "D"]', 'coordinates = ["phi2", "phi3"]'
 
 
 def faults(off=0.0, *, unit="deg", changes=(), place=0):
@@ -16,10 +17,7 @@ def faults(off=0.0, *, unit="deg", changes=(), place=0):
     start = list(angles(0.1, 1))
     start[place] += off
     first = repr(start[0] if unit == "rad" else math.degrees(start[0]))
-    text = TEXT.format(g=first, h=repr(math.degrees(start[1])), mode='mode = "+1"').replace(f'{first} deg"', f'{first} {unit}"')
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
+    text = changed(four_bar(f"{first} {unit}", f"{math.degrees(start[1])!r} deg", mode="+1"), *changes)
     try:
         run = coursework.solve(coursework.parse_variant(text, "own.toml"))
         found = start_values(run.scene.equations)
@@ -35,7 +33,7 @@ def test_a_start_is_where_the_dyad_closes_but_for_a_millionth(sign, place):
     assert faults(sign * 0.9e-6, place=place) == []
     ((code, told),) = faults(sign * 1.1e-6, place=place)
     wanted = math.degrees(angles(0.1, 1)[place])
-    assert (code, told["name"], told["unit"]) == ("V332", "gh"[place], "deg")
+    assert (code, told["name"], told["unit"]) == ("V332", ("phi2", "phi3")[place], "deg")
     assert (told["start"], told["closed"]) == (pytest.approx(wanted + math.degrees(sign * 1.1e-6)), pytest.approx(wanted))
 
 
@@ -45,7 +43,7 @@ def test_a_start_is_told_in_the_unit_that_was_typed():
 
 
 @pytest.mark.parametrize(("old", "new", "key"), [
-    (FROM, 'from = ["D", "A"]', "from"), (NAMES, 'coordinates = ["h", "g"]', "coordinates"),
+    (FROM, 'from = ["D", "B"]', "from"), (NAMES, 'coordinates = ["phi3", "phi2"]', "coordinates"),
 ])  # fmt: skip
 @pytest.mark.parametrize(("off", "is_swap"), [(0.0, True), (0.019, True), (-0.019, True), (0.021, False), (-0.021, False)])
 def test_points_or_coordinates_in_the_other_order_are_told_where_the_start_shows_it(old, new, key, off, is_swap):
@@ -54,4 +52,4 @@ def test_points_or_coordinates_in_the_other_order_are_told_where_the_start_shows
     if is_swap:
         told = found[0][1]
         assert (told["number"], told["kind"], told["key"]) == (2, "RRR", key)
-        assert told["swapped"] == {"from": '["A", "D"]', "coordinates": '["g", "h"]'}[key]
+        assert told["swapped"] == {"from": '["B", "D"]', "coordinates": '["phi2", "phi3"]'}[key]

@@ -8,43 +8,19 @@ import coursework
 from coursework.motion.geometry.drive import integrals
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
+from tests.mechanisms.library import mechanism
 
 END = 0.5
 BASE = (folder("variants") / "31.toml").read_text(encoding="utf-8")
-CRANK = """
-[given]
-l = "0.4 m"
-w0 = "10 rad/s"
-[drive]
-w1 = "w0"
-[coordinates]
-phi1 = { start = "0.5 rad", rate = "w1" }
-phi2 = { rate = "w2", unit = "rad" }
-s = { rate = "u", unit = "m" }
-[functions]
-r = LAW
-[time]
-step = "0.01 s"
-end = "0.5 s"
-[points]
-O = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["O"]
-meets = "A"
-lengths = ["r"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRP"
-from = ["A"]
-guide = { through = "O", angle = "0" }
-meets = "B"
-lengths = ["l"]
-coordinates = ["phi2", "s"]
-mode = "+1"
-[ask]
-quantities = ["table", "checks", "accelerations", "points"]
-"""
+
+
+def crank(law):
+    """Return a slider-crank whose crank has a length that changes over time."""
+    text = mechanism(
+        "slider-crank", ('"0 deg"', '"0.5 rad"'), ("[time]", f"[functions]\nr = {law}\n[time]"), r=None, l="0.4 m", e="0 m",
+        n="10 rad/s", step="0.01 s", end="0.5 s", period=None,
+    )  # fmt: skip
+    return f'{text}[ask]\nquantities = ["table", "checks", "accelerations", "points"]\n'
 
 
 def drive(t):
@@ -103,10 +79,8 @@ def test_a_tabulated_drive_tends_to_its_formula(driven, method):
 @pytest.mark.parametrize("method", ["five-point", "spline"])
 def test_a_length_over_time_and_its_derivatives(tmp_path, method):
     write(tmp_path / "r.csv", length, 401)
-    (tmp_path / "table.toml").write_text(
-        CRANK.replace("LAW", f'{{ table = "r.csv", of = "t", method = "{method}" }}'), encoding="utf-8"
-    )
-    (tmp_path / "formula.toml").write_text(CRANK.replace("LAW", '"0.12 + 0.02*sin(7*t)"'), encoding="utf-8")
+    (tmp_path / "table.toml").write_text(crank(f'{{ table = "r.csv", of = "t", method = "{method}" }}'), encoding="utf-8")
+    (tmp_path / "formula.toml").write_text(crank('"0.12 + 0.02*sin(7*t)"'), encoding="utf-8")
     tabled, plain = coursework.solve(tmp_path / "table.toml"), coursework.solve(tmp_path / "formula.toml")
     (names, rows), (others, wanted) = tabled.columns(), plain.columns()
     assert names == others

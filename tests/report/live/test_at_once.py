@@ -80,7 +80,7 @@ def test_without_what_moves_nothing_tells_of_it(written: Any, opened: Any) -> No
     assert not opened(written("31"), java_script_enabled=False).page.is_visible("#results .live-note")
 
 
-@pytest.mark.parametrize(("name", "before", "after"), [("n1", "120 rpm", "180 rpm"), ("r1", "0.1 m", "0.15 m")])
+@pytest.mark.parametrize(("name", "before", "after"), [("n", "120 rpm", "180 rpm"), ("r1", "0.1 m", "0.15 m")])
 def test_a_datum_is_told_in_the_unit_in_which_it_was_given(shaper: Path, opened: Any, name: str, before: str, after: str) -> None:
     page = opened(shaper)
     page.page.select_option("#lab-datum-name", name)

@@ -15,8 +15,9 @@ from coursework.report.live.page import MOST_BYTES, live_numbers, live_part
 from coursework.report.live.script import script_of, shortened
 from coursework.scene.scene_run import SceneRun
 from coursework.words.sentences import load_phrases
-from tests.effects.massed import of_text, text_of
+from tests.effects.massed import of_text
 from tests.effects.moved import free_31
+from tests.mechanisms.library import mechanism
 from tests.solved import solved
 
 ASKED = """
@@ -86,7 +87,7 @@ def test_masses_and_loads_given_as_numbers_are_data_of_the_page(engine: Any) -> 
     order = [given.name for given in scene.variant.given]
     assert order[-4:] == ["m_1", "m_2", "m_3", "Q1"]
     heavier = of_text(
-        text_of(
+        mechanism(
             "example-1-forces", ('mass = "10 kg", inertia = "0.833 kg*m^2"', 'mass = "15 kg", inertia = "1.2495 kg*m^2"'),
             ('torque = "-60 N*m"', 'torque = "-90 N*m"'),
         ), scheme="exact",

@@ -10,61 +10,14 @@ from coursework import parse_variant, solve
 from coursework.report.pages import build_model, render_pdf
 from tests.drawing.test_clearest import SHAPER
 from tests.drawing.test_turns import FIVE_BAR
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, paper_of, solved
 from tests.report.own import STEPHENSON
 from tests.report.pages.test_paper import filled
 
 ASKED = ["table", "plots", "checks", "graph_check", "accelerations", "points", "plans", "trajectories"]
 HALF = 0.5
-SIX_BAR = """format = 1
-title = "Six-bar: a four-bar and a rod in a swinging sleeve"
-[given]
-n1 = "100 rpm"
-r1 = "0.10 m"
-r2 = "0.28 m"
-r3 = "0.22 m"
-d = "0.30 m"
-f = "0.25 m"
-L = "0.45 m"
-[drive]
-w1 = "n1"
-[coordinates]
-phi1 = { start = "0 deg", rate = "w1" }
-phi2 = { rate = "w2", unit = "rad" }
-phi3 = { rate = "w3", unit = "rad" }
-phi5 = { rate = "w5", unit = "rad" }
-s4 = { rate = "u4", unit = "m" }
-[time]
-step = "0.025 s"
-end = "0.6 s"
-period = "2*pi/n1"
-[points]
-A = "(0, 0)"
-D = "(d, 0)"
-F = "(d, -f)"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["r1"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRR"
-from = ["B", "D"]
-meets = "C"
-lengths = ["r2", "r3"]
-coordinates = ["phi2", "phi3"]
-mode = "+1"
-[[group]]
-kind = "RPR"
-from = ["C", "F"]
-meets = "E"
-lengths = ["L"]
-coordinates = ["phi5", "s4"]
-mode = "+1"
-[frame]
-hinges = ["A", "D", "F"]
-"""
+SIX_BAR = mechanism("six-bar-with-sleeve")
 
 
 @cache

@@ -6,40 +6,10 @@ from types import ModuleType
 
 import coursework
 from tests.effects.test_rubbing import BLOCK
+from tests.mechanisms.library import mechanism
 
 # Crank and rod of one length: Euler's slider passes its pivot from row 26 to 27, where the mechanism itself goes on.
-EQUAL = """format = 1
-title = "Crank and rod of one length"
-[given]
-r = "0.35 m"
-[drive]
-w1 = "5"
-[coordinates]
-phi1 = { start = "0.3 rad", rate = "w1" }
-phi2 = { start = "-0.2999997 rad", rate = "w2" }
-s = { start = "0.66873557 m", rate = "u" }
-[time]
-step = "0.01 s"
-end = "1 s"
-[[constraint]]
-name = "x"
-equation = "-r*w1*sin(phi1) - r*w2*sin(phi2) - u = 0"
-[[constraint]]
-name = "y"
-equation = "r*w1*cos(phi1) + r*w2*cos(phi2) = 0"
-[points]
-A = "(0, 0)"
-B = "A + r @ phi1"
-C = "B + r @ phi2"
-[links]
-1 = { points = ["A", "B"], rate = "w1" }
-2 = { points = ["B", "C"], rate = "w2" }
-[frame]
-hinges = ["A"]
-rails = [ { through = "C", angle = "0" } ]
-[closure]
-holds = ["C.y", "C.x - s"]
-"""
+EQUAL = mechanism("equal-crank-and-rod")
 
 
 def test_rows_lost_before_the_dead_point_are_not_said_to_be_none_of_the_motion(real: ModuleType) -> None:

@@ -10,6 +10,7 @@ import coursework
 from coursework.drawing.outline.tracing import read_outline
 from coursework.scene.scene_run import SceneRun
 from coursework.words.data_folders import folder
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, page_of, paper_of
 from tests.report.own import FIVE_BAR, SHAPER, STEPHENSON
 from tests.report.reading import html_text, pdf_text
@@ -148,32 +149,7 @@ def test_of_a_point_that_a_cam_lifts_no_body_is_known_and_no_pivot_drawn() -> No
 
 
 # A guide through A turned by a drive, another one pushed along by a second: a pin between both.
-PIN = """\
-[given]
-n = "1 rad/s"
-v = "0.1 m/s"
-[drive]
-w = "n"
-us = "v"
-[coordinates]
-psi = { start = "40 deg", rate = "w" }
-s = { start = "0.4 m", rate = "us" }
-si = { rate = "ui", unit = "m" }
-sj = { rate = "uj", unit = "m" }
-[time]
-step = "0.02 s"
-end = "0.2 s"
-[points]
-A = "(0, 0)"
-K = "(s, 0)"
-[[group]]
-kind = "PRP"
-guides = [{ through = "A", angle = "psi" }, { through = "K", angle = "90 deg" }]
-meets = "C"
-coordinates = ["si", "sj"]
-[frame]
-rails = [{ through = "K", angle = "0" }]
-"""
+PIN = mechanism("pin-between-guides")
 
 
 def test_what_turns_with_a_guide_has_its_pivot_where_the_guide_begins() -> None:

@@ -13,8 +13,9 @@ from coursework.equations.reduction.meaning import meaning
 from coursework.variant.formula.reader import parse as parse_formula
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.test_change_points import past_the_pivot
+from tests.mechanisms.library import mechanism
 from tests.report.own import BOOM, STEPHENSON
-from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, SLIDER
+from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, slider_crank
 
 EVERYTHING = ["table", "plots", "checks", "analogs", "invariants"]
 
@@ -114,12 +115,12 @@ def test_harmonics_are_told_where_the_motion_is_no_single_sine(real: ModuleType)
 
 def test_where_one_sine_carries_all_the_motion_is_as_the_drive(real: ModuleType) -> None:
     """A crank that swings a little moves its slider as a sine, whatever the guide."""
-    run = solved(SLIDER.format(e=0.0, start=1.2, drive="0.2*w0*cos(w0*t)"), "table", "checks")
+    run = solved(slider_crank(0.0, 1.2, "0.2*n*cos(n*t)"), "table", "checks")
     assert finding(run, "SINUSOID").sentence.startswith(
         "The velocities are sinusoidal, as the drive is: its own frequency alone carries 9"
     )
     assert "The velocities are sinusoidal, as the drive is" in told(real, run, "control")
-    wide = solved(SLIDER.format(e=0.0, start=0.0, drive="0.9*w0*cos(w0*t)"), "table", "checks")
+    wide = solved(slider_crank(0.0, 0.0, "0.9*n*cos(n*t)"), "table", "checks")
     assert "but not the drive's own frequency alone" in finding(wide, "SINUSOID").sentence
 
 
@@ -131,8 +132,8 @@ def test_where_one_sine_carries_all_the_motion_is_as_the_drive(real: ModuleType)
     ],
 )
 def test_a_slider_stands_on_its_pivot_only_without_an_offset(offset: str, words: str) -> None:
-    variant = parse_variant(SHAPER.replace('coordinates = ["phi3", "s3"]\n', f'coordinates = ["phi3", "s3"]\n{offset}'))
-    assert meaning(parse_formula("s3"), variant, ()) == f"the distance s3 is zero {words}"
+    variant = parse_variant(SHAPER.replace('coordinates = ["phi3", "s"]\n', f'coordinates = ["phi3", "s"]\n{offset}'))
+    assert meaning(parse_formula("s"), variant, ()) == f"the distance s is zero {words}"
 
 
 def test_a_distance_that_no_point_shows_is_no_more_than_zero() -> None:
@@ -192,36 +193,7 @@ def test_what_the_numbers_are_parts_of_is_said_where_they_first_stand(real: Modu
 
 
 # An arm whose second angle is counted from its first link, and one whose links have rates of their own.
-ARM = """\
-[given]
-a = "0.4 m"
-b = "0.3 m"
-v = "0.1 m/s"
-[drive]
-VMx = "v"
-VMy = "v"
-[coordinates]
-phi1 = { start = "0.5 rad", rate = "w1" }
-phi2 = { start = "1 rad", rate = "w2" }
-[unknowns]
-W2 = "1/s"
-[time]
-step = "0.1 s"
-end = "0.2 s"
-[[constraint]]
-equation = "W2 = w1 + w2"
-[[constraint]]
-equation = "VMx = -a*w1*sin(phi1) - b*W2*sin(phi1 + phi2)"
-[[constraint]]
-equation = "VMy = a*w1*cos(phi1) + b*W2*cos(phi1 + phi2)"
-[points]
-O = "(0, 0)"
-A = "O + a @ phi1"
-M = "A + b @ (phi1 + phi2)"
-[links]
-1 = { points = ["O", "A"], rate = "w1" }
-2 = { points = ["A", "M"], rate = "W2" }
-"""
+ARM = mechanism("arm-with-relative-angle")
 
 
 @pytest.mark.parametrize(

@@ -9,40 +9,9 @@ import pytest
 from coursework.report.text.words import load_words
 from coursework.variant.reading.reader import parse_variant
 from tests.command import call
+from tests.mechanisms.library import mechanism
 
-OFFSET = """
-title = "crank, rod and a slider in a guide beside the crank"
-[given]
-a = "0.1 m"
-l = "0.35 m"
-n = "40 rpm"
-[drive]
-w1 = "n"
-[coordinates]
-phi1 = { start = "20 deg", rate = "w1" }
-phi2 = { rate = "w2", unit = "rad" }
-s = { rate = "u", unit = "m" }
-[time]
-step = "0.05 s"
-end = "1.5 s"
-[points]
-O = "(0, 0)"
-K = "(0, 0.04)"
-[[group]]
-kind = "crank"
-from = ["O"]
-meets = "A"
-lengths = ["a"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRP"
-from = ["A"]
-lengths = ["l"]
-guide = { through = "K", angle = "0" }
-mode = "+1"
-meets = "B"
-coordinates = ["phi2", "s"]
-"""
+OFFSET = mechanism("slider-crank")
 
 
 @pytest.mark.parametrize(

@@ -7,29 +7,10 @@ import pytest
 import coursework
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import on_axes, spelled
+from tests.mechanisms.library import mechanism
 from tests.report.made import solved
 
-CRANK = """format = 1
-title = "A crank"
-[given]
-r1 = "0.1 m"
-w0 = "10 rad/s"
-[drive]
-w1 = "w0"
-[coordinates]
-phi1 = { start = "0 deg", rate = "w1" }
-[time]
-step = "0.1 s"
-end = "1 s"
-[points]
-A = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["r1"]
-coordinates = ["phi1"]
-"""
+CRANK = mechanism("crank")
 
 
 def statement(real: ModuleType, variant: object) -> str:

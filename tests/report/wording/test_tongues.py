@@ -22,40 +22,14 @@ from coursework.report.pages import build_model, render_html
 from coursework.report.text.parts import Display
 from coursework.variant.formula import mass_units, motion_units
 from coursework.words.sentences import load_phrases, say
+from tests.mechanisms.library import mechanism
 from tests.report.words_missing import languages, read
 
 # A shaper of its own: crank, slotted lever hinged below it, no file of the catalogue.
-SHAPER = """
-format = 1
-title = "Shaper"
-[given]
-r1 = "0.10 m"
-d = "0.25 m"
-w = "12.5 rad/s"
-[drive]
-w1 = "w"
-[coordinates]
-phi1 = { start = "0.3 rad", rate = "w1" }
-phi3 = { rate = "w3" }
-s3 = { rate = "u3" }
-[points]
-O = "(0, d)"
-D = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["O"]
-lengths = ["r1"]
-coordinates = ["phi1"]
-meets = "A"
-[[group]]
-kind = "RPR"
-from = ["A", "D"]
-coordinates = ["phi3", "s3"]
-mode = "+1"
-[time]
-step = "0.02 s"
-end = "0.5 s"
-"""
+SHAPER = mechanism(
+    "shaper", ('"0 deg"', '"0.3 rad"'), ('s = { rate = "u"', 's3 = { rate = "u3"'), ('["phi3", "s"]', '["phi3", "s3"]'),
+    n="12.5 rad/s", step="0.02 s", end="0.5 s", period=None, quantities=None,
+)  # fmt: skip
 CYRILLIC = ("ru", "uk")
 # A number and a unit in Latin letters; "h" of a step, what is typed and what is code are no units.
 _LATIN_UNIT = re.compile(r"\d[\u00a0 ](?:m|s|mm|rad|deg|rpm|m/s|rad/s|1/s|m/s²|rad/s²)(?![\w/=.])")
@@ -183,7 +157,7 @@ def test_a_letter_that_no_face_has_is_named(student: str, missing: str, tmp_path
 @pytest.mark.parametrize(("language", "said"), [("ru", "пишите sin(…)"), ("uk", "пишіть sin(…)"), ("zh", "sin(…)")])
 def test_a_function_in_cyrillic_letters_is_told_in_latin(language: str, said: str) -> None:
     with pytest.raises(coursework.InputError) as refused:
-        coursework.parse_variant(SHAPER.replace('w1 = "w"', 'w1 = "w*син(t)"'))
+        coursework.parse_variant(SHAPER.replace('w1 = "n"', 'w1 = "n*син(t)"'))
     assert said in refused.value.told(load_phrases(language).written)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from coursework.results.checks.close_to_motion import several_periods
+from tests.mechanisms.library import mechanism
 from tests.report.own import FIVE_BAR
 from tests.results.checks.independent import judge
 from tests.results.checks.scenes import evidence_of, finding, found, solve
@@ -18,44 +19,7 @@ TURN = 2 * math.pi / 5
 
 def wheel(ring, period="2*pi/w", turns=1, law="w"):
     """Return the file of a ring of 0.3 m radius times `ring`/3, a wheel of 0.3 m in it and a pin that pushes a slider."""
-    return f"""
-format = 1
-title = "A wheel in a ring"
-
-[given]
-R = "{ring} m"
-r = "0.3 m"
-e = "0.1 m"
-w = "5 rad/s"
-
-[drive]
-wc = "{law}"
-
-[coordinates]
-crank = {{ start = "0 deg", rate = "wc" }}
-wheel = {{ start = "0 deg", rate = "wp" }}
-
-[unknowns]
-u = "m/s"
-
-[time]
-step = "2*pi/(40*w)"
-end = "{turns}*2*pi/w"
-period = "{period}"
-
-[[constraint]]
-name = "1"
-because = "the wheel rolls"
-equation = "(R - r)*wc + r*wp = 0"
-
-[[constraint]]
-name = "2"
-because = "speed of the pin"
-equation = "-(R - r)*wc*sin(crank) - e*wp*sin(wheel) = u"
-
-[ask]
-quantities = ["table", "checks"]
-"""
+    return mechanism("wheel-in-a-ring", R=f"{ring} m", wc=law, end=f"{turns}*2*pi/w", period=period)
 
 
 def judged(text, scheme="rk4"):

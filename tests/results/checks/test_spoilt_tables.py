@@ -10,6 +10,7 @@ from coursework.motion.integration.integrate import March
 from coursework.motion.schemes import scheme_of
 from coursework.results.checks import check as records
 from coursework.results.checks.check import check_motion
+from tests.mechanisms.library import mechanism
 from tests.results.checks.scenes import CODES, V31, evidence_of, finding, found, solve, spoil, verdicts
 
 DEAD = V31.replace('alpha = "4.35 rad"', 'alpha = "0.02 rad"')
@@ -162,29 +163,11 @@ def test_the_march_keeps_its_first_row_whatever_the_scheme(run):
         assert motion.t[3] == 3 * 0.02
 
 
-CRANK = """
-[given]
-r = "0.1 m"
-l = "0.4 m"
-[drive]
-w1 = "10"
-[coordinates]
-phi1 = { start = "0.5 rad", rate = "w1" }
-phi2 = { start = "START rad", rate = "w2" }
-[time]
-step = "0.01 s"
-end = "0.1 s"
-[[constraint]]
-name = "y"
-closure = "r*sin(phi1) + l*sin(phi2) = 0"
-"""
-
-
 @pytest.mark.parametrize("options", [{}, {"project": 1}, {"scheme": "rk4"}])
 @pytest.mark.parametrize("start", ["-0.120", "-0.12015", "-0.1201453", "-0.1201453472"])
 def test_a_rounded_start_is_told_by_start_and_no_drift(start, options):
     """The velocity equations keep what the start leaves open; nobody is blamed for it twice."""
-    judged = verdicts(solve(CRANK.replace("START", start), **options))
+    judged = verdicts(solve(mechanism("slider-crank-loop", ("-0.1201453472", start)), **options))
     assert judged["DRIFT"] == "PASS"
     assert judged["START"] == ("FAIL" if len(start) < 10 else "PASS")
 

@@ -8,6 +8,7 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.commands.cli import main
+from tests.mechanisms.library import changed, mechanism
 
 # A crank and rocker of my own: its sides, and two angles of it from the cosine rule.
 A, B, C, D = 0.13, 0.41, 0.29, 0.37
@@ -15,39 +16,18 @@ DIAGONAL = math.hypot(D, A)  # the crank stands upright
 REACH = math.atan2(-A, D)
 ROD = REACH + math.acos((B**2 + DIAGONAL**2 - C**2) / (2 * B * DIAGONAL))
 ROCKER = math.atan2(A + B * math.sin(ROD), B * math.cos(ROD) - D)
-FOUR_BAR = """
-[given]
-a = "0.13 m"
-b = "0.41 m"
-c = "0.29 m"
-d = "0.37 m"
-[drive]
-w1 = "3"
-[coordinates]
-phi1 = {{ start = "{crank!r} rad", rate = "w1" }}
-phi2 = {{ start = "{rod!r} rad", rate = "w2" }}
-phi3 = {{ start = "{rocker!r} rad", rate = "w3" }}
-[time]
-step = "0.01 s"
-end = "0.2 s"
-[points]
-O = "(0, 0)"
-Q = "(d, 0)"
-P = "O + a @ phi1"
-R = "P + b @ phi2"
-S = "Q + c @ phi3"
-[closure]
-holds = {holds}
-[ask]
-quantities = ["table", "checks"]
-"""
 LOOP = '["(R - Q - c @ phi3).x", "(R - Q - c @ phi3).y"]'
 HINGE = '["(R - S).x", "S.y - R.y"]'
 BY_HAND = '["R.x - Q.x - c*cos(phi3)", "R.y - Q.y - c*sin(phi3)"]'
 
 
+def four_bar(holds, rocker=ROCKER, unit="rad"):
+    """Return the four-bar with its rocker at an angle, ROCKER where its loop is closed."""
+    return mechanism("four-bar-by-its-points", (f"{ROCKER!r} rad", f"{rocker!r} {unit}"), holds=holds)
+
+
 def solved(holds, rocker=ROCKER):
-    text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=rocker, holds=holds)
+    text = four_bar(holds, rocker)
     run = coursework.solve(coursework.parse_variant(text, "own.toml"), "rk4")
     return run, next(finding for finding in run.checks if finding.code == "START")
 
@@ -84,7 +64,7 @@ def test_what_the_start_alone_gives_is_told_with_its_value_where_it_is_not_zero(
 def test_the_command_check_tells_an_open_start_too(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for rocker, status in ((ROCKER, 0), (ROCKER + 0.002, 1)):
-        text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=rocker, holds=LOOP)
+        text = four_bar(LOOP, rocker)
         (tmp_path / "own.toml").write_text(text, encoding="utf-8")
         told = CliRunner().invoke(main, ["check", "own.toml"])
         assert (told.exit_code, "leave the mechanism open" in told.output) == (status, bool(status))
@@ -103,15 +83,14 @@ def test_the_nearest_closed_start_is_found_from_far_and_told_without_whole_turns
 
 def test_the_nearest_closed_start_stands_in_the_units_of_the_file():
     """Radians copied into the place of degrees would start another motion."""
-    text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=ROCKER + 0.02, holds=LOOP)
-    text = text.replace(f"{ROCKER + 0.02!r} rad", f"{math.degrees(ROCKER + 0.02)!r} deg")
+    text = four_bar(LOOP, math.degrees(ROCKER + 0.02), "deg")
     run = coursework.solve(coursework.parse_variant(text, "own.toml"), "rk4")
     told = str(next(finding for finding in run.checks if finding.code == "START").sentence)
     assert re.search(r"phi2 = [-\d.]+ rad, phi3 = [-\d.]+ deg\.$", told)
 
 
 def test_a_mechanism_that_nothing_drives_is_no_table_that_passes():
-    text = FOUR_BAR.format(crank=math.pi / 2, rod=ROD, rocker=ROCKER, holds=LOOP).replace('w1 = "3"', 'w1 = "0"')
+    text = changed(four_bar(LOOP), w1="0")
     run = coursework.solve(coursework.parse_variant(text), "rk4")
     assert next(one for one in run.checks if one.code == "STOP").verdict == "SKIP"
     assert run.summary.startswith("Nothing moves: every velocity is zero in each of the 21 rows.")

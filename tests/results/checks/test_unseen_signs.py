@@ -3,56 +3,23 @@
 import pytest
 
 import coursework
+from tests.mechanisms.library import mechanism
 
-# An offset crank and slider of my own; its guide is turned by g from the axis x.
-SLIDER = """
-[given]
-a = "0.11 m"
-b = "0.43 m"
-e = "0.05 m"
-g = "{angle}"
-n = "70 rpm"
-[drive]
-w1 = "n"
-[coordinates]
-phi = {{ start = "40 deg", rate = "w1" }}
-psi = {{ rate = "w2", unit = "rad" }}
-s = {{ rate = "u", unit = "m" }}
-[time]
-step = "0.02 s"
-end = "0.4 s"
-[points]
-O = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["O"]
-lengths = ["a"]
-meets = "A"
-coordinates = ["phi"]
-[[group]]
-kind = "RRP"
-from = ["A"]
-guide = {{ through = "O", angle = "g", offset = "e" }}
-lengths = ["b"]
-meets = "B"
-coordinates = ["psi", "s"]
-mode = "+1"
-[[constraint]]
-name = "x"
-because = "B runs on the guide"
-equation = "{x}"
-[[constraint]]
-name = "y"
-because = "B runs on the guide"
-equation = "{y}"
-[ask]
-quantities = ["table", "checks"]
-"""
-X, Y = "-a*w1*sin(phi) - b*w2*sin(psi) = u*cos(g)", "a*w1*cos(phi) + b*w2*cos(psi) = u*sin(g)"
+X, Y = "-r*w1*sin(phi1) - l*w2*sin(phi2) = u*cos(g)", "r*w1*cos(phi1) + l*w2*cos(phi2) = u*sin(g)"
 
 
-def agreement(angle, x=X, y=Y):
-    run = coursework.solve(coursework.parse_variant(SLIDER.format(angle=angle, x=x, y=y), "own.toml"))
+def slider_crank(angle, *changes, x=X, y=Y, **values):
+    """Return an offset slider-crank whose guide is turned by g from the axis x, with its two equations."""
+    text = mechanism(
+        "slider-crank", ('"0 deg"', '"40 deg"'), ("[drive]", f'g = "{angle}"\n[drive]'), ('angle = "0", off', 'angle = "g", off'),
+        *changes, rails=None, period=None, **{"step": "0.02 s", "end": "0.4 s", **values},
+    )  # fmt: skip
+    equations = "".join(f'[[constraint]]\nname = "{name}"\nequation = "{one}"\n' for name, one in (("x", x), ("y", y)))
+    return f'{text}{equations}[ask]\nquantities = ["table", "checks"]\n'
+
+
+def agreement(angle, **equations):
+    run = coursework.solve(coursework.parse_variant(slider_crank(angle, **equations), "own.toml"))
     return next(finding for finding in run.checks if finding.code == "AGREEMENT"), str(run.summary)
 
 

@@ -13,43 +13,12 @@ import coursework
 from coursework.results.checks.evidence import Evidence
 from coursework.results.kinematics import turning_points as module
 from coursework.results.kinematics.turning_points import TurningPoint, stroke, turning_points
+from tests.mechanisms.library import mechanism
 from tests.report.own import FIVE_BAR, SHAPER
 
-SLIDER_CRANK = """\
-format = 1
-title = "Slider-crank with an offset"
-[given]
-r = "0.12 m"
-l = "0.41 m"
-e = "0.07 m"
-n = "90 rpm"
-[drive]
-w1 = "n"
-[coordinates]
-phi1 = {{ start = "{start} deg", rate = "w1" }}
-phi2 = {{ rate = "w2", unit = "rad" }}
-s = {{ rate = "u", unit = "m" }}
-[time]
-step = "pi/(18*n)"
-end = "{turns}*2*pi/n"
-period = "2*pi/n"
-[points]
-A = "(0, 0)"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["r"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRP"
-from = ["B"]
-guide = {{ through = "A", angle = "0", offset = "e" }}
-meets = "C"
-lengths = ["l"]
-coordinates = ["phi2", "s"]
-mode = "+1"
-"""
+
+def slider_crank(start: float, turns: float = 1, drive: str = "n") -> str:
+    return mechanism("slider-crank", ('"0 deg"', f'"{start} deg"'), w1=drive, end=f"{turns}*2*pi/n")
 
 
 def evidence(text: str) -> Evidence:
@@ -70,7 +39,7 @@ def test_the_stroke_of_the_shaper_by_its_geometry() -> None:
 @pytest.mark.parametrize("start", [0.0, 12.5, math.degrees(math.asin(0.07 / 0.53)), 200.0])
 def test_the_stroke_of_a_slider_crank_with_an_offset(start: float) -> None:
     """S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2), wherever the first row stands, in an end position too."""
-    found = stroke(evidence(SLIDER_CRANK.format(start=start, turns=1)), "s", "u", "phi1")
+    found = stroke(evidence(slider_crank(start)), "s", "u", "phi1")
     assert found is not None
     r, long, e = 0.12, 0.41, 0.07
     assert found.length == pytest.approx(math.sqrt((long + r) ** 2 - e**2) - math.sqrt((long - r) ** 2 - e**2), rel=1e-9)
@@ -79,11 +48,10 @@ def test_the_stroke_of_a_slider_crank_with_an_offset(start: float) -> None:
 
 
 def test_where_the_crank_makes_no_whole_turn_there_is_no_stroke() -> None:
-    assert stroke(evidence(SLIDER_CRANK.format(start=0, turns=1)), "s", "u", "phi1") is not None
-    assert stroke(evidence(SLIDER_CRANK.format(start=0, turns=0.95)), "s", "u", "phi1") is None
-    assert stroke(evidence(SLIDER_CRANK.format(start=0, turns=2)), "s", "u", "phi1") is not None
-    swings = SLIDER_CRANK.format(start=0, turns=1).replace('w1 = "n"', 'w1 = "0.5*n*cos(n*t)"')
-    assert stroke(evidence(swings), "s", "u", "phi1") is None
+    assert stroke(evidence(slider_crank(0)), "s", "u", "phi1") is not None
+    assert stroke(evidence(slider_crank(0, turns=0.95)), "s", "u", "phi1") is None
+    assert stroke(evidence(slider_crank(0, turns=2)), "s", "u", "phi1") is not None
+    assert stroke(evidence(slider_crank(0, drive="0.5*n*cos(n*t)")), "s", "u", "phi1") is None
 
 
 def test_turning_points_lie_where_a_fine_table_has_them() -> None:
@@ -110,7 +78,7 @@ def test_what_turns_round_has_no_turning_point() -> None:
 @pytest.mark.parametrize("past", [-0.05, 0.05])
 def test_a_turn_a_little_before_the_rows_or_behind_them_is_told_where_it_is_within(past: float) -> None:
     start = math.degrees(math.asin(0.07 / 0.53)) + past
-    judged = evidence(SLIDER_CRANK.format(start=start, turns=1))
+    judged = evidence(slider_crank(start))
     found = turning_points(judged, "s", "u")
     assert found is not None
     assert [0 <= point.time <= judged.period for point in found] == [True, True]

@@ -11,6 +11,7 @@ from coursework.scene.model.sets import prepare
 from coursework.scene.model.start import start_of
 from coursework.scene.model.watch import fewest_steps
 from coursework.variant.catalogue import find, names
+from tests.mechanisms.library import mechanism
 from tests.sample import sampled
 
 MODELS = {}
@@ -130,25 +131,7 @@ def test_no_sets_are_no_rows():
     assert solved.values.shape == (0, 25, 7) and solved.stops == ()
 
 
-PIECES = """
-format = 1
-[given]
-V = "1 rad/s"
-late = "0.05 s"
-a = "0.3 m"
-[drive]
-D = { pieces = [["0 s", "V"], ["late", "2*V"], ["0.07 s", "V*cos(20*t)"]] }
-[coordinates]
-x = { start = "0.2 rad", rate = "u" }
-y = { start = "0.4 rad", rate = "v" }
-[time]
-step = "0.01 s"
-end = "0.12 s"
-[[constraint]]
-equation = "a*u*cos(x) = a*D"
-[[constraint]]
-equation = "a*v*cos(y) + a*u*sin(x) = 0"
-"""
+PIECES = mechanism("drive-in-pieces")
 
 
 @pytest.mark.parametrize(("fast", "is_seen"), [(20, True), (20_000, False)])

@@ -10,6 +10,7 @@ from coursework.equations.algebra.functions import call
 from coursework.equations.reduction.symbolic import symbol
 from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant
+from tests.mechanisms.library import mechanism
 from tests.solved import solved
 
 RUNS = {}
@@ -94,27 +95,7 @@ def test_at_a_dead_point_there_is_no_value_and_no_complaint():
     assert np.isnan(found[2, :2]).all()
 
 
-BLOCK = """
-format = 1
-[given]
-V = "1 m/s"
-a = "2 m"
-[drive]
-D = "V*cos(t)"
-[coordinates]
-x = { start = "0.1 rad", rate = "u" }
-y = { start = "0.2 rad", rate = "v" }
-z = { start = "0.3 rad", rate = "w_z" }
-[time]
-step = "0.01 s"
-end = "0.1 s"
-[[constraint]]
-equation = "a*u*cos(x) + a*v + a*w_z = D"
-[[constraint]]
-equation = "a*u + a*v*cos(y) - a*w_z = 2*D"
-[[constraint]]
-equation = "a*u - a*v + a*w_z*cos(z) = 0"
-"""
+BLOCK = mechanism("block-of-three-equations")
 
 
 def test_a_singular_block_of_three_spoils_its_own_rows_only():

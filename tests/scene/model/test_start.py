@@ -7,47 +7,13 @@ import pytest
 
 import coursework
 from coursework.scene.model.start import _least, start_of
+from tests.mechanisms.library import mechanism
 
-TEXT = """
-[given]
-a = "0.1 m"
-b = "0.35 m"
-c = "0.25 m"
-d = "0.4 m"
-n = "60 rpm"
-[drive]
-w1 = "n"
-[coordinates]
-f = {{ start = "40 deg", rate = "w1" }}
-g = {{ start = "{g} deg", rate = "w2" }}
-h = {{ start = "{h} deg", rate = "w3" }}
-[time]
-step = "0.05 s"
-end = "1 s"
-[points]
-O = "(0, 0)"
-D = "(d, 0)"
-[[group]]
-kind = "crank"
-from = ["O"]
-lengths = ["a"]
-meets = "A"
-coordinates = ["f"]
-[[group]]
-kind = "RRR"
-from = ["A", "D"]
-lengths = ["b", "c"]
-meets = "B"
-coordinates = ["g", "h"]
-{mode}
-[ask]
-quantities = ["table"]
-"""
 CRANKS = np.array([0.1, 0.12, 0.9, 0.2])
 
 
 def angles(a, side):
-    """Return g and h of the coupler and the rocker of a crank (m) at 40 degrees, B on one side of the line from A to D."""
+    """Return phi2 and phi3 of the coupler and the rocker of a crank (m) at 40 degrees, C on one side of the line from B to D."""
     crank = a * np.exp(1j * math.radians(40))
     base = 0.4 - crank
     at_a = math.acos((0.35**2 + abs(base) ** 2 - 0.25**2) / (2 * 0.35 * abs(base)))
@@ -55,14 +21,21 @@ def angles(a, side):
     return float(np.angle(point - crank)), float(np.angle(point - 0.4))
 
 
+def four_bar(coupler, rocker, mode):
+    """Return that four-bar with the angles at which its coupler and its rocker begin."""
+    return mechanism(
+        "four-bar", ('"0 deg"', '"40 deg"'), ("phi2 = {", f'phi2 = {{ start = "{coupler}",'),
+        ("phi3 = {", f'phi3 = {{ start = "{rocker}",'), mode=mode,
+    )  # fmt: skip
+
+
 @pytest.mark.parametrize("is_written", [True, False])
 @pytest.mark.parametrize(("side", "turns"), [(1, 0), (-1, 0), (1, 1), (-1, -2)])
 def test_a_group_is_put_together_in_the_branch_and_the_turn_of_the_file(side, turns, is_written):
     begin = np.array(angles(0.1, side)) + 2 * math.pi * turns
-    mode = f'mode = "{side:+d}"' if is_written else ""
-    text = TEXT.format(g=repr(math.degrees(begin[0])), h=repr(math.degrees(begin[1])), mode=mode)
+    text = four_bar(*(f"{float(angle)!r} rad" for angle in begin), mode=f"{side:+d}" if is_written else None)
     model = coursework.compile_model(coursework.parse_variant(text, "own.toml"))
-    data = model.data({"a": CRANKS})
+    data = model.data({"r1": CRANKS})
     with np.errstate(all="ignore"):
         found = start_of(model, data, model.numbers(data))
     assert found.doubtful.tolist() == [False, False, True, False]  # a crank of 0.9 m leaves no triangle

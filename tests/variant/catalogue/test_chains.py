@@ -8,6 +8,7 @@ import pytest
 
 import coursework
 from coursework.variant.reading.reader import parse_variant
+from tests.mechanisms.library import mechanism
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 CHAINS = {
@@ -76,56 +77,37 @@ def test_velocities_are_the_slopes_of_the_positions(name):
         assert np.max(np.abs(slopes - rates[2:-2])) < 2e-4 * max(1.0, np.max(np.abs(rates)))
 
 
-BESIDE = """
-[drive]
-w1 = "10"
-[coordinates]
-phi1 = { start = "0 rad", rate = "w1" }
-phi2 = { PHI2 rate = "w2" }
-phi3 = { rate = "w3" }
-psi = { start = "0 rad", rate = "w9" }
-[time]
-step = "0.01 s"
-end = "0.05 s"
-[points]
-A = "(0, 0)"
-D = "(1.2, 0)"
-[[constraint]]
-equation = "0.2*w9 = 0.7*w3"
-[[group]]
-kind = "crank"
-from = ["A"]
-meets = "B"
-lengths = ["0.4"]
-coordinates = ["phi1"]
-[[group]]
-kind = "RRR"
-from = ["B", "D"]
-meets = "C"
-lengths = [1, 0.7]
-coordinates = ["phi2", "phi3"]
-mode = "MODE"
-"""
+def four_bar(mode, *changes):
+    """Return a four-bar of crank 0.4 m, coupler 1 m and rocker 0.7 m that turns at 10 rad/s; lengths are written as numbers."""
+    return mechanism(
+        "four-bar", ('["r1"]', '["0.4"]'), ('["r2", "r3"]', "[1, 0.7]"), *changes, r1=None, r2=None, r3=None, d="1.2 m", n=None,
+        w1="10", step="0.01 s", end="0.05 s", period=None, mode=mode,
+    )  # fmt: skip
+
+
+def beside(mode, *changes):
+    """Return that four-bar with a gear that its rocker turns, by a written equation."""
+    gear = 'psi = { start = "0 rad", rate = "w9" }\n[time]'
+    return four_bar(mode, *changes, ("[time]", gear)) + '[[constraint]]\nequation = "0.2*w9 = 0.7*w3"\n'
 
 
 @pytest.mark.parametrize(("mode", "start"), [("+1", 0.768793548991278), ("-1", -0.768793548991278)])
 def test_groups_place_their_coordinates_also_beside_written_equations(mode, start):
     """A gear turned by a four-bar: the groups give the start in the mode that is named, and refuse another one."""
-    run = coursework.solve(parse_variant(BESIDE.replace("PHI2", "").replace("MODE", mode)))
+    run = coursework.solve(parse_variant(beside(mode)))
     assert run.motion.column("phi2")[0] == pytest.approx(start, abs=1e-14)
     assert np.allclose(run.exact.column("psi"), 3.5 * (run.exact.column("phi3") - run.exact.column("phi3")[0]), atol=1e-12)
-    wrong = BESIDE.replace("PHI2", f'start = "{-start} rad",').replace("MODE", mode)
+    wrong = beside(mode, ("phi2 = {", f'phi2 = {{ start = "{-start} rad",'))
     with pytest.raises(coursework.InputError, match=r"phi2 starts at .* but the chain closes at .* in the assembly mode given"):
         _ = coursework.solve(parse_variant(wrong)).motion
 
 
 def test_a_driven_slide_may_carry_a_dyad():
     """A coordinate that is driven needs no crank: the chain is whole, exact in closed form, with one freedom."""
-    text = (
-        BESIDE.replace('psi = { start = "0 rad", rate = "w9" }', "").replace('[[constraint]]\nequation = "0.2*w9 = 0.7*w3"\n', "")
-        .replace('phi1 = { start = "0 rad", rate = "w1" }', 's = { start = "0.1 m", rate = "w1" }').replace('"10"', '"0.5"')
-        .replace('[[group]]\nkind = "crank"\nfrom = ["A"]\nmeets = "B"\nlengths = ["0.4"]\ncoordinates = ["phi1"]\n', "")
-        .replace('D = "(1.2, 0)"', 'D = "(1.2, 0)"\nB = "(s + 0.3, 0)"').replace("PHI2", "").replace("MODE", "-1")
+    crank = '[[group]]\nkind = "crank"\nfrom = ["A"]\nmeets = "B"\nlengths = ["0.4"]\ncoordinates = ["phi1"]\n'
+    text = four_bar(
+        "-1", ('phi1 = { start = "0 deg", rate = "w1" }', 's = { start = "0.1 m", rate = "w1" }'), ('"10"', '"0.5"'), (crank, ""),
+        ('D = "(d, 0)"', 'D = "(d, 0)"\nB = "(s + 0.3, 0)"'), ('"A", "D"', '"D"'),
     )  # fmt: skip
     run = coursework.solve(parse_variant(text))
     assert run.exact.label == "closed form of the groups"
@@ -173,7 +155,7 @@ def test_the_guides_of_a_dyad_are_named_when_they_become_parallel():
 
 def test_a_mode_that_is_not_written_is_taken_from_the_start_or_asked_for():
     for mode, start in (("+1", 0.768793548991278), ("-1", -0.768793548991278)):
-        named = BESIDE.replace("PHI2", "").replace("MODE", mode)
+        named = beside(mode)
         other = 1.6871299784681 if mode == "+1" else 4.59605532871149
         by_start = named.replace(f'mode = "{mode}"', "").replace("phi2 = { ", f'phi2 = {{ start = "{start} rad", ')
         by_start = by_start.replace("phi3 = { ", f'phi3 = {{ start = "{other} rad", ')

@@ -13,6 +13,7 @@ from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.points import _following, stands_still, table_points
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.table.test_equal_faults import Desk
+from tests.mechanisms.library import mechanism
 
 MOST = 5 / 60
 NAMES = ("31", "v102", "v108", "example-1", "watt", "jansen")
@@ -133,33 +134,7 @@ def test_the_table_of_other_data_earns_at_most_five_of_sixty(name):
 
 
 # A table of zeros fulfils every rule of a step, and where the velocities have no value there it says nothing else.
-DRAWN_BAR = b"""
-format = 1
-title = "A bar drawn along a wall and a bar hung on its middle"
-source = "own"
-teaches = "own"
-[given]
-r3 = "0.72 m"
-r4 = "0.36 m"
-V0 = "0.8 m/s"
-p = "5 1/s"
-[drive]
-Vx = "V0*cos(p*t + 0.2)"
-[coordinates]
-phi3 = { start = "1.1 rad", rate = "w3" }
-phi4 = { start = "0.7 rad", rate = "w4" }
-[time]
-step = "0.02 s"
-end = "0.4 s"
-[[constraint]]
-name = "1"
-because = "x of the end"
-equation = "Vx + r3*w3*sin(phi3) = 0"
-[[constraint]]
-name = "2"
-because = "x of the other"
-equation = "-0.5*r3*w3*sin(phi3) + r4*w4*sin(phi4) = 0"
-"""
+DRAWN_BAR = mechanism("drawn-bar").encode()
 
 
 def test_nothing_is_named_of_a_table_that_stands_still():

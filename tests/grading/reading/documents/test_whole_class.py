@@ -19,34 +19,10 @@ from tests.grading.marking import students
 from tests.grading.reading.documents.papers import MAKERS, word_tables
 from tests.grading.reading.documents.test_hostile_documents import HOSTILE
 from tests.grading.reading.documents.test_right_work import GREEK, LATEX, PLAIN, rows
+from tests.mechanisms.library import mechanism
 
 # A crank that turns evenly and drives a slider through a rod; it is in no catalogue.
-SLIDER = """format = 1
-title = "Crank and slider of a pump"
-[given]
-r = "0.12 m"
-l = "0.41 m"
-n = "6.2832 1/s"
-[drive]
-wd = "n"
-[coordinates]
-alpha = { start = "0.4 rad", rate = "wa" }
-beta = { start = "-0.1142 rad", rate = "wb" }
-[unknowns]
-vB = "m/s"
-[time]
-step = "0.01 s"
-end = "0.3 s"
-[[constraint]]
-name = "1"
-equation = "wa - wd = 0"
-[[constraint]]
-name = "2"
-equation = "r*wa*cos(alpha) + l*wb*cos(beta) = 0"
-[[constraint]]
-name = "3"
-equation = "vB + r*wa*sin(alpha) + l*wb*sin(beta) = 0"
-"""
+SLIDER = mechanism("crank-of-a-pump")
 SLIDER_LATEX = (
     r"w_a = 6.2832",
     r"r w_a \cos\alpha + l w_b \cos\beta = 0",

@@ -16,7 +16,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.formula.tree import evaluate
-from tests.effects.massed import text_of
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of
 from tests.report.own import BOOM, FIVE_BAR, SHAPER
 from tests.solved import solved as catalogued
@@ -71,7 +71,7 @@ def test_accelerations_name_coriolis_and_work_a_row_through() -> None:
 @pytest.mark.parametrize("name", ["31", "v102", "example-1", "stephenson", "watt", "oscillating-cylinder"])
 def test_each_acceleration_that_can_be_worked_through_is_the_slope_of_its_velocity(name: str) -> None:
     """Under a drive that is not steady, and in blocks that depend on others: the derivatives of those stand in the formula."""
-    text = text_of(name).replace('w1 = "w0"', 'w1 = "w0 + 3*sin(5*t)"')
+    text = mechanism(name).replace('w1 = "w0"', 'w1 = "w0 + 3*sin(5*t)"')
     run = coursework.solve(coursework.parse_variant(text), "exact", quantities=("table", "accelerations"))
     context, symbols = PageContext(run, load_words("en")), run.scene.equations
     used = [one for one in symbols.equations if one.name in run.reduction.used]

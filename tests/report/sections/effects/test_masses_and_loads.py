@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 import coursework
-from tests.effects.massed import text_of
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of
 from tests.report.sections.verdict.test_conclusion import plain
 
@@ -29,7 +29,7 @@ def acting(text: str, language: str = "en") -> list[tuple[str, ...]]:
 
 
 def test_every_mass_and_force_of_a_file_is_on_its_page_in_si() -> None:
-    text = text_of(
+    text = mechanism(
         "example-2-motor", ("0.0533 kg*m^2", "rod"), (LOAD, f"{LOAD}\n{SPRING}"), ("[motor] ", RUBBING), ("12 kg", "12000 g")
     )
     assert acting(text) == [
@@ -45,10 +45,10 @@ def test_every_mass_and_force_of_a_file_is_on_its_page_in_si() -> None:
 
 
 def test_a_file_without_masses_has_no_such_table() -> None:
-    assert acting(text_of("31")) == []
+    assert acting(mechanism("31")) == []
 
 
 @pytest.mark.parametrize("language", ["ru", "uk", "zh"])
 def test_the_table_is_in_the_language_of_the_page(language: str) -> None:
-    told = [cell for row in acting(text_of("example-2-motor"), language) for cell in row[:2]]
+    told = [cell for row in acting(mechanism("example-2-motor"), language) for cell in row[:2]]
     assert len(told) == 20 and not {"mass", "gravity", "link 1"} & {*told}

@@ -18,34 +18,10 @@ from coursework.variant.formula.tree import spelled
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.grading.marking.machines import Machine
+from tests.mechanisms.library import mechanism
 
 # A crank that drives a slider on a line of 20 degrees, offset; not of the catalogue.
-OWN = b"""format = 1
-title = "Crank and slider on a sloping line"
-[given]
-a = "0.1 m"
-b = "0.31 m"
-k = "0.35 rad"
-p = "3 rad/s"
-[drive]
-w1 = "p"
-[coordinates]
-phi1 = { start = "0.9 rad", rate = "w1" }
-phi2 = { start = "-0.2 rad", rate = "w2" }
-[unknowns]
-vC = "m/s"
-[time]
-step = "0.02 s"
-end = "0.4 s"
-[[constraint]]
-name = "1"
-because = "C along x"
-equation = "vC*cos(k) = -a*w1*sin(phi1) - b*w2*sin(phi2)"
-[[constraint]]
-name = "2"
-because = "C along y"
-equation = "vC*sin(k) = a*w1*cos(phi1) + b*w2*cos(phi2)"
-"""
+OWN = mechanism("slider-crank-on-a-slope").encode()
 
 
 class Desk:
