@@ -10,6 +10,7 @@ from click.testing import CliRunner
 import coursework
 from coursework.commands.cli import main
 from coursework.variant.reading.reader import parse_variant
+from tests.mechanisms.library import mechanism
 from tests.results.checks import closed_form
 from tests.results.checks.scenes import V31, found, solve, verdicts
 
@@ -170,3 +171,10 @@ def test_a_wheel_of_another_radius_does_not_make_the_period_wrong(name, radius, 
     for code in ("PERIOD-POSITION", "PERIOD-VELOCITY"):
         assert found(run, code).verdict == "SKIP"
         assert f"after {periods} periods of the drive" in found(run, code).sentence
+
+
+def test_where_drives_place_everything_no_equation_is_judged_and_none_is_called_an_error():
+    run = solve(mechanism("driven-wheel-on-a-line"))
+    told = verdicts(run)
+    assert "ERROR" not in told.values() and told["RESIDUAL"] == "SKIP"
+    assert found(run, "RESIDUAL").sentence == "There is nothing to solve for."

@@ -36,6 +36,8 @@ def every_row(evidence: Evidence) -> Finding:
     """The velocities of every row satisfy every equation they were solved from."""
     names, relative = evidence.residuals
     places = [place for place, name in enumerate(names) if name in evidence.used]
+    if not places:  # a drive of each coordinate, and no unknown velocity
+        return skipped(say("check.CONDITION.nothing"))
     others = [place for place in range(len(names)) if place not in places]
     row, chosen = worst(relative[:, places])
     value, name = float(relative[row, places[chosen]]), names[places[chosen]]
