@@ -59,9 +59,9 @@ class SchemeOption(click.Option):
     """An option whose help lists the schemes; they are looked up when somebody asks for help."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from coursework.variant.record.vocabulary import scheme_names
+        from coursework.variant.record.vocabulary import OF_FORCES, scheme_names
 
-        self.help = f"{', '.join(scheme_names())} (default: that of the file)."
+        self.help = f"{', '.join(scheme_names())}; under forces also {', '.join(OF_FORCES)} (default: that of the file)."
         return super().get_help_record(ctx)
 
 
