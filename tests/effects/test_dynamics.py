@@ -198,7 +198,7 @@ def test_a_motor_between_two_links_and_a_spring():
 
 
 def test_semi_implicit_is_a_scheme_of_motion_under_forces_alone():
-    with pytest.raises(coursework.InputError, match="no scheme .* is for motion under forces"):
+    with pytest.raises(coursework.InputError, match=r"no scheme .* is for motion under forces"):
         coursework.solve("31", scheme="semi-implicit")
     for asked in ({"project": 1}, {"gain": 5.0}):  # they changed nothing, and nothing said so
         with pytest.raises(coursework.InputError, match="C078"):
