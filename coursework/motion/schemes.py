@@ -230,7 +230,7 @@ DEFAULT_SCHEME = EULER
 PRECISE = RK4
 
 
-# What a lesson compares where forces move a mechanism: three orders, and the scheme that keeps energy in its bounds.
+# What a lesson compares where forces move a mechanism: three orders, and the scheme that keeps a pendulum's energy bounded.
 COMPARED = (EULER, SEMI_IMPLICIT, HEUN, RK4)
 
 
