@@ -74,8 +74,6 @@ def sentences_of(
         cost = {"evaluations": closed[0].evaluations, "more": _round(closed[0].evaluations / best.evaluations)}
         size = _size(closed[0].max_error, closed[0].unit)
         told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
-    if projected or closed:
-        told.append(say("study.counted"))
     understated = usual.max_error / max(usual.end_error, 1e-300)
     if understated >= 1.1 and usual.max_error > floor and usual.end_unit == usual.unit:  # an angle is no number of times a length
         told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=_round(understated)))
