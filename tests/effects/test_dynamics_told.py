@@ -66,6 +66,7 @@ def test_what_falls_freely_is_driven_by_nothing_on_its_page_and_has_no_power_of_
     assert "0 in every row: drive, loads, friction and dampers." in sections["energy"]
     assert 0 < np.abs(run.results.energy.drive).max() < 1e-12  # W: what round-off leaves of it
     checked = call("check", "falling-arm").stdout
+    assert "Every coordinate is free: there are no position equations." in checked and "Dormand" not in checked
     assert "unknown velocit" not in checked and "driven" not in checked
 
 
