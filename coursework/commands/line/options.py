@@ -82,7 +82,7 @@ def spoken(*, passed_on: bool, option: str = "--language") -> Callable[[Callable
     return click.option(
         option, "language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
         callback=_speaks, shell_complete=offered("languages"),
-        help="Language of pages and messages: a words file in reports/.",
+        help=f"Language of {'pages' if option == '--language' else 'comments'} and messages: a words file in reports/.",
     )  # fmt: skip
 
 
