@@ -17,7 +17,7 @@ from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.system.extras import require
 from coursework.takeaway.workbook.by_forces import forced_columns
-from coursework.takeaway.workbook.cells import EULER, StepTable
+from coursework.takeaway.workbook.cells import OF_EULER, StepTable
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
 from coursework.takeaway.workbook.columns import step_columns
 from coursework.takeaway.workbook.data import TABLES, write_data
@@ -108,7 +108,7 @@ def _readme(book: Book, sheet: Any, steps: str) -> None:
     sheet.write_string(0, 0, plain(book.context.variant.title), book.bold)
     told = {"sheet": steps, "scheme": book.context.told(book.run.scheme_title)}
     for row, key in enumerate(README if book.run.variant.motor is None else FORCED, start=2):
-        text = book.say(f"readme.{'slopes' if key == 'steps' and steps != EULER else key}", **told)
+        text = book.say(f"readme.{'slopes' if key == 'steps' and steps != OF_EULER else key}", **told)
         letters = sum(1 + (ord(letter) > _WIDE) for letter in text)
         sheet.set_row(row, _LINE * (1 + letters // _WIDTH))
         sheet.write_string(row, 0, text, book.wrapped)

@@ -17,7 +17,7 @@ from coursework.takeaway.workbook.names import STEP, letters
 from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula
 
-EULER = "Euler"  # as the sheet of the table of his scheme is called in every language
+OF_EULER = "Euler"  # as the sheet of the table of his scheme is called in every language
 # Stand for the number of a row, of the one before it and the one behind it, and for how many steps lie before it.
 ROW, BEFORE, NEXT, STEPS = "\x01", "\x02", "\x03", "\x04"
 FIRST = 2  # the number of the row of t = 0; row 1 has the names
@@ -89,7 +89,7 @@ class StepTable:
     @property
     def sheet(self) -> str:
         """Return the name of the sheet that it stands in."""
-        return EULER if self.motion.scheme == DEFAULT_SCHEME.name else "Steps"
+        return OF_EULER if self.motion.scheme == DEFAULT_SCHEME.name else "Steps"
 
     @property
     def rows(self) -> int:
