@@ -12,7 +12,6 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from coursework.motion.schemes import SEMI_IMPLICIT
 from coursework.motion.settings import Settings, scheme_for, stepping
 from coursework.run import Run
 from coursework.scene.exact_scene import scene_of
@@ -108,7 +107,7 @@ def make_run(
     corrections = int(project) if isinstance(project, bool) else project  # as a flag, one
     order = max((one.order for one in quantities_for(asked).values()), default=1)
     asked_for = Settings(scheme_for(chosen, scheme), corrections, gain, columns, order=order)
-    settings = asked_for.checked(chosen.time.step, _also(chosen))
+    settings = asked_for.checked(chosen.time.step, by_forces=chosen.motor is not None)
     return Run(scene_of(chosen, settings), asked, blank=blank, precision=precision, **title)  # type: ignore[arg-type]
 
 
@@ -131,11 +130,6 @@ def exact(
     table = run.framed(run.scene.over(run.scene.exact))
     rates = run.scene.rates
     return table[[*rates.coordinates, *rates.velocities]] if run.settings.columns else table
-
-
-def _also(variant: Variant) -> tuple[str, ...]:
-    """Return the schemes that only a scene knows that forces move."""
-    return (SEMI_IMPLICIT.name,) if variant.motor is not None else ()
 
 
 def variant_of(path_or_name: str | Path) -> Variant:

@@ -23,7 +23,6 @@ from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings
 from coursework.report.wording.data_meanings import meanings
 from coursework.scene.scene import Scene
-from coursework.variant.record.entries import ROWS_BEFORE_N
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 
@@ -83,11 +82,6 @@ def make_handout(student: Student, individual: Individual, of_class: int) -> Han
         with suppress(InputError):  # a mechanism that no construction by centres suits has none to check
             check = check_graph(scene.mechanism, scene.equations, motion, motion)
     return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings(scene.mechanism), check, scene, of_class)
-
-
-def guide_number(row: int) -> int:
-    """Return N of the guide for a row of the table: t = (N+1) h."""
-    return row - ROWS_BEFORE_N
 
 
 def difficulty_text(value: float) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from coursework.assigning.handout import Handout, guide_number
+from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import Equation, Plain, datum, drives, lettered, symbol_runs, symbol_text, time_text
 from coursework.assigning.senses import sense_rows
 from coursework.grading.marking.decimals import SOLVED
@@ -20,6 +20,7 @@ from coursework.report.text.readable import least_width
 from coursework.report.text.symbols import GREEK, symbol
 from coursework.report.text.words import Words
 from coursework.variant.record.changes import determined
+from coursework.variant.record.entries import guide_number
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import OutputError
 from coursework.words.stylesheets import fitted

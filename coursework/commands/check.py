@@ -46,7 +46,7 @@ def check_variant(variant: str) -> int:
         else:
             tell(say("screen.never_zero", determinant=determinant))
     if closure is None:
-        tell(scene.exact.label if free else say("screen.no_positions"))
+        tell(say("screen.all_free" if free else "screen.no_positions"))
     elif not closure.names:
         tell(say("screen.all_driven"))
     else:

@@ -104,7 +104,7 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, language
     help="Language of the program (default: python; none with --chart alone).",
 )  # fmt: skip
 @SCHEME
-@click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto": the one that was found.')
+@click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @SET
 @click.option("--out", type=PATH, help="The file to write (default: the screen).")

@@ -11,6 +11,7 @@ from coursework.commands.screen import in_language, speaks_english, tell, tell_w
 from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, never_more
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
+from coursework.variant.record.entries import guide_number
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -91,6 +92,8 @@ def _set_values(run: Run) -> str:
 
 def _set_value(name: str, value: str) -> Sentence:
     """Return a value as it was set; a law or a whole number has no unit behind it."""
+    if name == "check_row" and (guide := guide_number(int(value))) >= 1:
+        return say("remark.set_row", name=name, row=int(value), guide=guide)
     number, _, unit = value.partition(" ")
     try:
         if unit:

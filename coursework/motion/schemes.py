@@ -20,10 +20,10 @@ from typing import Any
 import numpy as np
 
 from coursework.system.frozen import frozen
-from coursework.variant.record.vocabulary import scheme_names
+from coursework.variant.record.vocabulary import scheme_hint, scheme_names
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import closest, load_phrases, say
+from coursework.words.sentences import load_phrases, say
 
 Slopes = Callable[[Any, Any], Any]
 Tree = tuple[Any, ...]  # the trees that grow from a root; () is a single vertex
@@ -230,7 +230,7 @@ DEFAULT_SCHEME = EULER
 PRECISE = RK4
 
 
-# What a lesson compares where forces move a mechanism: three orders, and the scheme that keeps energy in its bounds.
+# What a lesson compares where forces move a mechanism: three orders, and the scheme that keeps a pendulum's energy bounded.
 COMPARED = (EULER, SEMI_IMPLICIT, HEUN, RK4)
 
 
@@ -243,7 +243,7 @@ def scheme_of(name: str, also: tuple[str, ...] = ()) -> Scheme:
     found = scheme_named(name) if name in SCHEMES or name in also else None
     if found is None:
         known = (*scheme_names(), *also)
-        raise InputError(say("fault.C003", scheme=name, hint=closest(str(name), known), known=", ".join(known)))
+        raise InputError(say("fault.C003", scheme=name, hint=scheme_hint(str(name), known), known=", ".join(known)))
     return found
 
 

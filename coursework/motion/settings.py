@@ -12,7 +12,7 @@ from coursework.motion.integration.integrate import Correction, refuse_gain
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, scheme_of
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
-from coursework.variant.record.vocabulary import EXACT
+from coursework.variant.record.vocabulary import EXACT, OF_FORCES
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -45,17 +45,19 @@ class Settings:
     columns: tuple[str, ...] = ()
     order: int = 1
 
-    def checked(self, step: float, also: tuple[str, ...] = ()) -> Settings:
-        """Return the settings; `also` are schemes that this scene knows beside the others.
+    def checked(self, step: float, *, by_forces: bool = False) -> Settings:
+        """Return the settings; `by_forces`: of a motion that forces make, which has a scheme more and no drift.
 
         Raises `InputError` for a scheme that does not exist and gains that grow the error.
         """
         if self.scheme != EXACT:
-            scheme_of(self.scheme, also)
+            scheme_of(self.scheme, OF_FORCES if by_forces else ())
         if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
             raise InputError(say("fault.C004", most_corrections=MOST_CORRECTIONS, project=self.project))
         if self.scheme == EXACT and (self.project or self.gain):
             raise InputError(say("fault.C006", scheme=PRECISE.name))
+        if by_forces and (self.project or self.gain):
+            raise InputError(say("fault.C078"))
         if self.gain:
             refuse_gain(self.gain, step)
         if self.gain and self.project:

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.effects.dynamics.dynamics import Dynamics, FreeMotion
 from coursework.effects.dynamics.dynamics_checks import check_dynamics
-from coursework.effects.dynamics.dynamics_lesson import energy_of_rows, rates_of
+from coursework.effects.dynamics.dynamics_lesson import energy_of_rows, is_heavy, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
 from coursework.effects.dynamics.motion_writer import MotionWriter
@@ -76,12 +76,13 @@ class MotorScene(Scene):
             found = rubbed_motion(writer)
         else:
             found = writer.made()
+        motor, variant = self.variant.motor, self.variant
+        assert motor is not None
         try:
-            found.slope(0.0, *self.start, *(0.0 for _ in found.free))
-        except ZeroDivisionError:
-            motor = self.variant.motor
-            told = say("fault.V744", names=motor.rates if motor is not None else ())
-            raise InputError([Fault(told, self.variant.file, self.variant.nearest_line("motor", "rates"))]) from None
+            found.slope(0.0, *self.start, *self._start_rates)
+        except (ZeroDivisionError, ValueError, OverflowError):
+            told = say("fault.V749") if is_heavy(found, self.start) else say("fault.V744", names=motor.rates)
+            raise InputError([Fault(told, variant.file, variant.nearest_line("motor", "rates"))]) from None
         return found
 
     @property
@@ -110,10 +111,14 @@ class MotorScene(Scene):
 
     @cached_property
     def _begin(self) -> list[float]:
+        return [*(self.start[place] for place in self.free_equations.free), *self._start_rates]
+
+    @property
+    def _start_rates(self) -> list[float]:
         motor = self.variant.motor
         assert motor is not None
         start = dict(motor.start)
-        return [*(self.start[place] for place in self.free_equations.free), *(start.get(rate, 0.0) for rate in motor.rates)]
+        return [start.get(rate, 0.0) for rate in motor.rates]
 
     def energy_study(self, progress: Callable[[str], None] | None = None) -> AccuracyStudy:
         """Return what accuracy costs here: the error of the energy against slopes."""

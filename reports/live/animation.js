@@ -27,10 +27,12 @@ const show = (t, inWords = true) => {
   const rail = ghost && offRail(ghost), away = ghost && right && offPlace(ghost, right);
   // What differs by less than 50 nm is where it should be.
   /** @type {(found: Off, there: string, away_: string) => string} */
-  const off = (found, there, away_) =>
-    say(found.distance < 5e-8 ? there : away_, { point: label(found.point), distance: shown(found.distance * 1000, 3) });
+  const off = ({ point, distance }, there, away_) => {
+    const { finest } = motion, known = finest ? Math.round(distance / finest) * finest : distance;
+    return say(known < 5e-8 ? there : away_, { point: label(point), distance: (finest ? plain : shown)(known * 1000, 3) });
+  };
   tell("live-rail", rail ? off(rail, "on_" + rail.guide, "off_" + rail.guide) : "", rail ? String(rail.distance) : "");
-  tell("live-away", away ? off(away, "in_place", "off_place") : ghost ? "" : data.words.no_ghost);
+  tell("live-away", away ? off(away, "in_place", "off_place") : right && !ghost ? data.words.no_ghost : "");
 };
 
 // After the laboratory has changed the motion: the same time, other rows.

@@ -126,11 +126,13 @@ const laboratory = /** @type {Laboratory} */ ({
   ratio() {
     const { first, worst, rows } = motion;
     const error = worst.value / first.value, work = rows.evaluations / first.evaluations;
-    if (tried.value !== null && data.own) return Number.isFinite(error) ? this.otherDatum() : "";
-    if (!tried.halvings && tried.scheme === data.scheme && tried.value === null) return data.own ? data.words.same : "";
-    if (!Number.isFinite(error) || !Number.isFinite(work) || Math.min(first.value, worst.value) < ROUND_OFF) return "";
-    if (error < 0.1) return say("less", { error: shown(Number((1 / error).toPrecision(2)), 2), work: plain(work, 2) });
-    return say("more", { error: plain(error, 2), work: plain(work, 2) });
+    if (tried.value !== null) return data.own && Number.isFinite(error) ? this.otherDatum() : "";
+    if (!tried.halvings && tried.scheme === data.scheme) return data.own ? data.words.same : "";
+    // Rows that end before the others are no table of so much less work.
+    if (rows.lost || !Number.isFinite(error) || !Number.isFinite(work) || Math.min(first.value, worst.value) < ROUND_OFF) return "";
+    /** @type {(times: number) => string} */
+    const told = (times) => (times < 1e5 ? plain(times, 2) : shown(times, 2));
+    return error < 0.1 ? say("less", { error: told(1 / error), work: told(work) }) : say("more", { error: told(error), work: told(work) });
   },
 });
 

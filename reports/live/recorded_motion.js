@@ -4,6 +4,7 @@ const motion = /** @type {Recorded} */ ({
   h: data.step,
   count: data.rows,
   grain: data.frames.step,
+  finest: data.frames.finest,
   dead: data.stop,
   get duration() {
     return (this.count - 1) * this.h;

@@ -119,7 +119,9 @@ const watch = /** @type {Watch} */ ({
     svg("path", { d: path, class: "live-axes" }, field);
     /** @type {(text: string, x: number, y: number, anchor: string) => void} */
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
-    title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 17, "start");
+    // One try may be furthest off in an angle, another in a length.
+    const units = [...new Set(data.coordinates.map((name) => data.unit_words[name]))].join(data.words.or);
+    title(say("error_axis", { unit: units }), left + 6, 17, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
     // The tries of a scheme are joined.
     /** @type {Record<string, string>} */

@@ -78,6 +78,8 @@ interface Motion {
   readonly dead: number | null;
   readonly count: number;
   readonly grain: number;
+  /** The last place (m) to which positions are written down, where they are. */
+  readonly finest?: number;
   readonly duration: number;
   choose(): void;
   sketch(): void;

@@ -119,7 +119,7 @@ WRONG = {
     "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
     "end text": (["run", "31", "--end", "abc"], "C057 --end takes a number."),
     "aliasing": (["run", "31", "--step", "0.3"], "The step 0.3 s is too large for this drive"),
-    "format": (["run", "31", "--format", "rtf"], '"rtf" is not a format of the report. Formats: html, pdf, csv'),
+    "format": (["run", "31", "--format", "rtf"], '"rtf" is not a format here. Formats: html, pdf, csv'),
     "format closest": (["run", "31", "--format", "htm"], 'Did you mean "html"?'),
     "quantity": (["run", "31", "--quantities", "tabel"], 'there is no quantity "tabel". Did you mean "table"?'),
     "column": (["run", "31", "--quantities", "phi4"], 'there is no quantity "phi4". Did you mean "phi3"?'),
@@ -273,3 +273,9 @@ def test_pages_of_an_earlier_run_are_told_from_those_of_this_one(tmp_path):
     assert "earlier run" not in call("run", "31", "--quantities", "table", "--format", "csv,html", "--out", tmp_path / "o").stdout
     again = call("run", "31", *QUICK, "--out", tmp_path / "o").stdout
     assert again.splitlines()[-1] == "From an earlier run, and not of this one: report.html"
+
+
+def test_the_help_of_a_listing_names_every_scheme_and_what_its_options_are():
+    told = " ".join(call("listing", "--help").stdout.split())
+    assert "rk4, exact; under forces also semi-implicit (default" in told
+    assert '"auto" with --error.' in told and "Language of comments and messages" in told

@@ -198,8 +198,11 @@ def test_a_motor_between_two_links_and_a_spring():
 
 
 def test_semi_implicit_is_a_scheme_of_motion_under_forces_alone():
-    with pytest.raises(coursework.InputError, match="no scheme"):
+    with pytest.raises(coursework.InputError, match=r"no scheme .* is for motion under forces"):
         coursework.solve("31", scheme="semi-implicit")
+    for asked in ({"project": 1}, {"gain": 5.0}):  # they changed nothing, and nothing said so
+        with pytest.raises(coursework.InputError, match="C078"):
+            coursework.solve("falling-arm", **asked)
     assert "semi-implicit" not in SCHEMES
     run = coursework.solve("falling-arm", scheme="semi-implicit")
     assert run.motion.scheme == "semi-implicit"
@@ -251,6 +254,21 @@ def test_what_has_no_mass_is_refused():
     )
     text = text.replace("[masses]\n", "")
     with pytest.raises(coursework.InputError, match="V744"):
+        _ = coursework.solve(coursework.parse_variant(text), scheme="exact").motion
+
+
+@pytest.mark.parametrize(
+    ("force", "told"),
+    [
+        ("(-M0/r1/(w1*t), 0)", "V086 .*forces.F1.force, column 8: there is no value at t = 0: .* is a division by zero"),
+        ("(-M0/r1*sqrt(w1*t - 1), 0)", r"V086 .*sqrt\(w1\*t - 1\)"),
+        ("(-M0/(C.x - r1 - r2), 0)", "V749 .*the forces have no value in the position at the start"),
+        ("(-M0/r1*ln((C.x - r1 - r2)/r1), 0)", "V749 "),
+    ],
+)
+def test_forces_without_a_value_at_the_start_are_not_told_as_masses_that_are_missing(force, told):
+    text = text_of("example-2-motor", ('"(-c*u3, 0)"', f'"{force}"'))
+    with pytest.raises(coursework.InputError, match=told):
         _ = coursework.solve(coursework.parse_variant(text), scheme="exact").motion
 
 

@@ -16,6 +16,8 @@ CASES = [
     ("31-forces", 'step      = "0.02 s"', 'step = "0.02 s"\nscheme = "semi-implicit"', "V065", "time.scheme"),
     ("31-forces", "4 = { mass", "7 = { mass", "V723", 'there is no link "7"'),
     ("31-forces", '"6 kg"', '"6 m"', "V105", "masses.1.mass: a mass was expected: kg, g, t"),
+    ("31-forces", '"6 kg"', '"6 Hz"', "V105", "masses.1.mass: a mass was expected: kg, g, t"),
+    ("example-1-forces", "[given]", '[given]\nQ9 = "40 Nn"', "V109", "kg, g, t; N, kN; N*m, kN*m; "),
     ("31-forces", '"6 kg"', '"6 kgf"', "V701", "1 kgf = 9.80665 N"),
     ("31-forces", 'gravity = "9.81 m/s^2"', 'gravity = "9.81 m/s"', "V105", "an acceleration was expected"),
     ("31-forces", 'gravity = "9.81 m/s^2"', 'gravity = { on = "1", torque = "1 N*m" }', "V703", "gravity is one value"),

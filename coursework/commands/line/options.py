@@ -59,9 +59,9 @@ class SchemeOption(click.Option):
     """An option whose help lists the schemes; they are looked up when somebody asks for help."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from coursework.variant.record.vocabulary import scheme_names
+        from coursework.variant.record.vocabulary import OF_FORCES, scheme_names
 
-        self.help = f"{', '.join(scheme_names())} (default: that of the file)."
+        self.help = f"{', '.join(scheme_names())}; under forces also {', '.join(OF_FORCES)} (default: that of the file)."
         return super().get_help_record(ctx)
 
 
@@ -82,7 +82,7 @@ def spoken(*, passed_on: bool, option: str = "--language") -> Callable[[Callable
     return click.option(
         option, "language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
         callback=_speaks, shell_complete=offered("languages"),
-        help="Language of pages and messages: a words file in reports/.",
+        help=f"Language of {'pages' if option == '--language' else 'comments'} and messages: a words file in reports/.",
     )  # fmt: skip
 
 

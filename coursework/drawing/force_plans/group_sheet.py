@@ -74,7 +74,7 @@ def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[
     _draw_links(sheet, figure, shown, lambda z: corner + ((z - middle) * (1000 / scale)).conjugate())
     pole = complex(width - EDGE - end, EDGE + (top + over + under) / 2)
     _draw_polygon(sheet, plan, shown, [pole + tip.conjugate() for tip in tips])
-    names = ", ".join(plan.bodies)
+    names = tuple(plan.bodies)
     lines = [say("drawing.scale", scale=ratio(scale)), say("plans.scale", scale=decimal(unit), unit="N")]
     draw_foot(sheet, lines, say("drawing.title", row=row + 1, time=figure.time), (unit, "N"), written)
     told = {"names": names, "row": row + 1, "scale": decimal(unit)}

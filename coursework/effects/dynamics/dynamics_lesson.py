@@ -1,11 +1,12 @@
 """What a step costs when forces move a mechanism: schemes beside each other, error of the rates against slopes, energy gained.
 
 Enters: equations of motion, the start, the exact rows.  Leaves: `Row`s, and each `Trial` they are made of.
-Used by `report/sections/effects/dynamics.py` and `energy_study.py`.
+Used by `report/sections/effects/dynamics.py`, `energy_study.py` and `motor_scene.py`.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -83,3 +84,19 @@ def energy_of_rows(equations: EquationsOfMotion, t: Array, q: Array, v: Array) -
     last = len(found) - equations.determinants
     kinetic = np.broadcast_to(found[last - 2], t.shape)
     return np.asarray(kinetic + found[last - 1]), np.asarray(kinetic)
+
+
+def is_heavy(equations: EquationsOfMotion, start: Sequence[float]) -> bool:
+    """Return whether something that has a mass moves at the start with whatever free rates there are (two at most).
+
+    The kinetic energies of each rate alone and of all together give the determinant of the masses.
+    """
+    count = len(equations.free)
+    v = np.vstack([np.eye(count), np.ones(count)])
+    try:
+        with np.errstate(all="ignore"):  # forces without a value there have their part of the table
+            *alone, together = energy_of_rows(equations, np.zeros(count + 1), np.tile(start, (count + 1, 1)), v)[1]
+    except ZeroDivisionError:  # of plain numbers, no array: no link that moves has a mass at all
+        return False
+    masses = 4 * math.prod(alone) - (together - sum(alone)) ** 2 if count == 2 else alone[0]
+    return bool(masses > 1e-12 * math.prod(alone))

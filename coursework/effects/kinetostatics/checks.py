@@ -169,7 +169,13 @@ def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
         return skipped(say("check.forces.none"))  # nothing drives it
     row = int(np.nanargmax(np.abs(found - true)))
     share = float(abs(found[row] - true[row]) / np.nanmax(np.abs(true)))
-    told = {"name": name, "found": float(found[row]), "true": float(true[row]), "unit": own.units[own.names.index(name)]}
+    told = {
+        "name": name,
+        "found": float(found[row]),
+        "true": float(true[row]),
+        "off": float(abs(found[row] - true[row])),
+        "unit": own.units[own.names.index(name)],
+    }
     return _graded("FORCE-ACCURACY", share, _CLOSE, "COARSE", row + 1, name, **told, share=share)
 
 

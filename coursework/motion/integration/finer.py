@@ -75,7 +75,7 @@ def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Ar
     near = np.all(left <= _GAP * np.where(spread > 0, spread, 1.0), axis=1)
     # What a drive does and undoes between two steps leaves no gap at their end.
     sudden, _ = resolution(rates.equations, float(times[-1])).shorter(length / _SUDDEN)
-    near &= np.diff(np.searchsorted(sudden, np.append(t, t[-1] + exact.step))) == 0
+    near &= np.diff(np.searchsorted(sudden, np.append(t, t[-1:] + exact.step))) == 0
     for row in np.flatnonzero(~near).tolist():
         inside = times[row * parts + 1 : (row + 1) * parts]
         if len(inside):

@@ -31,7 +31,7 @@ def frames_of(run: SceneRun, drawn: Drawn, room: int) -> dict[str, Any]:
     stride = 1 + (truth.size + rows.size) * _LEAST // room
     while True:
         kept = [np.round(each[::stride], decimals).tolist() for each in (truth, rows)]
-        frames = {"truth": kept[0], "rows": kept[1], "step": run.step * stride}
+        frames = {"truth": kept[0], "rows": kept[1], "step": run.step * stride, "finest": 10.0**-decimals}
         needed = len(json.dumps(frames, separators=(",", ":")))
         if needed <= room or len(kept[0]) <= 2:
             break

@@ -20,6 +20,7 @@ from coursework.equations.reduction.blocks import angles_in_determinants
 from coursework.motion.geometry.drive import breaks, resolution, resolved
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
+from coursework.motion.settings import scheme_for
 from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
 from coursework.report.live.functions import Functions, live_functions, tableau
@@ -38,6 +39,7 @@ MOST_BYTES, MOST_ROWS = 60 * 1024, 512
 FINE = 16  # points of the true motion from row to row, as laboratory_motion.js makes them
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
 _SAME = ("words", "schemes")  # data that are those of every page in a language
+_SET = "_set"  # behind the key of what is said where the page's values are not those of the file
 _PUT_TOGETHER = ("scheme_", "on_", "off_")  # words whose keys a script puts together
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
@@ -132,7 +134,9 @@ def _part(run: SceneRun, phrases: Phrases, script: str, data: dict[str, Any], *,
     script = _speaking(script, embedded({key: data.pop(key) for key in _SAME if key in data}))
     mark = phrases.template("decimal")
     speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
-    return LivePart(_words(phrases), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), embedded(data))
+    return LivePart(
+        _words(phrases, run), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), embedded(data)
+    )
 
 
 @lru_cache(maxsize=16)
@@ -151,7 +155,7 @@ def _said(
     variant = run.variant
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
     units = {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)}
-    words = {key: marked(words) for key, words in _words(phrases).items()} | {
+    words = {key: marked(words) for key, words in _words(phrases, run).items()} | {
         f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()
     }
     contacts = {wheel["contact"] for wheel in drawn.data["wheels"]}
@@ -166,9 +170,11 @@ def _said(
     }
 
 
-def _words(phrases: Phrases) -> dict[str, str]:
-    """Return the words of the live part by key, their gaps open."""
-    return {key: phrases.template(f"live.{key}") for key in load_phrases().entries["live"]}
+def _words(phrases: Phrases, run: SceneRun) -> dict[str, str]:
+    """Return the words of the live part by key, their gaps open; of a run with data or scheme of its own those of `_set`."""
+    words = {key: phrases.template(f"live.{key}") for key in load_phrases().entries["live"]}
+    is_set = bool(run.variant.changes) or run.scheme != scheme_for(run.variant)
+    return words | {key.removesuffix(_SET): text for key, text in words.items() if is_set and key.endswith(_SET)}
 
 
 def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:

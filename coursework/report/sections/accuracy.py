@@ -15,7 +15,7 @@ from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
 from coursework.report.text.tables import MARK, ONE_PAGE
-from coursework.report.text.text_runs import LONGEST_NAME, numeral, printed, runs
+from coursework.report.text.text_runs import LONGEST_NAME, begun, numeral, printed, runs
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 
 RATIO_DIGITS = 2  # of a ratio of times, which differs from run to run
@@ -28,7 +28,7 @@ def accuracy(context: PageContext) -> list[Part]:
     study = context.run.accuracy
     if study is None:
         return []
-    first, *others = [context.rich(sentence) for sentence in study.sentences] or [[]]
+    first, *others = [context.rich(begun(context.told(sentence))) for sentence in study.sentences] or [[]]
     parts: list[Part] = [Paragraph(first)] if first else []
     if study.rows:
         parts += [error_figure(context, study), _table(context, study)]

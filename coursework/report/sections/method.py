@@ -10,7 +10,7 @@ from coursework.report.formulas import lecture
 from coursework.report.sections.derivation.first_step import besides_the_scheme
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
-from coursework.report.text.text_runs import runs
+from coursework.report.text.text_runs import printed, runs
 from coursework.words.templates import clean
 
 
@@ -18,7 +18,7 @@ def method(context: PageContext) -> list[Part]:
     """By which formula, with which step and which programs the numbers came about."""
     run, words = context.run, context.words
     if run.tableau is None:
-        label = clean(context.words.written(run.motion.label)).rstrip(".")
+        label = printed(context.told(run.motion.label)).rstrip(".")
         told = [words("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
         return [Paragraph(context.lettered(words.sentences([*told, *_lesson(context)]))), *_versions(context)]
     free = "_free" if run.variant.motor else ""
@@ -39,7 +39,7 @@ def method(context: PageContext) -> list[Part]:
     ]
     if context.exact is not None:
         label = context.words.written(context.exact.label) or words("graphs.exact")
-        sentences.append(words("method.exact", label=clean(label).rstrip(".")))
+        sentences.append(words("method.exact", label=printed(clean(label)).rstrip(".")))
     parts.append(Paragraph(context.lettered(words.sentences(sentences))))
     if run.motion.notes:
         parts.append(Bullets([context.rich(note) for note in run.motion.notes]))

@@ -10,6 +10,7 @@ import re
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Paragraph, Part
 from coursework.report.text.text_runs import LONGEST_NAME, runs
+from coursework.variant.record.entries import guide_number
 from coursework.words.templates import clean
 
 MOST_REMARKS = 12  # on the first page, on which the results begin
@@ -26,15 +27,17 @@ def _set(context: PageContext) -> list[Part]:
     values = context.run.variant.set_values
     if not values:
         return []
-    pairs = [f"{name} = {_set_value(context, text)}" for name, text in values.items()]
+    pairs = [_set_value(context, name, text) for name, text in values.items()]
     return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
 
 
-def _set_value(context: PageContext, text: str) -> str:
+def _set_value(context: PageContext, name: str, text: str) -> str:
     """Return a value as it was set, its unit in the language of the page; a law of the drive has no unit behind it."""
+    if name == "check_row" and (guide := guide_number(int(text))) >= 1:
+        return context.words("remark.set_row", name=name, row=text, guide=guide)
     if found := _QUANTITY.fullmatch(text):
-        return context.with_unit(as_written(context, found[1]), found[2])
-    return as_written(context, text)
+        return f"{name} = {context.with_unit(as_written(context, found[1]), found[2])}"
+    return f"{name} = {as_written(context, text)}"
 
 
 def as_written(context: PageContext, text: str) -> str:

@@ -99,13 +99,13 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
         gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
         values = {"symbol": context.lettering(step.column), "rate": context.lettering(step.rate_name), "gap": gap}
         values |= {"row": str(step.row), "next": str(step.row + 1)}
-        title = begun(context.told(title_of(scheme)))
+        title = context.told(title_of(scheme))
         if scheme.order == 1:
-            told.append(say("why.tangent", scheme=title, **values))
+            told.append(begun(say("why.tangent", scheme=title, **values)))
             told += [say("why.broken")] if rows_before_breaks(evidence(context)) else []
             told += [] if context.run.settings.project else [say("why.half")]
         elif not context.run.settings.project:  # corrected rows have another order than the scheme
-            told.append(say("why.order", scheme=title, order=scheme.order, less=2**scheme.order))
+            told.append(begun(say("why.order", scheme=title, order=scheme.order, less=2**scheme.order)))
     if context.run.tableau is not None and (largest := largest_error_sentence(context)):
         told.append(largest)
     told += _period(context, found)

@@ -102,8 +102,9 @@ def read_mass(text: str | int | float, wanted: str = "") -> Quantity:
         if WITH_MASS[unit][1] == "J" and wanted == "N*m":
             raise UnitFault(say("fault.V702", found=str(text)[:40], advised=f"{match['number']} N*m"))
         return quantity(match["number"], WITH_MASS[unit], unit, str(text))
-    if wanted in OF_MASS and match and unit and unit not in UNITS:
-        raise UnitFault(unlike(wanted, str(text)[:40]))
+    if match and unit and unit not in UNITS and wanted in {"", *OF_MASS}:
+        told = partial(unknown, str(text), unit, of_mass=True)
+        raise UnitFault(told(wanted), told)
     return read(text, "" if wanted in OF_MASS else wanted)
 
 
@@ -208,10 +209,11 @@ def unlike(si: str, found: object) -> Sentence:
     return say("fault.V105", what=measured(si), units=kind_of(si)[1], found=str(found))
 
 
-def unknown(text: str, unit: str, wanted: str = "") -> Sentence:
+def unknown(text: str, unit: str, wanted: str = "", *, of_mass: bool = False) -> Sentence:
     """Return what is said about "value unit" whose unit is not known.
 
-    Only units of what is `wanted` (an SI unit, "" for any) are offered, with a slash where one is written.
+    Only units of what is `wanted` (an SI unit, "" for any) are offered, with a slash where one is written; those that hold
+    a mass too where the file may have them, `of_mass`.
     """
     found = text[:40]
     if re.match(r"\s*[-+−]?\d+,\d", text):
@@ -220,12 +222,12 @@ def unknown(text: str, unit: str, wanted: str = "") -> Sentence:
         last = text.split()[-1:] or [""]
         fits = last[0] in UNITS and wanted in {"", UNITS[last[0]][1]}
         return say("fault.V107", found=found, unit=last[0] if fits else advised_unit(wanted) or "m")
-    if unit.lower() in _HERTZ:
+    if unit.lower() in _HERTZ and wanted in {"", "1/s"}:
         return say("fault.V108", found=found)
     meant = _nearest(unit, (wanted,) if wanted else tuple(KINDS))
     if wanted and not meant:
         return unlike(wanted, found)
-    return say("fault.V109", found=found, hint=meant or say("hint.units", known=known_units()))
+    return say("fault.V109", found=found, hint=meant or say("hint.units", known=known_units(of_mass=of_mass)))
 
 
 def unknown_unit(unit: str, wanted: str = "") -> Sentence:
@@ -237,9 +239,14 @@ def unknown_unit(unit: str, wanted: str = "") -> Sentence:
     return say("fault.V111", found=unit[:40], hint=advice)
 
 
-def known_units() -> str:
-    """Return the units that advice shows, by what they measure."""
-    return "; ".join(shown for _, shown in KINDS.values() if shown != "1")
+def known_units(*, of_mass: bool = False) -> str:
+    """Return the units that advice shows, by what they measure; those that hold a mass too where these are read."""
+    listed = [shown for _, shown in KINDS.values() if shown != "1"]
+    if of_mass:
+        from coursework.variant.formula import mass_units
+
+        listed += [shown for _, shown in mass_units.KINDS.values()]
+    return "; ".join(listed)
 
 
 @lru_cache(maxsize=1000)

@@ -18,7 +18,7 @@ from coursework.words.sentences import say
 
 
 def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fault]:
-    """Return a fault for each law that needs itself, and for each law or velocity equation without a value at t = 0.
+    """Return a fault for each law that needs itself, and for each law, force or velocity equation without a value at t = 0.
 
     What is `broken` has no value, nor has what needs it.
 
@@ -32,14 +32,19 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
         return [source.fault(places[name], say("fault.V057", circle=" → ".join(circle))) for name, circle in circles.items()]
     placed = [c for c in variant.coordinates if c.start is not None and not broken.has("coordinates", c.name)]
     values = {"t": 0.0, **broken.sound(variant).values, **{c.name: c.start for c in placed if c.start is not None}}
-    # Any velocities do: an equation is linear in them, and says so itself where it is not.
-    values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
     faults: list[Fault] = []
     for section, law in in_order(variant):
         path = (*places[law.name], "pieces", 0, 1) if law.pieces else places[law.name]
         for formula in () if broken.has(section, law.name) else law.formulas[:1]:
             if (value := _value(formula, values, path, source, faults)) is not None:
                 values[law.name] = value
+    if (forces := variant.forces) is not None:
+        at_once = {**values, **{law.name: 0.0 for law in forces.free}, **dict(forces.motor.start if forces.motor else ())}
+        for path, formula, _ in forces.measured():
+            if not broken.has(*path[:2]):
+                _value(formula, at_once, path, source, faults)
+    # Any velocities do: an equation is linear in them, and says so itself where it is not.
+    values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
     for index, constraint in enumerate(variant.constraints):
         for side in () if constraint.is_closure or broken.has("constraint", index) else constraint.sides:
             _value(side, values, ("constraint", index, "equation"), source, faults)

@@ -14,7 +14,7 @@ from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
 from coursework.variant.reading.stand_ins import NAMELESS
 from coursework.variant.record.variant import MAX_ROWS, Binding, Frame, Group, Guide, Link, Quote, Time, whole_steps
-from coursework.variant.record.vocabulary import OF_FORCES, scheme_names
+from coursework.variant.record.vocabulary import OF_FORCES, scheme_hint, scheme_names
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say
 
@@ -86,7 +86,7 @@ def _scheme(name: str | None, path: KeyPath, parts: Parts) -> str:
     """Return the name of a scheme, "" for none."""
     names = (*scheme_names(), *(OF_FORCES if "motor" in parts.source.data else ()))
     if name is not None and name not in names:
-        parts.say(path, say("fault.V065", name=name, hint=closest(name, names), known=", ".join(names)))
+        parts.say(path, say("fault.V065", name=name, hint=scheme_hint(name, names), known=", ".join(names)))
     return name or ""
 
 

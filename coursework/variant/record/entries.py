@@ -103,6 +103,11 @@ ROWS_BEFORE_N = 2
 USUAL_ROW = 2 + ROWS_BEFORE_N
 
 
+def guide_number(row: int) -> int:
+    """Return N of the guide for a row of the table: t = (N+1) h."""
+    return row - ROWS_BEFORE_N
+
+
 @frozen
 class Time:
     """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another.

@@ -11,6 +11,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 
 from coursework.system.frozen import frozen
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
 
 SCHEME_NAMES = ("euler", "midpoint", "heun", "ralston", "rk4")
 FORCE_SECTIONS = frozenset({"masses", "forces", "friction", "motor"})  # a file without them knows nothing of forces
@@ -62,6 +64,11 @@ GROUP_SHAPES = {
 }
 # The kinds of group, and how many of the coordinates of each, the first ones, are angles; the others are lengths.
 GROUP_KINDS = {name: shape.angles for name, shape in GROUP_SHAPES.items()}
+
+
+def scheme_hint(name: str, known: Sequence[str]) -> Sentence | str:
+    """Return what to do about a name that is no scheme here: one of motion under forces is a scheme elsewhere."""
+    return say("hint.of_forces", name=name) if name in OF_FORCES else closest(name, known)
 
 
 def scheme_names() -> tuple[str, ...]:

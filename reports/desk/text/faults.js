@@ -22,7 +22,10 @@ const isNowhere = (fault) => isMissing(fault) || fault.line === null;
 /** What is told of a fault where its place is not beside it.
  * @param {Fault} fault
  */
-export const told = (fault) => (isNowhere(fault) ? fault.sentence : `${placeOf(fault)} ${fault.sentence}`);
+export const told = (fault) => (isNowhere(fault) ? begun(fault.sentence) : `${placeOf(fault)} ${fault.sentence}`);
+
+/** @param {string} text What begins a sentence. */
+const begun = (text) => text.charAt(0).toLocaleUpperCase() + text.slice(1);
 
 /** @param {{line: number | null, column: number | null}} fault */
 const placeOf = ({ line, column }) => say("place", { line: line ?? 1, column: column ?? 1 });

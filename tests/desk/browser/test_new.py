@@ -79,6 +79,7 @@ def test_an_empty_text_begins_with_an_empty_page(desk: Callable[..., Any]) -> No
     assert (page.locator("[data-datum]").count(), page.locator("[class*=cm-lint]").count()) == (0, 0)
     assert page.is_visible("#desk-welcome")
     assert not page.is_visible("#desk-pale")
+    assert "without faults. The section [coordinates] is missing." in page.text_content("#desk-pale")
     # It is told as what is still to be typed, with a click each that begins it.
     assert page.locator("#desk-faults .missing").count() == len(one.faults()) == 2
     for begun in ("[coordinates]", "[time]", "[[constraint]]"):

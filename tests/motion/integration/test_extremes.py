@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import coursework
 from coursework.motion.integration.extremes import _flat
 
 
@@ -21,3 +22,10 @@ def test_a_slope_without_a_root_between_is_flat_in_the_middle():
     t = np.array([0.0, 1.0, 3.0])
     assert _flat(t, (t - 1.5) ** 2 + 1) == 1.0
     assert _flat(t, np.array([2.0, 2.0, 2.0])) == 1.0
+
+
+def test_a_motion_of_one_row_has_no_interval_to_be_followed_in():
+    """With a link of a millimetre variant 31 stops before its second row; its page could not be written."""
+    stopped = coursework.load("31").with_data({"r1": 0.000953})
+    scene = coursework.solve(stopped, quantities=["table"]).scene
+    assert len(scene.exact.t) == 1 and scene.extremes["phi1"] == (1.63, 1.63)

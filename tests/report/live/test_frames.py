@@ -26,6 +26,8 @@ def test_twenty_thousand_rows_are_written_out_a_few_times_only(run, monkeypatch)
     found = frames.frames_of(run, drawn_of(run.scene, str), ROOM)["frames"]
     assert len(dumps) <= 25
     assert written(found) <= ROOM
+    # Positions in tenths of a millimetre tell no distance of 0.100 mm.
+    assert found["finest"] == 1e-4 and found["rows"][3] == [round(value, 4) for value in found["rows"][3]]
 
 
 def test_a_little_more_room_shows_rows_closer_together(run):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 import unicodedata
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,7 @@ def test_where_links_do_not_close_there_is_no_error(written: Any, opened: Any) -
     page.set("#lab-datum", page.page.get_attribute("#lab-datum", "max"))
     assert page.page.inner_text("#lab-lost") == "With this value the links do not close."
     assert (page.value("#lab-error"), page.page.inner_text("#lab-error")) == ("", "–")
+    assert page.page.inner_text("#live-away") == ""  # no table has ended where there is none
 
 
 @pytest.mark.parametrize(
@@ -90,6 +92,10 @@ def test_a_better_scheme_and_a_smaller_step_cost_what_they_cost(written: Any, op
     assert float(page.value("#lab-error")) == pytest.approx(1.07e-5, rel=0.01)
     assert page.value("#lab-evaluations") == "96"
     assert page.page.inner_text("#lab-ratio") == "14000 times less error for 4 times the work."
+    # Between rows the way of such a scheme is no chord, which is 5 mm off where its rows are 0.01 mm off.
+    page.set("#scrub", 18.5)
+    off = re.fullmatch(r". is ([\d.]+) mm from where it should be.", page.page.inner_text("#live-away"))
+    assert off is not None and float(off[1]) < 0.05
     # With the smallest step the true motion is still far better than the table that is measured by it.
     page.set("#lab-step", 3)
     eighth = float(page.value("#lab-error"))
@@ -102,7 +108,10 @@ def test_a_better_scheme_and_a_smaller_step_cost_what_they_cost(written: Any, op
 def test_a_table_that_no_scheme_alone_has_made_is_not_called_that_of_the_page(written: Any, opened: Any) -> None:
     told = "These are the file’s values. Move a slider."
     assert opened(written("31")).page.inner_text("#lab-ratio") == told
-    assert opened(written("31", project=1)).page.inner_text("#lab-ratio") == ""
+    projected = opened(written("31", project=1))
+    assert projected.page.inner_text("#lab-ratio") == ""
+    projected.set("#lab-datum", projected.page.get_attribute("#lab-datum", "min"))  # other data are another mechanism's
+    assert projected.page.inner_text("#lab-ratio") == ""
     assert opened(written("example-3")).page.inner_text("#lab-ratio") == ""
 
 
@@ -175,6 +184,12 @@ def test_a_run_that_stops_shows_its_own_dead_point(written: Any, opened: Any) ->
     stopped = coursework.load("31").with_data(given={"alpha": 0.02})
     page = opened(written(stopped))
     assert float(page.value("#lab-dead")) == coursework.solve(stopped).stop.time
+    # What was set is in no file.
+    assert page.page.inner_text("#lab-ratio") == "These are the page’s values. Move a slider."
+    assert page.page.inner_text("#lab-reset") == "Back to the page’s values"
+    page.set("#lab-datum", page.page.get_attribute("#lab-datum", "min"))
+    assert re.search(r"\(page 0.953\): .* of the page’s table 7.30°", page.page.inner_text("#lab-ratio"))
+    page.page.click("#lab-reset")
     page.page.focus("#live")
     page.page.keyboard.press("End")
     assert page.row == 6

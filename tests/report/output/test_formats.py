@@ -92,5 +92,5 @@ def test_a_format_that_is_not_offered_is_refused_before_anything_is_measured(fol
     monkeypatch.setattr("coursework.commands.accuracy.variant_of", None)
     result = call("accuracy", "31", "--format", "docx")
     assert result.exit_code == 2
-    assert result.stderr == 'C015 "docx" is not a format of the report. Formats: html, pdf, csv.\n'
+    assert result.stderr == 'C015 "docx" is not a format here. Formats: html, pdf, csv.\n'
     assert list(folder.iterdir()) == []

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import ModuleType
+
+import pytest
 
 import coursework
 from tests.effects.test_rubbing import BLOCK
@@ -22,12 +25,14 @@ def test_rows_lost_before_the_dead_point_are_not_said_to_be_none_of_the_motion(r
     assert told.startswith(f"The rows end at t = {run.motion.t[-1]:g} s,")
 
 
-def test_a_block_held_by_friction_is_not_said_to_have_no_motion_beyond(real: ModuleType) -> None:
+def test_a_block_held_by_friction_is_not_said_to_have_no_motion_beyond(real: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     """And rows are counted so that one row is no "1 rows"."""
     run = coursework.solve(coursework.parse_variant(BLOCK), scheme="exact", quantities=["table"])
     held = real.text_of(real.parts(run, "dead_point"))
     assert "keeps the rows up to row 164." in held and "The rows up to row 164 stand;" in held
     assert "nothing beyond" not in held
+    monkeypatch.setitem(vars(run.motion), "stop", replace(run.stop, kind="sensitive"))  # nor one that forgets its start
+    assert "nothing beyond" not in real.text_of(real.parts(run, "dead_point"))
     dead = coursework.load("31").with_data(given={"alpha": 0.02})
     run = coursework.solve(dead, quantities=["table"])
     assert "nothing beyond it would be a motion" in real.text_of(real.parts(run, "dead_point"))

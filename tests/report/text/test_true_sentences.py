@@ -57,6 +57,11 @@ def test_a_crank_at_constant_speed_does_not_oscillate(real: ModuleType, shaper: 
     assert "not judged by rows" not in finding(shaper, "STEP").sentence
 
 
+def test_a_page_of_some_columns_does_not_say_that_the_file_shows_no_points(real: ModuleType) -> None:
+    some = told(real, coursework.solve("31", quantities=["phi3"]), "equations")
+    assert "The bodies are rigid" in some and "shows no points" not in some
+
+
 def test_each_table_names_the_file_that_holds_it_whole(real: ModuleType, shaper: Any) -> None:
     assert "(21 of 101); analogs.csv holds them all." in told(real, shaper, "analogs")
     points = solved(SHAPER, "table", "points")

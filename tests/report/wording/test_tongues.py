@@ -24,6 +24,7 @@ from coursework.variant.formula import mass_units, motion_units
 from coursework.words.sentences import load_phrases, say
 from tests.mechanisms.library import mechanism
 from tests.report.words_missing import languages, read
+from tests.solved import solved
 
 # A shaper of its own: crank, slotted lever hinged below it, no file of the catalogue.
 SHAPER = mechanism(
@@ -233,3 +234,16 @@ def test_a_column_in_degrees_is_told_with_their_sign(language: str, tmp_path: Pa
     args = ["precheck", str(tmp_path / "table.csv"), "--variant", "31", "--language", language]
     told = CliRunner().invoke(main, args).stdout
     assert "°" in told and "deg" not in told
+
+
+def test_a_page_of_forces_has_no_english_head_no_point_for_a_comma_and_no_name_that_begins_a_sentence_small() -> None:
+    run = solved("example-2-motor")
+    page = text_of(render_html(build_model(run, "ru"))).replace("\u00a0", " ").replace("\u202f", " ")
+    assert "энергия" in page and "energy" not in page.replace("energy.csv", "")
+    assert "B + 0,4" in page and "0.4" not in page
+    assert "Явная схема Эйлера, шагов: 200" in page
+
+
+def test_a_scheme_in_brackets_is_written_small() -> None:
+    run = solved("31", scheme="heun", quantities=["table", "plots", "checks"])
+    assert "Порядок метода (метод Хойна) — 2" in text_of(render_html(build_model(run, "ru"))).replace("\u00a0", " ")

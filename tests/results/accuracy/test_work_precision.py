@@ -102,6 +102,7 @@ def test_measured_orders_and_words(scene, run):
     for method, order in {"explicit Euler": 1, "midpoint": 2, "Heun": 2, "Runge-Kutta 4": 4}.items():
         assert study.orders[method] == pytest.approx(order, abs=0.1)
     text = " ".join(study.sentences)
+    assert text.count("evaluations, a Newton correction counted as one: ") == 1
     assert "24 steps of explicit Euler: 0.152 rad (8.7°) off at worst" in text
     assert "14\u202f000 times less error than Euler for 4 times the evaluations" in text
     assert "Euler needs about 410\u202f000 steps" in text

@@ -27,3 +27,11 @@ def test_random_variants():
         assert unkept(run, run.variant, run.scheme) == [], run.variant.title
     assert judged == 10
     assert coarse >= 1
+
+
+@pytest.mark.parametrize(
+    ("name", "told"), [("example-4", "differs most, by 1e-07 m beside 1.07703 m,"), ("whitworth", "0.0866025 m and 0.086602 m,")]
+)
+def test_numbers_that_read_alike_are_not_told_as_two_that_differ(name, told):
+    run = coursework.solve(name, scheme="rk4", quantities=["table", "checks"])
+    assert told in next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION")

@@ -35,13 +35,14 @@ def equations(context: PageContext) -> list[Part]:
     written = [one for one in context.run.equations if not one.derived]
     parts: list[Part] = []
     chain = context.variant.groups and not written
-    found = None if chain else derive(context.run.scene.mechanism, _configurations(context))
+    rows = _configurations(context)
+    found = None if chain else derive(context.run.scene.mechanism, rows)
     intro = "constraints.intro"
     if found is not None:
         reductions = _reductions(context, found.projections)
         parts += [*_derived_from_points(context, found), *reductions]
         intro = "constraints.chosen" if reductions else "constraints.taken"
-    elif written:
+    elif written and rows:  # with some columns alone nobody knows what the points would give
         parts.append(Paragraph(runs(_unchecked(context, [one.name for one in written]))))
     if written:
         parts.append(Paragraph(context.say(intro)))

@@ -5,6 +5,8 @@ Enters: a `PageContext` of a run with a motor.  Leaves: parts.  Used by the list
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from coursework.effects.dynamics.dynamics_lesson import Row, lesson
@@ -37,7 +39,10 @@ def dynamics(context: PageContext) -> list[Part]:
         parts.append(_compared(context, lines, scene.unit_of_rates))
     if scene.regime is not None:
         parts.append(_regime(context, scene.regime, table.names[1 + len(context.run.motion.coordinate_names)]))
-    return [*parts, _energy(context, scene), *extra_parts(context, table, "dynamics.csv")]
+    *tables, last = extra_parts(context, table, "dynamics.csv")
+    assert isinstance(last, Table)
+    head = replace(last.columns[-1], head=context.say("dynamics.energy_head"))
+    return [*parts, _energy(context, scene), *tables, replace(last, columns=[*last.columns[:-1], head])]
 
 
 def _equation(context: PageContext, *, is_one: bool) -> list[Part]:

@@ -229,7 +229,7 @@ def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
     power = found.energy.drive
     known = power[np.isfinite(power)]
     brakes = [place + 1 for place in np.flatnonzero(power < -1e-9 * np.abs(known).max(initial=0.0)).tolist()]
-    told = [context.words("forces.brakes", rows=_spans(brakes))] if brakes else []
+    told = [context.words("forces.brakes", rows=context.words("join.comma").join(_spans(brakes)))] if brakes else []
     if not brakes and len(known) == len(power):
         told = [context.words("forces.drives")]
     wheel = find_flywheel(found, context.run.variant.time.period)
@@ -243,12 +243,12 @@ def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
     return [Paragraph(context.lettered(context.words.sentences(told)))] if told else []
 
 
-def _spans(rows: list[int]) -> str:
-    """Return rows as "1–4, 7": a span where they follow each other."""
+def _spans(rows: list[int]) -> list[str]:
+    """Return rows as "1–4" and "7": a span where they follow each other."""
     spans: list[list[int]] = []
     for row in rows:
         if spans and row == spans[-1][1] + 1:
             spans[-1][1] = row
         else:
             spans.append([row, row])
-    return ", ".join(str(a) if a == b else f"{a}–{b}" for a, b in spans)
+    return [str(a) if a == b else f"{a}–{b}" for a, b in spans]

@@ -5,6 +5,7 @@ Enters: a `PageContext`, `Forces`.  Leaves: a table, or nothing where they say n
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -16,6 +17,7 @@ from coursework.variant.formula.tree import Formula, constant, spelled
 from coursework.variant.record.forces import MEASURED, Forces
 from coursework.words.templates import clean
 
+_DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 _Entry = tuple[str, str, Formula | str, str]  # whose, what, how much, its unit in SI
 
 
@@ -74,4 +76,6 @@ def _value(context: PageContext, how_much: Formula | str) -> str | Runs:
     if isinstance(how_much, str):
         return context.say(f"acting.shape.{how_much}")
     number = constant(how_much)
-    return context.lettered(text(how_much, context.rates)) if number is None else context.numbers.plain(float(number))
+    if number is not None:
+        return context.numbers.plain(float(number))
+    return context.lettered(_DECIMAL.sub(context.numbers.mark, text(how_much, context.rates)))

@@ -109,12 +109,13 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     first, last = (0.0 if abs(end) < NO_ERROR else end for end in (worst.first, worst.last))
     found = {
         "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value), "row": row + 1, "first": first,
-        "last": last, "unit": worst.unit, "scale": scale[worst.name],
+        "last": last, "gap": abs(worst.total), "unit": worst.unit, "scale": scale[worst.name],
     }  # fmt: skip
     if value == 0:
         told = [evidence.say("check.PERIOD.same", row=row + 1)]
     else:
-        told = [evidence.say("check.PERIOD.pass" if value <= LIMIT else "check.PERIOD.coarse", **found)]
+        alike = "near" if f"{first:.6g}" == f"{last:.6g}" else "pass"  # two numbers that read alike differ in no way
+        told = [evidence.say(f"check.PERIOD.{alike if value <= LIMIT else 'coarse'}", **found)]
     late = share_of(worst.period, scale[worst.name])
     if cannot_return := value > LIMIT and late > NEARLY * LIMIT and _is_beyond(evidence, worst.name):
         told.append(evidence.say("check.PERIOD.due", share=percent(late), period=evidence.period))

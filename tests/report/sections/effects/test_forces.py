@@ -179,7 +179,7 @@ def test_names_of_forces_as_text_and_in_equations() -> None:
 
 
 def test_rows_that_follow_each_other_are_a_span() -> None:
-    assert _spans([1, 2, 3, 7, 9, 10]) == "1–3, 7, 9–10" and _spans([4]) == "4" and _spans([]) == ""
+    assert _spans([1, 2, 3, 7, 9, 10]) == ["1–3", "7", "9–10"] and _spans([4]) == ["4"] and _spans([]) == []
 
 
 class Words(dict[str, str]):
