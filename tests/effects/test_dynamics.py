@@ -267,7 +267,7 @@ def test_what_has_no_mass_is_refused():
     ],
 )
 def test_forces_without_a_value_at_the_start_are_not_told_as_masses_that_are_missing(force, told):
-    text = text_of("example-2-motor", ('"(-c*u3, 0)"', f'"{force}"'))
+    text = mechanism("example-2-motor", ('"(-c*u3, 0)"', f'"{force}"'))
     with pytest.raises(coursework.InputError, match=told):
         _ = coursework.solve(coursework.parse_variant(text), scheme="exact").motion
 
