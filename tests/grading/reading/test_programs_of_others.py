@@ -24,6 +24,10 @@ def _zero(form):
     )
 
 
+def _listed(text):
+    return text.replace("\n", ",\n  ")
+
+
 MACROS = r"""\documentclass{article}
 \newcommand{\om}[1]{\omega_{#1}}
 \newcommand\ph[1]{\varphi_{#1}}
@@ -61,6 +65,15 @@ FORMS = {
         re.sub(r"VM(.)", r"V_(M \1)", re.sub(r"\b(w|phi|r)(\d)", r"\1_\2", t)).replace("w_", "omega_")
         .replace("phi_", "phi.alt_").replace("*", " dot ")
     ),
+    "points of France": lambda t: _lines("(E{k}) : {e} ;")(t.replace("*", ".")),
+    "fields": lambda t: re.sub(r"\b(r\d)\b", r"par.\1", t), "rows": lambda t: re.sub(r"\b(w|phi)(\d)", r"\1\2_i", t),
+    "Maxima": _lines("(%i{k})\teq{k}: {e}$"), "Modelica": lambda t: re.sub(r"\bw([23])", r"der(phi\1)", t),
+    "values of a dictionary": _lines('    "{k}": "{e}",'),
+    "an instrument of TI": lambda t: f"solve({' and '.join(t.splitlines())},{{w1,w2}})",
+    "a list over lines": lambda t: f"eqs = {{{_listed(t.replace('=', '=='))}}};\nSolve[eqs, {{w1, w2}}]",
+    "a list to vanish": lambda t: f"from sympy import *\nsol = solve([{_listed(_zero('{e}')(t))}], [w1, w2])",
+    "names gathered": lambda t: f"def F(x):\n{_zero('    f{k} = {e}')(t)}\n    return [f1, f2, f3, f4]",
+    "below a title": lambda t: f"Velocities w1 and w2\n====================\n{t}",
     "a list of Maple": lambda t: _lines("> eq[{k}] := {e};")(re.sub(r"\b(r|w|phi)(\d)", r"\1[\2]", t)),
     **{form: _lines(form) for form in (
         "1.{k} {e}", "3.1.{k} {e}", "{k} {e}", "L{k} {e}", "Q{k}. {e}", "(Ox) {e}", "{e} ✓", "В проекции на ось Oy имеем {e}",

@@ -30,6 +30,7 @@ _RULES = re.compile(
     r"\\(?:(?:top|mid|bottom|h)(?:rule|line)|c(?:mid)?rule|noalign|end(?:first|last)?(?:head|foot))\b(?:\{[^{}]{0,40}\})?"
 )
 _PER = re.compile(r"\\per(?![A-Za-z])\s*")
+_TIMES = re.compile(r"\\(?:cdot|times)(?![A-Za-z])")
 _MARKUP = re.compile(
     r"\\(?:num|ang|tablenum|SI|qty|si|unit|multi(?:column|row)\s*\{\d{1,3}\}\s*\{[^{}]{0,40}\})(?=\s*[{\[])"
     r"|\\(?:row|cell)color\s*(?:\[[^\]]{0,20}\])?\{[^{}]{0,40}\}|\\[()]|\$|\\(?:textbf|textit|emph|mathbf|mathrm|text|bm)\b"
@@ -126,7 +127,7 @@ def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:
     lines = [_RULES.sub(" ", line) for line in _ROW_END.split(body, maxsplit=most_rows)[:most_rows]]
     cut = [_CELL_END.split(line, maxsplit=most_columns)[:most_columns] for line in lines]
     return [
-        [Cell(" ".join(_MARKUP.sub("", _PER.sub("/", cell)).split())[:CELL_CHARACTERS]) for cell in row]
+        [Cell(" ".join(_MARKUP.sub("", _TIMES.sub("·", _PER.sub("/", cell))).split())[:CELL_CHARACTERS]) for cell in row]
         for row in cut
         if len(row) > 1
     ]

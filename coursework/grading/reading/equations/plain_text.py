@@ -14,9 +14,9 @@ from coursework.grading.reading.equations.signs import plain_signs
 from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
-_PREFIX = re.compile(
-    r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])|[a-z]{1,3}\.(?=(?:a?(?:sin|cos|tan)|sqrt|exp|arc\w+|pi)\b))"
-)
+_PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
+# A point between names multiplies in France, where the line has no other sign for that; else it stands before a field, par.r1.
+_POINT, _FIELD = re.compile(r"(?<=[\w)])\.(?=[^\W\d]|\()"), re.compile(r"(?<![\w.)])[^\W\d]\w*\.(?=[^\W\d])")
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
 _PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
@@ -30,7 +30,7 @@ _DERIVATIVES = (
     re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
     re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
     re.compile(rf"\bdot[\s_]*\(?\s*{_NAME}\s*\)?"),
-    re.compile(rf"\b(?:diff|D|Diff)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
+    re.compile(rf"\b(?:diff|D|Diff|der)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
@@ -73,6 +73,7 @@ def plain(text: str, spellings: Spellings) -> str:
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
     text = _TYPST.sub(lambda found: " * " if found[0].strip() == "dot" else "", text)
+    text = _FIELD.sub("", text) if "*" in text else _POINT.sub("*", text)
     text = _OF_DOUBLES.sub("", _DOUBLE.sub(lambda found: _double(found, spellings), text))
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
