@@ -95,7 +95,7 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     folded: dict[str, list[str]] = {}
     for name in names:
         folded.setdefault(_key(name), []).append(name)
-    # A spelling that could mean two declared names means neither, but for the size of its letters; ω1 is a rate before a datum W1.
+    # A spelling that could mean two declared names means neither, unless letters tell by their size: ω1 is no W1.
     others |= {
         key: found[0] for key, found in folded.items() if len(found) == 1 and (key not in others or key == _bare(found[0]))
     }

@@ -24,8 +24,8 @@ def test_a_unit_in_si(si, unit, factor):
 
 
 @pytest.mark.parametrize(("text", "unit"), [
-    ("rad·s⁻¹", "1/s"), ("(m·s⁻¹)", "m/s"), ("м·с⁻¹", "m/s"), ("mm s^-1", "mm/s"), ("°·s⁻¹", "deg/s"), ("m/seg", "m/s"), ("s⁻¹", "1/s"),
-    ("rad/sec", "1/s"), ("grados", "deg"), ("tr/min", "rpm"), ("kg/s", ""), ("m/sekel", ""),
+    ("rad·s⁻¹", "1/s"), ("(m·s⁻¹)", "m/s"), ("м·с⁻¹", "m/s"), ("mm s^-1", "mm/s"), ("°·s⁻¹", "deg/s"), ("m/seg", "m/s"),
+    ("s⁻¹", "1/s"), ("rad/sec", "1/s"), ("grados", "deg"), ("tr/min", "rpm"), ("kg/s", ""), ("m/sekel", ""),
 ])  # fmt: skip
 def test_a_unit_as_countries_write_it(text, unit):
     assert unit_of(text) == unit
