@@ -49,3 +49,23 @@ def test_a_value_is_another_from_a_thousandth_on(part, told):
     found = {datum.name: read for datum, read in _values_read_off(printed)}
     assert ("r1" in found) == told
     assert not told or found["r1"] == pytest.approx(part * value, rel=1e-6)
+
+
+@pytest.mark.parametrize("digits", [3, 5])
+def test_a_datum_left_out_and_a_time_that_stands_still_are_named_with_any_digits(digits):
+    """A phase without its value earned 0 with three digits and 24 with five: no value that velocities tell lies at nought."""
+    for number, name, told in ((0, "alpha", "0 rad"), (2, "alpha", "0 rad"), (0, "p", "0 1/s")):
+        desk = variants()[number]
+        points, table = desk.marked(Machine(desk.variant, data={name: 0.0}).table(), digits=digits)
+        said = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, 1.0, points, 60.0))
+        assert table.misconception.code == f"datum_{name}" and f"the velocities follow with {told}." in said
+        assert points == pytest.approx(24, abs=1.2)
+
+
+def test_steps_taken_away_are_worth_what_steps_of_another_length_are():
+    for desk in variants()[::2]:
+        machine = desk.machine
+        made = [machine.table(lambda t, q, p=part, m=machine: p * m.h * m.velocities(t, q)[: m.m]) for part in (-1, 2)]
+        (back, table), (twice, _) = (desk.marked(one, digits=5) for one in made)
+        assert (table.misconception.code, table.misconception.names) == ("other_step", (f"{-machine.h:.4g}",))
+        assert back == pytest.approx(twice, abs=0.5)
