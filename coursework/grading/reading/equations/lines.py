@@ -51,7 +51,7 @@ _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 # What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
 _STATEMENT = re.compile(
-    r"(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
+    r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
     r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
     r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
 )
