@@ -9,7 +9,8 @@ from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.other_data import _values_read_off
 from coursework.grading.marking.table.ways import StudentTable
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import Desk, variants
+from tests.grading.marking.table.test_equal_faults import Desk, codes, variants
+from tests.grading.scenes import variant_of
 
 
 def test_what_explains_as_much_is_told_in_sentences_of_its_own():
@@ -69,3 +70,13 @@ def test_steps_taken_away_are_worth_what_steps_of_another_length_are():
         (back, table), (twice, _) = (desk.marked(one, digits=5) for one in made)
         assert (table.misconception.code, table.misconception.names) == ("other_step", (f"{-machine.h:.4g}",))
         assert back == pytest.approx(twice, abs=0.5)
+
+
+def test_a_slip_in_each_of_several_equations_is_no_one_thing_beside_columns_exchanged():
+    """Each equation with the names of two velocities exchanged explains as much, and was told as one slip in the first."""
+    desk = Desk(variant_of("cylinders"))
+    table = desk.machine.table()
+    places = desk.heads("om2", "om3")
+    table[:, places] = table[:, places[::-1]]
+    _, marked = desk.marked(table, digits=5)
+    assert codes(marked) == ("swapped_columns",)
