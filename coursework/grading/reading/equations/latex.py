@@ -40,6 +40,7 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
           **dict.fromkeys(("\\equiv", "\\approx", "\\simeq", "\\cong", "\\doteq", "\\coloneqq", "\\triangleq"), "="),
           **dict.fromkeys(("\\Rightarrow", "\\Longrightarrow", "\\implies", "\\rightarrow", "\\longrightarrow", "\\to",
                            "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
+_DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
 MATRIX = "[]"  # round a matrix in one piece
 _MOST = 200  # fractions and dots in one line, environments in a text
 
@@ -86,7 +87,10 @@ def _as_matrix(found: re.Match[str]) -> str:
     r"""Return a matrix in one piece, "[a, b; c, d]" as MATLAB writes it; an array of equations, or a tall brace, as it stands."""
     if "=" in found[2]:
         return found[0]
-    rows = [", ".join(cell.strip() for cell in row.split("&")) for row in _LINE_END.split(found[2].replace("\n", " "))]
+    rows = [
+        ", ".join(_DECIMAL.sub(".", cell.strip()) for cell in row.split("&"))
+        for row in _LINE_END.split(found[2].replace("\n", " "))
+    ]
     return f" {MATRIX[0]}{'; '.join(row for row in rows if row.strip())}{MATRIX[1]} " + "\n" * found[0].count("\n")
 
 

@@ -60,3 +60,8 @@ def test_a_number_with_its_power_of_ten_is_one_in_latex_too() -> None:
 )
 def test_a_page_begins_with_any_of_its_signs(text: str, is_page: bool) -> None:
     assert is_html(text) == is_page
+
+
+def test_a_formula_that_a_script_draws_is_a_line() -> None:
+    page = document_of_page('<p>So</p><script type="math/tex; mode=display">w_1 = V/r</script><script>w2 = 1</script>', "x", 9, 9)
+    assert [line.text for line in page.lines if "=" in line.text] == ["w_1 = V/r"]
