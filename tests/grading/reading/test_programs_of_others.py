@@ -72,6 +72,8 @@ FORMS = {
     "an instrument of TI": lambda t: f"solve({' and '.join(t.splitlines())},{{w1,w2}})",
     "a list over lines": lambda t: f"eqs = {{{_listed(t.replace('=', '=='))}}};\nSolve[eqs, {{w1, w2}}]",
     "a list to vanish": lambda t: f"from sympy import *\nsol = solve([{_listed(_zero('{e}')(t))}], [w1, w2])",
+    "keys": lambda t: re.sub(r"\b(r\d)\b", r"d['\1']", t),
+    "leaders": _lines("{e}..........({k})"), "boxed": _lines("\\boxed{{{e}}}"),
     "names gathered": lambda t: f"def F(x):\n{_zero('    f{k} = {e}')(t)}\n    return [f1, f2, f3, f4]",
     "below a title": lambda t: f"Velocities w1 and w2\n====================\n{t}",
     "a list of Maple": lambda t: _lines("> eq[{k}] := {e};")(re.sub(r"\b(r|w|phi)(\d)", r"\1[\2]", t)),
@@ -207,3 +209,26 @@ def test_nought_with_decimals_is_no_value_of_some_row():
 
 def test_half_of_a_length_d1_is_no_double_of_fortran():
     assert plain("0.5d1*w1 + 2.D0*sin(phi1)", Spellings(frozenset({"d1", "w1", "phi1"}), {}, {})) == "0.5d1*w1 + 2.e0*sin(phi1)"
+
+
+@pytest.mark.parametrize("form", [
+    "double w3(double t, double *q) {{ return {f}; }}", "double w3(double t)\n{{\n  return {f};\n}}", "let w3: f64 = {f};",
+    "def f_w3(t):\n    return {f}",
+])  # fmt: skip
+def test_what_a_function_returns_is_the_velocity_that_it_is_called_by(form):
+    assert marked(form.format(f="VMy/(r3*(2*cos(phi3) + sin(phi3)))")).independent == 1
+
+
+def test_what_a_velocity_of_a_point_is_twice_is_an_equation():
+    """The velocity of D along two ways: the second one was passed over as a definition, and half of the equations with it."""
+    first, last = PLAIN["31"].split("\n")[:2], "V_Bx = {}*r3*w3*cos(phi3) + 0.5*r3*w4\nV_By = -r3*w3*sin(phi3)"
+    ways = "\n".join([*first, "V_Bx = r2*w2*sin(phi2) + r1*w1*sin(phi1)", "V_By = -r2*w2*cos(phi2) - r1*w1*cos(phi1)", last])
+    assert marked(ways.format("-1")).share == 1.0
+    slip = marked(ways.format("+1"))
+    assert (slip.independent, len(slip.wrong)) == (3, 1)
+
+
+def test_sines_by_their_index_and_the_rule_of_a_row_beside_a_datum_k():
+    assert marked("VMy - 2*r3*w3*C3 - r3*w3*S3 = 0").independent == 1
+    steps = "th1(k+1) = th1(k) + h*om1(k)\nrho1[i+1] = rho1[i] + h*u1[i]\n\\theta_{2,n+1} = \\theta_{2,n} + h\\omega_{2,n}"
+    assert read_lines(steps.replace("rho1[i", "rho1[k"), "x", expected("cylinders")).equations == []

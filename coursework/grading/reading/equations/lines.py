@@ -55,7 +55,7 @@ _STATEMENT = re.compile(
     r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
     r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
 )
-_TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
+_TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer|f64|f32|number)\s*=")  # of Pascal, Rust
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
 _KEPT = re.compile(
     r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
@@ -63,7 +63,10 @@ _KEPT = re.compile(
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
-_DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a function of Python, and what it returns
+# A function of Python or C, and what it returns.
+_DEFINED = re.compile(
+    r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:static\s+)?(?:double|float)\s+(\w{1,40})\s*\([^()]*\)\s*\{?)\s*(return\b[^}]*)?\}?\s*"
+)
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")
 _KEY = re.compile(r"\s*[\"'][\w .]{1,20}[\"']\s*(?::|=>)\s*(?=[\"'])")  # "11": "w1 = …",
@@ -109,13 +112,16 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
+    defined = set[str]()
     for number, line in lines:
         tried, characters = tried + 1, characters + min(len(line), MAX_CHARACTERS)
         if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
-        elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names) or is_row(line)):
+        elif beside is None and (
+            _defines(line, own, names, defined) or is_datum(line, names) or is_step(line, names) or is_row(line)
+        ):
             continue
         elif beside is None and _is_equation(line, names):
             read = read_line(line, name, number, with_own)
@@ -138,9 +144,10 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     function = ""
     for number, line in _continued(logical_lines(in_rows(_BLANKS.sub("", text))), names):
         if defined := _DEFINED.fullmatch(line):
-            meant = [one for one in defined[1].split("_") if one in names.expected.variant.sought]  # w3 of calc_w3
-            function = f"{meant[0] if len(meant) == 1 else defined[1]} = "
-            continue
+            called = defined[1] or defined[2]
+            meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 of calc_w3
+            function = f"{meant[0] if len(meant) == 1 else called} = "
+            line = defined[3] or ""
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
         bare = bare if '_"' in bare else _KEY.sub("", bare).strip(_QUOTES + " ,")  # V_"Mx" is an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
@@ -250,10 +257,14 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
     return {name: formula for name, formula in own.items() if name not in labels}
 
 
-def _defines(line: str, own: Mapping[str, Formula], names: Names) -> bool:
+def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[str]) -> bool:
+    """Return whether a line defines a name of the student's own; what it is once more, V_Bx of two links, is an equation."""
     name, formula = own_name(line, names.spellings) if own else ("", "")
+    if key(name) not in own or (key(name) in before and name[:1] in "vV" and _WORD.search(_FUNCTION.sub("", formula))):
+        return False
+    before.add(key(name))
     # V_Cy = … = 0 is an equation, too; V_Cy = 0.3*4.1 = 1.23 is its value at some row.
-    return key(name) in own and ("=" not in formula or not _WORD.search(_FUNCTION.sub("", formula)))
+    return "=" not in formula or not _WORD.search(_FUNCTION.sub("", formula))
 
 
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:

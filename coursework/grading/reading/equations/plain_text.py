@@ -17,6 +17,7 @@ from coursework.variant.record.variant import Variant
 _PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
 # A point between names multiplies in France, where the line has no other sign for that; else it stands before a field, par.r1.
 _POINT, _FIELD = re.compile(r"(?<=[\w)])\.(?=[^\W\d]|\()"), re.compile(r"(?<![\w.)])[^\W\d]\w*\.(?=[^\W\d])")
+_KEYED = re.compile(r"[^\W\d]\w{0,20}\[\s*['\"](\w{1,20})['\"]\s*\]")  # d["r1"] of Python
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
 _PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
@@ -73,6 +74,7 @@ def plain(text: str, spellings: Spellings) -> str:
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
     text = _TYPST.sub(lambda found: " * " if found[0].strip() == "dot" else "", text)
+    text = _KEYED.sub(r"\1", text)
     text = _FIELD.sub("", text) if "*" in text else _POINT.sub("*", text)
     text = _OF_DOUBLES.sub("", _DOUBLE.sub(lambda found: _double(found, spellings), text))
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
