@@ -187,6 +187,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "answers": files() | {"answers.txt": ANSWERS.encode()},
         "position": files(equations=(position(), "w1 = w1 + 0*w2", *EQUATIONS)),
         "solved": files(equations=tuple(solved((SLIP, SECOND), (SLIP, SECOND)).split("\n"))),
+        "missing-term": files(equations=(*EQUATIONS[:3], "r3*w3*sin(phi3) - r2*w2*cos(phi2) = 0")),
         "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
         "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),
         "by-place": {"table.csv": "\n".join(numbers).encode()},

@@ -37,3 +37,12 @@ def test_a_slip_in_one_equation_is_one_in_the_velocities_solved_out_of_it(first,
 def test_a_right_equation_beside_them_lowers_nothing(beside):
     wrong = solved((SLIP, SECOND), (SLIP, SECOND))
     assert marked(f"{wrong}\n{beside}").share >= marked(wrong).share
+
+
+@pytest.mark.parametrize(("line", "term"), [
+    ("r3*w3*sin(phi3) - r2*w2*cos(phi2) = 0", "r1*w1*cos(phi1)"), ("r2*w2*cos(phi2) + r1*w1*cos(phi1) = 0", "r3*w3*sin(phi3)"),
+    ("r3*w3*sin(phi3) = 0", None), ("r3*w3*sin(phi3) - 2*r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0", None),
+])  # fmt: skip
+def test_the_one_term_that_a_wrong_line_is_short_of_is_told(line, term):
+    (mark,) = marked(line).wrong
+    assert str(mark.lack) == (f"A term is missing: {term}." if term else "")

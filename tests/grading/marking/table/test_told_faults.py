@@ -8,8 +8,9 @@ from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.other_data import _values_read_off
 from coursework.grading.marking.table.ways import StudentTable
+from coursework.variant.formula.tree import spelled
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import Desk, codes, variants
+from tests.grading.marking.table.test_equal_faults import Desk, close, codes, variants
 from tests.grading.scenes import variant_of
 
 
@@ -80,3 +81,21 @@ def test_a_slip_in_each_of_several_equations_is_no_one_thing_beside_columns_exch
     table[:, places] = table[:, places[::-1]]
     _, marked = desk.marked(table, digits=5)
     assert codes(marked) == ("swapped_columns",)
+
+
+@pytest.mark.parametrize(("name", "term", "without", "frozen"), [
+    ("18", "r3*w3*sin(phi3)", "0", "r3*w3*sin(START)"), ("1", "u1*cos(th1)", "0", "u1*cos(START)"),
+    ("3", "rho1*om1*cos(th1)", "0", "START*om1*cos(th1)"),
+])  # fmt: skip
+def test_a_term_left_out_or_a_cell_that_a_formula_keeps_to_is_worth_what_a_sign_is(name, term, without, frozen):
+    """An equation without a term, or with $A$2 in a spreadsheet, earned 10 to 19 of 60 where a turned sign earned 30."""
+    variant = coursework.load("31") if name == "18" else variant_of("cylinders")
+    desk, constraint = Desk(variant), {one.name: one for one in variant.constraints}[name]
+    line = f"{spelled(constraint.left)} - ({spelled(constraint.right)})"
+    place = {"18": 2, "1": 0, "3": 3}[name]
+    points = []
+    for other in (f"-{term}", without, frozen.replace("START", repr(float(desk.machine.start[place])))):
+        found, table = desk.marked(Machine(variant, lines={name: line.replace(term, other, 1)}).table(), digits=5)
+        assert f"equation_{name}" in codes(table)
+        points.append(found)
+    close(points)
