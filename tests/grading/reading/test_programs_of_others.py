@@ -232,3 +232,20 @@ def test_sines_by_their_index_and_the_rule_of_a_row_beside_a_datum_k():
     assert marked("VMy - 2*r3*w3*C3 - r3*w3*S3 = 0").independent == 1
     steps = "th1(k+1) = th1(k) + h*om1(k)\nrho1[i+1] = rho1[i] + h*u1[i]\n\\theta_{2,n+1} = \\theta_{2,n} + h\\omega_{2,n}"
     assert read_lines(steps.replace("rho1[i", "rho1[k"), "x", expected("cylinders")).equations == []
+
+
+LOOP = "i*r1*w1*e^(i*phi1) + i*r2*w2*e^(i*phi2) - i*r3*w3*e^(i*phi3) - i*r4*w4*e^(i*phi4) = 0"
+
+
+@pytest.mark.parametrize("power", ["e^(i*{})", "np.exp(1j*{})", "e^i{}", "\\mathrm{{e}}^{{\\mathrm{{i}} {}}}", "e^{{j {}}}"])
+def test_a_loop_of_complex_numbers_is_its_two_projections(power):
+    unit = "1j" if "1j" in power else "j" if "j" in power else "i"
+    loop = re.sub(r"e\^\(i\*(\w+)\)", lambda found: power.format(found[1]), LOOP).replace(" i*", f" {unit}*")
+    found = marked(f"w4 + k*w1 = 0\n{loop.replace('*', ' ') if 'j ' in power else loop}", "geared")
+    assert (found.share, len(found.wrong)) == (1.0, 0)
+    assert marked(f"w4 + k*w1 = 0\n{loop.replace(f'+ {unit}*r2', f'- {unit}*r2')}", "geared").independent == 1
+
+
+def test_a_sum_of_complex_numbers_in_parentheses_is_a_question():
+    found = marked("w4 + k*w1 = 0\n(i*r1*w1 + r2*w2)*e^(i*phi1) = i*r4*w4*e^(i*phi4)", "geared")
+    assert found.unread is not None and not found.wrong

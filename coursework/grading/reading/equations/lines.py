@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
+from coursework.grading.reading.equations.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_in, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
@@ -217,7 +218,7 @@ def _pieces(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the equations and answers, several of which may stand in one line."""
     for number, line in _written(text, names):
         for part in parts_of(line):
-            yield number, part
+            yield from ((number, one) for one in real_and_imaginary(part) or [part])
 
 
 def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, str]]:

@@ -39,14 +39,15 @@ class Spellings:
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None where there is none."""
         plain = spell(name)
-        if plain in self.known or _bare(name) in self.own:
-            return plain if plain in self.known else None
-        if meant := self.others.get(_bare(name)) or self.others.get(_key(name)):
+        if _bare(name) in self.own and plain not in self.known:
+            return None
+        if (meant := self._written(plain)) or not (row := _ROW.fullmatch(plain)):
             return meant
-        # In some row, as w3_i or w_{3,i}: a datum has no rows.
-        row = _ROW.fullmatch(plain)
-        meant = self.canonical(row[1]) if row else None
+        meant = self._written(row[1])  # in some row, as w3_i or w_{3,i}: a datum has no rows
         return None if meant in self.data else meant
+
+    def _written(self, plain: str) -> str | None:
+        return plain if plain in self.known else self.others.get(_bare(plain)) or self.others.get(_key(plain))
 
     def angle(self, name: str) -> str | None:
         """Return the coordinate that a spelling means, an angle too that has a rate and no column."""

@@ -34,7 +34,8 @@ _COMMA = re.compile(",")
 LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*[(\[]\s*)?[\[{]")
 # What a program solves, and for what: of a TI, of Mathematica.
 _SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
-_MOST_ROWS = 12
+_LONGEST = 4000
+_MOST_ROWS, _MOST_WITHIN = 12, 3  # brackets round a matrix
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
 
@@ -83,7 +84,7 @@ def _cuts(line: str) -> list[tuple[int, int]]:
 
 def _rows(line: str) -> list[str]:
     """Return the equations of "[a, b; c, d] * [x; y] = [e; f]", row by row; none where it is nothing of the kind."""
-    line = _GROUPS.sub("", line) if "[" in line else ""
+    line = _GROUPS.sub("", line) if "[" in line and len(line) <= _LONGEST else ""
     inside = depths(line)
     edges = [k for k, (one, before) in enumerate(zip(inside, [0, *inside], strict=False)) if {one, before} == {0, 1}]
     cuts = [0, *(place + (inside[place] == 0) for place in edges), len(line)]
@@ -117,11 +118,14 @@ def vector(content: str) -> list[str]:
 
 def _matrix(content: str) -> list[list[str]]:
     """Return the rows of a matrix: lists of their own, or parted by semicolons or where lines end."""
-    rows = [row.strip() for row in at_commas(content)]
-    if not all(row.startswith("[") and row.endswith("]") for row in rows):
-        rows = re.split(r"[;\n]", _NEXT_LINE.sub(" ", content))
-    elif len(rows) == 1:
-        return _matrix(rows[0][1:-1])
+    for _ in range(_MOST_WITHIN):
+        rows = [row.strip() for row in at_commas(content)]
+        if not all(row.startswith("[") and row.endswith("]") for row in rows):
+            rows = re.split(r"[;\n]", _NEXT_LINE.sub(" ", content))
+        elif len(rows) == 1:
+            content = rows[0][1:-1]
+            continue
+        break
     return [cells for row in rows if (cells := [one.strip() for one in at_commas(row.strip(" \t[]")) if one.strip()])]
 
 
