@@ -66,6 +66,7 @@ FORMS = {
         .replace("phi_", "phi.alt_").replace("*", " dot ")
     ),
     "points of France": lambda t: _lines("(E{k}) : {e} ;")(t.replace("*", ".")),
+    "no sign behind a shortened word": lambda t: _lines("d.h. {e}")(t.replace("*", " ")),
     "fields": lambda t: re.sub(r"\b(r\d)\b", r"par.\1", t), "rows": lambda t: re.sub(r"\b(w|phi)(\d)", r"\1\2_i", t),
     "Maxima": _lines("(%i{k})\teq{k}: {e}$"), "Modelica": lambda t: re.sub(r"\bw([23])", r"der(phi\1)", t),
     "values of a dictionary": _lines('    "{k}": "{e}",'),
@@ -78,7 +79,8 @@ FORMS = {
     "below a title": lambda t: f"Velocities w1 and w2\n====================\n{t}",
     "a list of Maple": lambda t: _lines("> eq[{k}] := {e};")(re.sub(r"\b(r|w|phi)(\d)", r"\1[\2]", t)),
     **{form: _lines(form) for form in (
-        "1.{k} {e}", "3.1.{k} {e}", "{k} {e}", "L{k} {e}", "Q{k}. {e}", "(Ox) {e}", "{e} ✓", "В проекции на ось Oy имеем {e}",
+        "1.{k} {e}", "3.1.{k} {e}", "{k} {e}", "L{k} {e}", "Q{k}. {e}", "(Ox) {e}", "{e} ✓", "т.е. {e}", "z.B. {e}", "B.{k} {e}",
+        "{e}, i.e. for all t", "В проекции на ось Oy имеем {e}",
         "У проєкції на вісь Oy маємо {e}, оскільки шарнір нерухомий", "由于D点固定，有 {e} ，其中各角以弧度计",
         "The velocity of point C must vanish in y, so {e}",
     )},

@@ -33,7 +33,7 @@ _SAYS_SO = re.compile(
     r"[^=]{0,60}$",
     re.IGNORECASE,
 )
-_WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+)\.?(?=[\s:,.(]|$)(?!\s*=)")
+_WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+(?:\.[^\W\d_]+)*)\.?(?=[\s:,.(]|$)(?!\s*=)")
 _ASIDE = re.compile(r"[\s,.:–-]*\(([^()=]{1,40})\)[\s,.:]*(?=[^\s*/^)=])")
 _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
@@ -41,7 +41,7 @@ _COUNTED = re.compile(
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
 _SAID_IN_WORDS = re.compile(r"\s[-–—]\s+([^\W\d_]{3,})(?:[\s,.]+[^\W\d_]{2,})+[.;]?\s*$")
 _SAID = re.compile(
-    r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
+    r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # of the words before: a point before a digit is the number's
 _TABBED = re.compile(r"^\s*\d{1,3}\t")

@@ -35,7 +35,7 @@ _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
 _SHORT = 80  # characters of a name and its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # of V_Cy = … = 0, which says what V_Cy is, too
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
-_COUNT = re.compile(r"^\s*([A-Z]{0,2})(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # of a line in a list: 1.1, L2
+_COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # of a line in a list: 1.1, L2
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # the row, no datum k
 _FEWEST = 4  # words of an expression that is no prose
 
