@@ -35,7 +35,10 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     """Velocities with a datum ten times, twice, turned round, left out or as they tell it; with two exchanged or one declared."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
-        (f"datum_{datum.name}", {datum.name: factor * datum.value}) for datum in given for factor in FACTORS
+        (f"datum_{datum.name}", {datum.name: factor * datum.value})
+        for datum in given
+        for factor in FACTORS
+        if factor or _may_vanish(printed, datum)
     ]
     tried += [
         (f"swap_{first.name}_{second.name}", {first.name: second.value, second.name: first.value})
@@ -54,6 +57,15 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
         at = partial(printed.key.velocities_at, data={datum.name: value})
         for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
+
+
+def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
+    """Return whether nothing is divided by a datum alone."""
+    try:
+        printed.key.velocities_at(printed.key.t[:1], printed.key.table[:1, : printed.m], data={datum.name: 0.0})
+    except ArithmeticError:
+        return False
+    return True
 
 
 def _shown(datum: Given, value: float) -> tuple[str, ...]:
