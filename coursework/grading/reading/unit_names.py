@@ -27,9 +27,11 @@ def fold(text: str) -> str:
     return spell(plain.replace("−", "-").translate(_LATIN))
 
 
+_PER_SECOND = re.compile(r"(?<=.)(?:[·*]?(?:s|c)\^?-1|/(?:s|c)e[gcku]n?d?o?)$")  # rad·s⁻¹, м·с⁻¹, m/seg
 _FOLDED_UNITS: dict[str, str] = {fold(spelling): unit for unit, spellings in WORDS["units"].items() for spelling in spellings}
 
 
 def unit_of(text: str) -> str:
     """Return the unit that a text is, "" where it is none."""
-    return _FOLDED_UNITS.get(re.sub(r"\s+", "", fold(text)).strip("[](){},;"), "")
+    plain = re.sub(r"\s+", "", fold(text)).strip("[](){},;")
+    return _FOLDED_UNITS.get(plain) or _FOLDED_UNITS.get(_PER_SECOND.sub("/s", plain), "")

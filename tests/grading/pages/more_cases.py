@@ -18,6 +18,7 @@ from coursework.words.sentences import say
 from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.classroom import csv as table_csv
 from tests.grading.marking import students
+from tests.grading.marking.equations.test_solved import SECOND, SLIP, solved
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.students import DATA, START, H, velocities
 from tests.grading.marking.table.causes.test_mixed_up import moved_by_radians, of_rows_above, with_sines_exchanged
@@ -185,6 +186,8 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
     more: dict[str, dict[str, bytes]] = {
         "answers": files() | {"answers.txt": ANSWERS.encode()},
         "position": files(equations=(position(), "w1 = w1 + 0*w2", *EQUATIONS)),
+        "solved": files(equations=tuple(solved((SLIP, SECOND), (SLIP, SECOND)).split("\n"))),
+        "missing-term": files(equations=(*EQUATIONS[:3], "r3*w3*sin(phi3) - r2*w2*cos(phi2) = 0")),
         "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
         "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),
         "by-place": {"table.csv": "\n".join(numbers).encode()},

@@ -24,6 +24,10 @@ def _zero(form):
     )
 
 
+def _listed(text):
+    return text.replace("\n", ",\n  ")
+
+
 MACROS = r"""\documentclass{article}
 \newcommand{\om}[1]{\omega_{#1}}
 \newcommand\ph[1]{\varphi_{#1}}
@@ -61,9 +65,22 @@ FORMS = {
         re.sub(r"VM(.)", r"V_(M \1)", re.sub(r"\b(w|phi|r)(\d)", r"\1_\2", t)).replace("w_", "omega_")
         .replace("phi_", "phi.alt_").replace("*", " dot ")
     ),
+    "points of France": lambda t: _lines("(E{k}) : {e} ;")(t.replace("*", ".")),
+    "no sign behind a shortened word": lambda t: _lines("d.h. {e}")(t.replace("*", " ")),
+    "fields": lambda t: re.sub(r"\b(r\d)\b", r"par.\1", t), "rows": lambda t: re.sub(r"\b(w|phi)(\d)", r"\1\2_i", t),
+    "Maxima": _lines("(%i{k})\teq{k}: {e}$"), "Modelica": lambda t: re.sub(r"\bw([23])", r"der(phi\1)", t),
+    "values of a dictionary": _lines('    "{k}": "{e}",'),
+    "an instrument of TI": lambda t: f"solve({' and '.join(t.splitlines())},{{w1,w2}})",
+    "a list over lines": lambda t: f"eqs = {{{_listed(t.replace('=', '=='))}}};\nSolve[eqs, {{w1, w2}}]",
+    "a list to vanish": lambda t: f"from sympy import *\nsol = solve([{_listed(_zero('{e}')(t))}], [w1, w2])",
+    "keys": lambda t: re.sub(r"\b(r\d)\b", r"d['\1']", t),
+    "leaders": _lines("{e}..........({k})"), "boxed": _lines("\\boxed{{{e}}}"),
+    "names gathered": lambda t: f"def F(x):\n{_zero('    f{k} = {e}')(t)}\n    return [f1, f2, f3, f4]",
+    "below a title": lambda t: f"Velocities w1 and w2\n====================\n{t}",
     "a list of Maple": lambda t: _lines("> eq[{k}] := {e};")(re.sub(r"\b(r|w|phi)(\d)", r"\1[\2]", t)),
     **{form: _lines(form) for form in (
-        "1.{k} {e}", "3.1.{k} {e}", "{k} {e}", "L{k} {e}", "Q{k}. {e}", "(Ox) {e}", "{e} ✓", "В проекции на ось Oy имеем {e}",
+        "1.{k} {e}", "3.1.{k} {e}", "{k} {e}", "L{k} {e}", "Q{k}. {e}", "(Ox) {e}", "{e} ✓", "т.е. {e}", "z.B. {e}", "B.{k} {e}",
+        "{e}, i.e. for all t", "В проекции на ось Oy имеем {e}",
         "У проєкції на вісь Oy маємо {e}, оскільки шарнір нерухомий", "由于D点固定，有 {e} ，其中各角以弧度计",
         "The velocity of point C must vanish in y, so {e}",
     )},
@@ -194,3 +211,43 @@ def test_nought_with_decimals_is_no_value_of_some_row():
 
 def test_half_of_a_length_d1_is_no_double_of_fortran():
     assert plain("0.5d1*w1 + 2.D0*sin(phi1)", Spellings(frozenset({"d1", "w1", "phi1"}), {}, {})) == "0.5d1*w1 + 2.e0*sin(phi1)"
+
+
+@pytest.mark.parametrize("form", [
+    "double w3(double t, double *q) {{ return {f}; }}", "double w3(double t)\n{{\n  return {f};\n}}", "let w3: f64 = {f};",
+    "def f_w3(t):\n    return {f}",
+])  # fmt: skip
+def test_what_a_function_returns_is_the_velocity_that_it_is_called_by(form):
+    assert marked(form.format(f="VMy/(r3*(2*cos(phi3) + sin(phi3)))")).independent == 1
+
+
+def test_what_a_velocity_of_a_point_is_twice_is_an_equation():
+    """The velocity of D along two ways: the second one was passed over as a definition, and half of the equations with it."""
+    first, last = PLAIN["31"].split("\n")[:2], "V_Bx = {}*r3*w3*cos(phi3) + 0.5*r3*w4\nV_By = -r3*w3*sin(phi3)"
+    ways = "\n".join([*first, "V_Bx = r2*w2*sin(phi2) + r1*w1*sin(phi1)", "V_By = -r2*w2*cos(phi2) - r1*w1*cos(phi1)", last])
+    assert marked(ways.format("-1")).share == 1.0
+    slip = marked(ways.format("+1"))
+    assert (slip.independent, len(slip.wrong)) == (3, 1)
+
+
+def test_sines_by_their_index_and_the_rule_of_a_row_beside_a_datum_k():
+    assert marked("VMy - 2*r3*w3*C3 - r3*w3*S3 = 0").independent == 1
+    steps = "th1(k+1) = th1(k) + h*om1(k)\nrho1[i+1] = rho1[i] + h*u1[i]\n\\theta_{2,n+1} = \\theta_{2,n} + h\\omega_{2,n}"
+    assert read_lines(steps.replace("rho1[i", "rho1[k"), "x", expected("cylinders")).equations == []
+
+
+LOOP = "i*r1*w1*e^(i*phi1) + i*r2*w2*e^(i*phi2) - i*r3*w3*e^(i*phi3) - i*r4*w4*e^(i*phi4) = 0"
+
+
+@pytest.mark.parametrize("power", ["e^(i*{})", "np.exp(1j*{})", "e^i{}", "\\mathrm{{e}}^{{\\mathrm{{i}} {}}}", "e^{{j {}}}"])
+def test_a_loop_of_complex_numbers_is_its_two_projections(power):
+    unit = "1j" if "1j" in power else "j" if "j" in power else "i"
+    loop = re.sub(r"e\^\(i\*(\w+)\)", lambda found: power.format(found[1]), LOOP).replace(" i*", f" {unit}*")
+    found = marked(f"w4 + k*w1 = 0\n{loop.replace('*', ' ') if 'j ' in power else loop}", "geared")
+    assert (found.share, len(found.wrong)) == (1.0, 0)
+    assert marked(f"w4 + k*w1 = 0\n{loop.replace(f'+ {unit}*r2', f'- {unit}*r2')}", "geared").independent == 1
+
+
+def test_a_sum_of_complex_numbers_in_parentheses_is_a_question():
+    found = marked("w4 + k*w1 = 0\n(i*r1*w1 + r2*w2)*e^(i*phi1) = i*r4*w4*e^(i*phi4)", "geared")
+    assert found.unread is not None and not found.wrong

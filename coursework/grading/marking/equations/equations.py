@@ -17,11 +17,12 @@ import numpy as np
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
 from coursework.grading.marking.equations.lacks import lack_of
-from coursework.grading.marking.equations.linear import Linear, is_same, linear, rank, says_more
+from coursework.grading.marking.equations.linear import Linear, differing, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.equations.ratios import without_ratios
 from coursework.grading.marking.equations.series import as_others_of_their_kind
+from coursework.grading.marking.equations.solved import is_one_slip
 from coursework.grading.marking.equations.turned import with_other_sign
 from coursework.grading.marking.key.key import Key
 from coursework.grading.reading.student_work import EquationLine
@@ -30,7 +31,7 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number, spelled
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import joined
+from coursework.words.sentences import joined, say
 
 Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 # Residual over the sum of its terms: round-off; data printed with three or four digits; the exact motion's own accuracy.
@@ -155,27 +156,17 @@ class Judge:
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
         if independent == len(self.key.variant.sought):  # what else stands in the text is no velocity equation
             marks = tuple(mark for mark in marks if mark.verdict != "wrong" or self._names_any(mark.line))
-        different = self._different([mark.line for mark in marks if mark.verdict == "wrong" and self._names_any(mark.line)])
+        wrong = [mark for mark in marks if mark.verdict == "wrong" and self._names_any(mark.line)]
+        different = differing(_trees(wrong), self.off_closure)
+        if different == len(wrong) == 2 and is_one_slip(_trees(wrong), _trees(counted), self.key.variant, self.off_closure):
+            marks = tuple(replace(mark, lack=say("feedback.lack.one_slip")) if mark is wrong[1] else mark for mark in marks)
+            independent, different = max(independent, len(self.key.variant.sought) - 1), 1
         numbers = tuple(sorted(mark.line.line for mark in dependent))
         return EquationMarks(marks, independent, len(self.key.variant.sought), numbers, different, turned=back is not None)
 
     def _names_any(self, line: EquationLine) -> bool:
         """Return whether a line names a velocity that is sought: one without, T = 2*pi/p, is none of the equations needed."""
         return not {*self.key.variant.sought}.isdisjoint(line.difference.names())
-
-    def _different(self, wrong: Sequence[EquationLine]) -> int:
-        """Return how many of some wrong lines are no other's once more."""
-        found: list[Linear] = []
-        nothing = 0
-        for line in wrong:
-            try:
-                said = linear(line.difference, self.off_closure)
-            except NoValue:
-                nothing += 1
-                continue
-            if not any(is_same(said, other) for other in found):
-                found.append(said)
-        return len(found) + nothing
 
     def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
         """Return the marks with all angular velocities turned, None where that puts no line right or a right one wrong."""
@@ -284,6 +275,10 @@ class Judge:
             return _PREFERRED.index(edit.kind), is_new, edit.column
 
         return sorted(found, key=rank)
+
+
+def _trees(marks: Sequence[EquationMark]) -> list[Formula]:
+    return [mark.line.difference for mark in marks]
 
 
 _PREFERRED = ("sign", "function", "name", "factor")

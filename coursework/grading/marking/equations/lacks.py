@@ -9,15 +9,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from coursework.grading.marking.equations.edits import places
 from coursework.grading.marking.equations.linear import linear, rank
-from coursework.grading.marking.equations.numbers import NoValue
+from coursework.grading.marking.equations.numbers import NoValue, real, value_of
 from coursework.grading.marking.equations.probe import Probe
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 ON_CLOSURE = "closure"
+_SAME = 1e-9
 Other = tuple[Sentence, Formula]  # where a line stands, and left - right
 
 
@@ -37,9 +39,27 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
         if not np.any(line.directions):
             return say("feedback.lack.any_motion")
         if verdict == "wrong":
-            return ""
+            return _lacks_term(tree, variant, probe)
         known = [(where, linear(other, probe)) for where, other in others]
         same = [where for where, other in known if np.any(other.directions) and rank([line, other]) < 2]
     except NoValue:
         return ""
     return say("feedback.lack.repeats", place=same[0]) if same else say("feedback.lack.follows")
+
+
+def _lacks_term(tree: Formula, variant: Variant, probe: Probe) -> Sentence | str:
+    """Return which term of an equation of the task a line is short of, "" where no single one makes up for what is wrong."""
+    left = real(value_of(tree, probe.names), probe.count)
+    for equation in (Formula("-", (one.left, one.right)) for one in variant.constraints):
+        for path, node, is_term, _ in places(equation):
+            if is_term and path:
+                term = real(value_of(node, probe.names), probe.count)
+                for sign, off in (("-", left - term), ("+", left + term)):
+                    whole = (
+                        linear(Formula(sign, (tree, node)), probe)
+                        if np.max(np.abs(off)) <= _SAME * np.max(np.abs(term))
+                        else None
+                    )
+                    if whole is not None and np.any(whole.directions):
+                        return say("feedback.lack.term", term=spelled(node))
+    return ""

@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from coursework.grading.marking.equations.numbers import real, size_of, value_of
+from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import Probe
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
@@ -110,6 +110,21 @@ def is_same(one: Linear, other: Linear) -> bool:
         return False
     largest = np.max(np.abs(both), axis=2, keepdims=True)
     return int(np.max(np.linalg.matrix_rank(both / np.where(largest > 0, largest, 1.0), tol=RANK))) <= 1
+
+
+def differing(trees: Sequence[Formula], probe: Probe) -> int:
+    """Return how many of some wrong lines are no other's once more; one without a value is none."""
+    found: list[Linear] = []
+    nothing = 0
+    for tree in trees:
+        try:
+            said = linear(tree, probe)
+        except NoValue:
+            nothing += 1
+            continue
+        if not any(is_same(said, other) for other in found):
+            found.append(said)
+    return len(found) + nothing
 
 
 def says_more(line: Linear, than: Sequence[Linear], limit: float) -> bool:

@@ -13,7 +13,8 @@ from typing import Any
 from coursework.grading.reading.limits import unreadable
 from coursework.system.frozen import frozen
 
-_SIGN = re.compile(r'"(?:[^"\\]++|\\.)*+"?|[\[{]|[\]}]', re.DOTALL)
+_TEXT = re.compile(r'"(?:[^"\\]++|\\.)*+"?', re.DOTALL)
+_SIGN = re.compile(rf"{_TEXT.pattern}|[\[{{]|[\]}}]", re.DOTALL)
 
 
 class JsonNumber(str):
@@ -37,7 +38,8 @@ def is_json(text: str) -> bool:
     """Return whether a text begins as data of a program do: an object, or a list of them, of lists, texts or numbers."""
     number = r"(?:null|NaN|-?\d[\d.eE+-]*)\s*(?:,|\]\s*(?:[,\]]|\Z))"  # of a list: [16] before an equation is its number
     begins = rf'[\ufeff\s]*(?:\{{\s*["}}]|(?:\[\s{{0,9}}){{3}}|(?:\[\s{{0,9}}){{1,2}}(?:[{{"\]]|{number}))'
-    return re.match(begins, text[:2000]) is not None
+    begun = text[:2000]
+    return re.match(begins, begun) is not None and not re.search(r"[*(=]", _TEXT.sub("", begun))  # as a matrix of formulas has
 
 
 def read_json(text: str, levels: int) -> Any:

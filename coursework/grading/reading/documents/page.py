@@ -16,8 +16,11 @@ from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.limits import CELL_CHARACTERS
 
 _TABLE = re.compile(r"<(/?)table\b[^<>]{0,2000}>", re.IGNORECASE)
-# A formula that is drawn says what it is to who cannot see it; the mark tells its line below.
-_DRAWN = re.compile(r'<[a-z]{1,10}(?= )(?=[^<>]{0,500} role="math")[^<>]{0,500} aria-label="([^"<>]{1,2000})"[^"<>]{0,100}>')
+# A formula that is drawn says what it is to who cannot see it, or to the script that draws it; the mark tells its line below.
+_DRAWN = re.compile(
+    r'<[a-z]{1,10}(?= )(?=[^<>]{0,500} role="math")[^<>]{0,500} aria-label="([^"<>]{1,2000})"[^"<>]{0,100}>'
+    r'|<script type="math/tex[^"<>]{0,30}">([^<>]{1,2000})</script>'
+)
 _MARK = "\ue000"
 _MOST_ENDS = 4 * MOST_TABLES  # of tables
 _TABULAR = re.compile(r"\\(begin|end)\s{0,9}\{(?:longtable|tabular[xy]?|supertabular|tblr)\*?\}")
@@ -30,6 +33,7 @@ _RULES = re.compile(
     r"\\(?:(?:top|mid|bottom|h)(?:rule|line)|c(?:mid)?rule|noalign|end(?:first|last)?(?:head|foot))\b(?:\{[^{}]{0,40}\})?"
 )
 _PER = re.compile(r"\\per(?![A-Za-z])\s*")
+_TIMES = re.compile(r"\\(?:cdot|times)(?![A-Za-z])")
 _MARKUP = re.compile(
     r"\\(?:num|ang|tablenum|SI|qty|si|unit|multi(?:column|row)\s*\{\d{1,3}\}\s*\{[^{}]{0,40}\})(?=\s*[{\[])"
     r"|\\(?:row|cell)color\s*(?:\[[^\]]{0,20}\])?\{[^{}]{0,40}\}|\\[()]|\$|\\(?:textbf|textit|emph|mathbf|mathrm|text|bm)\b"
@@ -49,7 +53,7 @@ def has_tables(text: str) -> bool:
 def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
     """Return what stands in a page of HTML: a table inside another is a table of its own."""
     document = Document(kind, is_whole=False)
-    marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1]}</p>", text)
+    marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1] or found[2]}</p>", text)
     depth = end = 0
     for found in islice(_TABLE.finditer(marked), _MOST_ENDS):
         _add_piece(document, marked[end : found.start()], depth > 0, most_rows, most_columns)
@@ -126,7 +130,7 @@ def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:
     lines = [_RULES.sub(" ", line) for line in _ROW_END.split(body, maxsplit=most_rows)[:most_rows]]
     cut = [_CELL_END.split(line, maxsplit=most_columns)[:most_columns] for line in lines]
     return [
-        [Cell(" ".join(_MARKUP.sub("", _PER.sub("/", cell)).split())[:CELL_CHARACTERS]) for cell in row]
+        [Cell(" ".join(_MARKUP.sub("", _TIMES.sub("·", _PER.sub("/", cell))).split())[:CELL_CHARACTERS]) for cell in row]
         for row in cut
         if len(row) > 1
     ]

@@ -29,6 +29,7 @@ _DROPPED = re.compile(
     r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
     r"|\\(?:text|textrm|mbox|hbox)\s*\{\s*\([^{}=]{0,40}\)\s*\}|\\eqno\s*\([^()]*\)|&"
 )
+_BOXED = re.compile(r"^\s*\\(?:boxed|fbox)\s*\{(.*)\}([^{}]*)$")
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
     r"\\(?:text|mathrm|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
@@ -40,6 +41,7 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
           **dict.fromkeys(("\\equiv", "\\approx", "\\simeq", "\\cong", "\\doteq", "\\coloneqq", "\\triangleq"), "="),
           **dict.fromkeys(("\\Rightarrow", "\\Longrightarrow", "\\implies", "\\rightarrow", "\\longrightarrow", "\\to",
                            "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
+_DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
 MATRIX = "[]"  # round a matrix in one piece
 _MOST = 200  # fractions and dots in one line, environments in a text
 
@@ -86,7 +88,10 @@ def _as_matrix(found: re.Match[str]) -> str:
     r"""Return a matrix in one piece, "[a, b; c, d]" as MATLAB writes it; an array of equations, or a tall brace, as it stands."""
     if "=" in found[2]:
         return found[0]
-    rows = [", ".join(cell.strip() for cell in row.split("&")) for row in _LINE_END.split(found[2].replace("\n", " "))]
+    rows = [
+        ", ".join(_DECIMAL.sub(".", cell.strip()) for cell in row.split("&"))
+        for row in _LINE_END.split(found[2].replace("\n", " "))
+    ]
     return f" {MATRIX[0]}{'; '.join(row for row in rows if row.strip())}{MATRIX[1]} " + "\n" * found[0].count("\n")
 
 
@@ -98,7 +103,7 @@ def without_latex(text: str) -> str:
     """
     if "\\" not in text:
         return text.replace("&", " ") if "&=" in text else text
-    text = _SPACE.sub(" ", _DROPPED.sub(" ", text))
+    text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)
     for name in ("frac", "dfrac", "tfrac", "cfrac"):

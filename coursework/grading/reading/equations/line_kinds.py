@@ -35,7 +35,8 @@ _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
 _SHORT = 80  # characters of a name and its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # of V_Cy = … = 0, which says what V_Cy is, too
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
-_COUNT = re.compile(r"^\s*([A-Z]{0,2})(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # of a line in a list: 1.1, L2
+_COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # of a line in a list: 1.1, L2
+_OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # the row, no datum k
 _FEWEST = 4  # words of an expression that is no prose
 
 
@@ -110,7 +111,7 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
 
 def is_step(text: str, names: Names) -> bool:
     """Return whether a line is the rule of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", which is no equation of velocities."""
-    left, _, right = text[: reader.MAX_CHARACTERS].partition("=")
+    left, _, right = _OF_STEP.sub("", text[: reader.MAX_CHARACTERS]).partition("=")
     moved = names_in(left, names.spellings)
     begun = moved if left.rstrip().endswith("+") else set[str]()  # phi3 += h*w3
     used = names_in(right, names.spellings) | begun

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
+from coursework.grading.reading.equations.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_in, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
@@ -26,8 +27,8 @@ from coursework.grading.reading.equations.line_kinds import (
     sign_of_list,
 )
 from coursework.grading.reading.equations.meanings import key
-from coursework.grading.reading.equations.parts import parts_of
-from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
+from coursework.grading.reading.equations.parts import LIST, parts_of
+from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems import in_rows
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
@@ -40,6 +41,7 @@ _BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # more than anybody types, on
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
+_IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
@@ -50,11 +52,11 @@ _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
 # What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
 _STATEMENT = re.compile(
-    r"(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|begin)\b[^=]*(?:[=(\[{].*)?$"
+    r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
     r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
     r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
 )
-_TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer)\s*=")  # of Pascal
+_TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer|f64|f32|number)\s*=")  # of Pascal, Rust
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
 _KEPT = re.compile(
     r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
@@ -62,11 +64,16 @@ _KEPT = re.compile(
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
-_DEFINED = re.compile(r"\s*def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:\s*")  # a function of Python, and what it returns
+# A function of Python or C, and what it returns.
+_DEFINED = re.compile(
+    r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:static\s+)?(?:double|float)\s+(\w{1,40})\s*\([^()]*\)\s*\{?)\s*(return\b[^}]*)?\}?\s*"
+)
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
+_GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")
+_KEY = re.compile(r"\s*[\"'][\w .]{1,20}[\"']\s*(?::|=>)\s*(?=[\"'])")  # "11": "w1 = …",
 _QUOTES = '"“”„«»`'
 _REMARK = re.compile(
-    r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
+    r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
 # So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
 _TRIED, _CHARACTERS = 10, 60_000
@@ -106,13 +113,16 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
+    defined = set[str]()
     for number, line in lines:
         tried, characters = tried + 1, characters + min(len(line), MAX_CHARACTERS)
         if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
-        elif beside is None and (_defines(line, own, names) or is_datum(line, names) or is_step(line, names) or is_row(line)):
+        elif beside is None and (
+            _defines(line, own, names, defined) or is_datum(line, names) or is_step(line, names) or is_row(line)
+        ):
             continue
         elif beside is None and _is_equation(line, names):
             read = read_line(line, name, number, with_own)
@@ -135,10 +145,12 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     function = ""
     for number, line in _continued(logical_lines(in_rows(_BLANKS.sub("", text))), names):
         if defined := _DEFINED.fullmatch(line):
-            function = f"{defined[1]} = "
-            continue
+            called = defined[1] or defined[2]
+            meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 of calc_w3
+            function = f"{meant[0] if len(meant) == 1 else called} = "
+            line = defined[3] or ""
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
-        bare = bare if '_"' in bare else bare.strip(_QUOTES)  # V_"Mx" is an index in Typst
+        bare = bare if '_"' in bare else _KEY.sub("", bare).strip(_QUOTES + " ,")  # V_"Mx" is an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
             bare = bare[under.end() :]
@@ -149,19 +161,22 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         if returned := _RETURNED.match(bare):
             rest = bare[returned.end() :]  # a list of what is to vanish is the value of no one name
             bare = f"{function if TURNED.search(rest) and not rest.startswith('[') else ''}{rest}"
-        if bare := _closed(bare):
+        bare = _closed(bare)
+        if any(map(str.isalnum, bare)):  # no line of signs alone below a title
             yield number, bare
 
 
 def _closed(line: str) -> str:
-    """Return a line without the bracket of a list that begins with it, and goes on in the next, or ends with it."""
-    for opens, closes in ("[]", "{}"):
-        more = line.count(opens) - line.count(closes)
-        if more == 1 and line.startswith(opens):
-            return line[1:].strip()
-        if more == -1 and line.endswith(closes):
-            return line[:-1].strip()
-    return line
+    """Return a line without the bracket of a list that begins with it, and goes on in the next, or ends with it.
+
+    >>> _closed("eqs = {a == b,"), _closed("c == d}, {x, y}]"), _closed("[a = b]")
+    ('a == b,', 'c == d', '[a = b]')
+    """
+    inside = depths(line)
+    if (begun := LIST.match(line)) and inside[-1] == inside[begun.end() - 1] > 0:
+        return line[begun.end() :].strip()
+    end = inside.index(-1) if -1 in inside else 0
+    return line[:end].strip() if line[end : end + 1] in {"]", "}"} and not relates_two_sides(line[end:]) else line
 
 
 def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[int, str]]:
@@ -182,8 +197,10 @@ def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple
 
 def _goes_on(kept: str, line: str, names: Names) -> bool:
     """Return whether an equation goes on in the next line: it ends with a sign or in a parenthesis, or that begins with one."""
-    if not _IS_FORMULA.search(kept) and kept.strip() not in names.spellings.known:
+    if _IMPORT.match(kept) or (not _IS_FORMULA.search(kept) and kept.strip() not in names.spellings.known):
         return False
+    if kept.lstrip().startswith("[[") and depths(kept)[-1]:
+        return True
     both = "=" in kept and "=" in line
     if _GOES_ON.search(kept):
         return not (kept.rstrip().endswith("=") and "=" in line)
@@ -201,7 +218,7 @@ def _pieces(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the equations and answers, several of which may stand in one line."""
     for number, line in _written(text, names):
         for part in parts_of(line):
-            yield number, part
+            yield from ((number, one) for one in real_and_imaginary(part) or [part])
 
 
 def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, str]]:
@@ -220,6 +237,8 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
     """Return the student's own names that other lines use, with their formulas; one may use others."""
     own: dict[str, Formula] = {}
     spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
+    # What a program gathers alone, return [f1, f2], is to vanish: nothing is made of it.
+    spoken = [_GATHERED.sub("", line) for line in spoken]
     words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
     names_left = {key(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
     with_own = replace(names, own=own, spellings=replace(names.spellings, own=frozenset(names_left)))
@@ -239,10 +258,14 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
     return {name: formula for name, formula in own.items() if name not in labels}
 
 
-def _defines(line: str, own: Mapping[str, Formula], names: Names) -> bool:
+def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[str]) -> bool:
+    """Return whether a line defines a name of the student's own; what it is once more, V_Bx of two links, is an equation."""
     name, formula = own_name(line, names.spellings) if own else ("", "")
+    if key(name) not in own or (key(name) in before and name[:1] in "vV" and _WORD.search(_FUNCTION.sub("", formula))):
+        return False
+    before.add(key(name))
     # V_Cy = … = 0 is an equation, too; V_Cy = 0.3*4.1 = 1.23 is its value at some row.
-    return key(name) in own and ("=" not in formula or not _WORD.search(_FUNCTION.sub("", formula)))
+    return "=" not in formula or not _WORD.search(_FUNCTION.sub("", formula))
 
 
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:

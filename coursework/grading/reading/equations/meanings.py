@@ -22,7 +22,7 @@ from coursework.words.errors import CourseworkError
 
 Meanings = Mapping[str, Formula]
 _SAME = 1e-9
-_SHORT = {"c": "cos", "s": "sin", "cos": "cos", "sin": "sin"}
+_SHORT = {"c": "cos", "s": "sin", "C": "cos", "S": "sin", "cos": "cos", "sin": "sin"}
 _KINDS = {**dict.fromkeys(("theta", "psi", "alpha", "beta", "gamma", "q"), "rad"), **dict.fromkeys(("l", "L"), "m")}
 _END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
 _LENGTH = re.compile(r"(?:[lLr]_?)?(.+)")

@@ -18,6 +18,7 @@ from coursework.variant.record.variant import Variant
 
 BUILT_IN = ("t", "pi")
 _AXES = {"0": "x", "pi/2": "y"}
+_ROW = re.compile(r"(.*\d|.*(?=_))_?[ijkn]")
 _TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q)(\d+)")
 
 
@@ -38,15 +39,25 @@ class Spellings:
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None where there is none."""
         plain = spell(name)
-        if plain in self.known or re.sub("[_{}]", "", plain) in self.own:
-            return plain if plain in self.known else None
-        return self.others.get(_key(name))
+        if _bare(name) in self.own and plain not in self.known:
+            return None
+        if (meant := self._written(plain)) or not (row := _ROW.fullmatch(plain)):
+            return meant
+        meant = self._written(row[1])  # in some row, as w3_i or w_{3,i}: a datum has no rows
+        return None if meant in self.data else meant
+
+    def _written(self, plain: str) -> str | None:
+        return plain if plain in self.known else self.others.get(_bare(plain)) or self.others.get(_key(plain))
 
     def angle(self, name: str) -> str | None:
         """Return the coordinate that a spelling means, an angle too that has a rate and no column."""
         folded = spell(_key(name))
         turning = _TURNING.sub(r"phi\1", folded)  # by another letter, where the variant calls nothing so
         return self.canonical(name) or next((one for one in (folded, turning) if one in self.rates), None)
+
+
+def _bare(name: str) -> str:
+    return re.sub("[_{}]", "", spell(name))
 
 
 @lru_cache(512)  # the same few names stand in every line
@@ -85,7 +96,10 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     folded: dict[str, list[str]] = {}
     for name in names:
         folded.setdefault(_key(name), []).append(name)
-    # A spelling that could mean two declared names means neither.
-    others |= {key: found[0] for key, found in folded.items() if len(found) == 1}
+    # A spelling that could mean two declared names means neither, unless letters tell by their size: ω1 is no W1.
+    others |= {
+        key: found[0] for key, found in folded.items() if len(found) == 1 and (key not in others or key == _bare(found[0]))
+    }
     known = {key: name for key, name in others.items() if len(folded.get(key, ())) < 2}
+    known |= {_bare(name): name for name in sorted(names, reverse=True)}
     return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(entry.name for entry in variant.given))

@@ -7,7 +7,7 @@ Used by `lines.py` and `systems.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from itertools import pairwise
 
 from coursework.grading.reading.equations.signs import ARROWS, depths, relates_two_sides
 from coursework.variant.formula.reader import MAX_CHARACTERS
@@ -17,10 +17,25 @@ _BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\
 _VANISHED = re.compile(
     r"=\s*0(?:[.,]0+)?((?:\\(?:(?:tag|label)\*?\s*\{[^{}]*\}|nonumber|notag)|\s)+)(?=[^\s=*/^\\]|\\(?!tag|label|no))"
 )
-_MATRICES = re.compile(r"\s*\[([^\[\]]*)\]\s*[*·⋅×]?\s*\[([^\[\]]*)\]\s*=\s*\[([^\[\]]*)\]\s*[.,;]?\s*")
-_BRACKETS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]|(?<=\[)\s*\[|\](?=\s*\])")  # round a matrix that has its own
-_LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*[(\[]\s*)?[\[{]")
-_MOST_ROWS = 12
+_TURNED_OVER = r"(?:\.T\b|['ᵀ]|\^?\s*\{?\(?(?:[TТ]|\\top)\)?\}?)?"  # a vector that is written lying
+_BETWEEN_MATRICES = [
+    re.compile(pattern)
+    for pattern in (
+        r"\s*",
+        r"\s*(?:[*·⋅×@]|\\cdot|\\times)?\s*",
+        rf"\s*{_TURNED_OVER}\s*={{1,2}}\s*",
+        rf"\s*{_TURNED_OVER}\s*[.,;]?\s*",
+    )
+]
+_GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # round a matrix that has brackets of its own
+_BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells where no commas are
+_NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # of MATLAB: its row goes on, or ends with a semicolon
+_COMMA = re.compile(",")
+LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*[(\[]\s*)?[\[{]")
+# What a program solves, and for what: of a TI, of Mathematica.
+_SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
+_LONGEST = 4000
+_MOST_ROWS, _MOST_WITHIN = 12, 3  # brackets round a matrix
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
 
@@ -30,6 +45,10 @@ def parts_of(line: str) -> list[str]:
     >>> parts_of("w3 = 0,5*w1, w4 = atan2(1, w3)"), parts_of("(16) 2*w3 = w1 ⇒ w3 = w1/2")
     (['w3 = 0,5*w1', 'w4 = atan2(1, w3)'], ['(16) 2*w3 = w1', 'w3 = w1/2'])
     """
+    solved = _SOLVED.fullmatch(line)
+    pieces = [one.strip() for one in at_commas(solved[1].strip(" []{}"))] if solved else []
+    if pieces and all("(" in piece for piece in pieces):
+        return [one for piece in pieces for one in (parts_of(piece) if relates_two_sides(piece) else [f"{piece} = 0"])]
     if rows := _rows(line) or _listed(line):
         return rows
     if len(line) > MAX_CHARACTERS:
@@ -65,23 +84,64 @@ def _cuts(line: str) -> list[tuple[int, int]]:
 
 def _rows(line: str) -> list[str]:
     """Return the equations of "[a, b; c, d] * [x; y] = [e; f]", row by row; none where it is nothing of the kind."""
-    found = _MATRICES.fullmatch(_BRACKETS.sub("", line))
-    if found is None:
+    line = _GROUPS.sub("", line) if "[" in line and len(line) <= _LONGEST else ""
+    inside = depths(line)
+    edges = [k for k, (one, before) in enumerate(zip(inside, [0, *inside], strict=False)) if {one, before} == {0, 1}]
+    cuts = [0, *(place + (inside[place] == 0) for place in edges), len(line)]
+    pieces = [line[begin:end] for begin, end in pairwise(cuts)]
+    if len(pieces) != 2 * len(_BETWEEN_MATRICES) - 1 or any(not piece.startswith("[") for piece in pieces[1::2]):
         return []
-    matrix, unknowns, right = ([_cells(row) for row in part.split(";") if row.strip()] for part in found.groups())
-    columns = [cell for row in unknowns for cell in row]
-    rest = [cell for row in right for cell in row]
-    if len(rest) != len(matrix) or len(matrix) > _MOST_ROWS or any(len(row) != len(columns) for row in matrix):
+    if not all(map(re.Pattern[str].fullmatch, _BETWEEN_MATRICES, pieces[::2])):
         return []
-    return [
-        f"{' + '.join(f'({cell})*({name})' for cell, name in zip(row, columns, strict=True))} = {value}"
-        for row, value in zip(matrix, rest, strict=True)
-    ]
+    matrix, unknowns, right = (piece[1:-1] for piece in pieces[1::2])
+    return product(matrix, vector(unknowns), vector(right))
+
+
+def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
+    """Return the rows of a matrix times unknowns as equations, [] where the numbers of its cells do not fit.
+
+    >>> product("[a, b], [c, d]", ["x", "y"], ["e", "0"]), product("a -b; c d", ["x", "y"], ["e", "0"])[0]
+    (['(a)*(x) + (b)*(y) = e', '(c)*(x) + (d)*(y) = 0'], '(a)*(x) + (-b)*(y) = e')
+    """
+    for rows in (_matrix(matrix), [[cell for cell in _split(_BLANK, row[0].strip()) if cell] for row in _matrix(matrix)]):
+        if 0 < len(rows) == len(right) <= _MOST_ROWS and all(len(row) == len(unknowns) for row in rows):
+            sums = (" + ".join(f"({cell})*({name})" for cell, name in zip(row, unknowns, strict=True)) for row in rows)
+            return [f"{one} = {value}" for one, value in zip(sums, right, strict=True)]
+    return []
+
+
+def vector(content: str) -> list[str]:
+    """Return the cells of a vector, lying or standing; of one without commas the blanks part them."""
+    cells = [cell for row in _matrix(content) for cell in row]
+    return [cell for cell in _split(_BLANK, cells[0]) if cell] if len(cells) == 1 else cells
+
+
+def _matrix(content: str) -> list[list[str]]:
+    """Return the rows of a matrix: lists of their own, or parted by semicolons or where lines end."""
+    for _ in range(_MOST_WITHIN):
+        rows = [row.strip() for row in at_commas(content)]
+        if not all(row.startswith("[") and row.endswith("]") for row in rows):
+            rows = re.split(r"[;\n]", _NEXT_LINE.sub(" ", content))
+        elif len(rows) == 1:
+            content = rows[0][1:-1]
+            continue
+        break
+    return [cells for row in rows if (cells := [one.strip() for one in at_commas(row.strip(" \t[]")) if one.strip()])]
+
+
+def _split(sign: re.Pattern[str], text: str) -> list[str]:
+    """Return what stands between signs that are in no parentheses."""
+    inside, start, pieces = depths(text), 0, list[str]()
+    for found in sign.finditer(text):
+        if inside[found.start()] == 0:
+            pieces.append(text[start : found.start()])
+            start = found.end()
+    return [*pieces, text[start:]]
 
 
 def _listed(line: str) -> list[str]:
     """Return the equations of a list that a program is given: "solve([a = b, c = d], [x, y])", "eqs := {a = b, c = d}"."""
-    found = _LIST.match(line)
+    found = LIST.match(line)
     inside = depths(line[found.end() :]) if found else []
     if found is None or -1 not in inside:
         return []
@@ -89,15 +149,6 @@ def _listed(line: str) -> list[str]:
     return pieces if len(pieces) > 1 and all(map(relates_two_sides, pieces)) else []
 
 
-def _cells(row: str) -> list[str]:
-    return [cell.strip() for cell in at_commas(row) if cell.strip()]
-
-
-def at_commas(row: str) -> Iterator[str]:
-    """Give what stands between the commas of a row that are in no parentheses."""
-    start = 0
-    for place, (sign, depth) in enumerate(zip(row, depths(row), strict=True)):
-        if sign == "," and depth == 0:
-            yield row[start:place]
-            start = place + 1
-    yield row[start:]
+def at_commas(row: str) -> list[str]:
+    """Return what stands between the commas of a row that are in no parentheses."""
+    return _split(_COMMA, row)

@@ -14,9 +14,10 @@ from coursework.grading.reading.equations.signs import plain_signs
 from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
-_PREFIX = re.compile(
-    r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])|[a-z]{1,3}\.(?=(?:a?(?:sin|cos|tan)|sqrt|exp|arc\w+|pi)\b))"
-)
+_PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
+# A point between names multiplies in France, where the line has no other sign for that; else a field is behind it, par.r1.
+_POINT = re.compile(r"([^\W\d]\w*|[\d)])\.(?=([^\W\d]\w*|\())")
+_KEYED = re.compile(r"[^\W\d]\w{0,20}\[\s*['\"](\w{1,20})['\"]\s*\]")  # d["r1"] of Python
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
 _PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
@@ -30,7 +31,7 @@ _DERIVATIVES = (
     re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
     re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
     re.compile(rf"\bdot[\s_]*\(?\s*{_NAME}\s*\)?"),
-    re.compile(rf"\b(?:diff|D|Diff)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
+    re.compile(rf"\b(?:diff|D|Diff|der)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
@@ -73,6 +74,9 @@ def plain(text: str, spellings: Spellings) -> str:
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
     text = _TYPST.sub(lambda found: " * " if found[0].strip() == "dot" else "", text)
+    text = _KEYED.sub(r"\1", text)
+    is_field = "*" in text
+    text = _POINT.sub(lambda found: _pointed(found, spellings, is_field), text)
     text = _OF_DOUBLES.sub("", _DOUBLE.sub(lambda found: _double(found, spellings), text))
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
@@ -82,6 +86,16 @@ def plain(text: str, spellings: Spellings) -> str:
     for pattern in _SHORT_DERIVATIVES:
         text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)
     return text
+
+
+def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
+    """Return what stands before a point, with the sign of a product, or nothing before a field; in "i.e. r1" it is neither."""
+    before, behind = found[1], found[2]
+    if behind != "(" and not behind.lower().startswith(("sin", "cos", "tan", "sqrt")) and spellings.canonical(behind) is None:
+        return found[0]
+    if is_field:
+        return "" if len(before) > 1 or before.isalpha() else found[0]
+    return f"{before}*" if before == ")" or before.isdigit() or spellings.canonical(before) else found[0]
 
 
 def _double(found: re.Match[str], spellings: Spellings) -> str:

@@ -24,7 +24,9 @@ _PARTS = (
     ("Index.zip", "Apple Numbers"), ("mathcad/", "Mathcad Prime"), ("matlab/", "MATLAB Live Script"),
     ("FixedDocSeq", "XPS"), ("FixedDocumentSequence", "XPS"),
 )  # fmt: skip
-_HTML = re.compile(r"\s*<(?:!doctype html|html|head|body|p|div|table|span|br|ul|ol|h[1-6])\b", re.IGNORECASE)
+_HTML = re.compile(
+    r"\s*<(?:!--|(?:!doctype html|html|head|body|meta|style|title|center|b|p|div|table|span|br|ul|ol|h[1-6])\b)", re.IGNORECASE
+)
 OLD_EXCEL, OLD_WORD = "xls", "doc"
 PICTURES = {"JPEG", "PNG", "GIF", "TIFF", "BMP", "HEIC", "WebP", "DjVu"}
 _WORD_STREAM = "WordDocument".encode("utf-16-le")  # the name of a stream inside an OLE file

@@ -26,6 +26,7 @@ _HINT = re.compile(r'\s*"?sep=(.)"?[;,\t]*\s*', re.IGNORECASE)
 _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _BARS = str.maketrans(dict.fromkeys("│┃║┆┊❘", "|"))
 _REMARKS = {"#", "%", "//", "!", "--", "%%", "##"}
+_KNITTED = re.compile(r"(?m)^(?:##|#>)(?=[ \t])")  # before each line that R printed into a page
 _FEWEST = 3  # rows of numbers without a blank line between
 
 
@@ -44,7 +45,7 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
     ';'
     """
-    text = text if "," in text else text.replace("，", ",")
+    text = _KNITTED.sub("  ", text if "," in text else text.replace("，", ","))
     lines = in_whole_lines(list(_lines(text.translate(_BARS), most_rows)))
     if rows := listed_rows("\n".join(lines), most_rows, most_columns):
         return Split("cells", rows)

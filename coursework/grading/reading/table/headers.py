@@ -38,7 +38,7 @@ _ORDINALS = {str(k): [*map(fold, words)] for k, words in enumerate(WORDS["ordina
 _PRIME = re.compile(r"(?<=[^\W_])['′’](?=\w|\s?[(\[,]|$)")
 _OF_TIME = ("(t)", "(tk)", "(ti)", "[t]")
 _FUNCTIONS = {"sin", "cos", "tan", "tg", "cot", "ctg"}  # a column of one is none of its argument
-_STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega")
+_STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega", "om", "th", "fi")
 
 
 @frozen

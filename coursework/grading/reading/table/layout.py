@@ -6,7 +6,7 @@ Used by `parts.py`, `columns.py`, `rows.py` and `table.py`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise, takewhile, zip_longest
 from statistics import median
@@ -183,7 +183,7 @@ def _block(rows: Rows, head: int, columns: Columns, transposed: bool, mark: str)
     width = max(map(len, body), default=0)
     if width < 2:
         return None
-    texts = _joined(texts, width)
+    texts = _joined(texts, width, {name for name, _ in columns})
     heads = [read_head(text, columns) for text in texts[:width]]
     heads += [Head("", (), "")] * (width - len(heads))
     units += [""] * (width - len(units))
@@ -239,15 +239,16 @@ def _is_units(row: list[PrintedNumber]) -> bool:
     return len(texts) >= 2 and 2 * sum(bool(unit_of(text)) for text in texts) >= len(texts)
 
 
-def _joined(texts: list[str], width: int) -> list[str]:
-    """Return the heads, each unit that a comma of its own cut off put back ("t, s,phi1, rad")."""
+def _joined(texts: list[str], width: int, names: Collection[str] = ()) -> list[str]:
+    """Return the heads, each unit that a comma of its own cut off put back ("t, s,phi1, rad"); a column may be an s."""
     while texts and not texts[-1]:
         texts = texts[:-1]
     if len(texts) <= width:
         return texts
     joined: list[str] = []
-    for text in texts:
-        if joined and unit_of(text) and text != TIME and "," not in joined[-1]:
+    for place, text in enumerate(texts):
+        is_name = text == TIME or (text in names and text not in texts[place + 1 :])
+        if joined and unit_of(text) and not is_name and "," not in joined[-1]:
             joined[-1] += f", {text}"
         else:
             joined.append(text)

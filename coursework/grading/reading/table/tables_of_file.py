@@ -6,6 +6,7 @@ Used by `read_submission.py` and `read_document.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
@@ -21,6 +22,8 @@ from coursework.grading.reading.submission import note
 from coursework.grading.reading.table.parts import Origin, Part, parts_of
 from coursework.grading.reading.table.table import read_parts, weight
 from coursework.words.sentence import Sentence
+
+_FORMULA, _ROWS = re.compile(r"[^=].*\b(?:sin|cos)\s*[(\[]"), 2
 
 
 def is_spreadsheet(archive: Archive) -> bool:
@@ -87,6 +90,8 @@ def parts_of_text(decoded: Decoded, name: str, grid: Grid, place: Sentence | Non
         return []
     if found.has_pairs:
         raise unreadable("comma_twice")
-    sheet = Sheet(None, tuple(tuple(map(Cell, row)) for row in found.rows))
+    formulas = [any(map(_FORMULA.match, row)) for row in found.rows]  # of a matrix, whose noughts are no table; a head may be one
+    rows = [row for row, is_formula in zip(found.rows, formulas, strict=True) if not is_formula or sum(formulas) < _ROWS]
+    sheet = Sheet(None, tuple(tuple(map(Cell, row)) for row in rows))
     notes = (note("encoding"),) if decoded.had_nuls else ()
     return parts_of(sheet, Origin(name, decoded.encoding, found.separator, notes, place), grid)

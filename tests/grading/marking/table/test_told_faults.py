@@ -8,8 +8,10 @@ from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.other_data import _values_read_off
 from coursework.grading.marking.table.ways import StudentTable
+from coursework.variant.formula.tree import spelled
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import Desk, variants
+from tests.grading.marking.table.test_equal_faults import Desk, close, codes, variants
+from tests.grading.scenes import variant_of
 
 
 def test_what_explains_as_much_is_told_in_sentences_of_its_own():
@@ -49,3 +51,51 @@ def test_a_value_is_another_from_a_thousandth_on(part, told):
     found = {datum.name: read for datum, read in _values_read_off(printed)}
     assert ("r1" in found) == told
     assert not told or found["r1"] == pytest.approx(part * value, rel=1e-6)
+
+
+@pytest.mark.parametrize("digits", [3, 5])
+def test_a_datum_left_out_and_a_time_that_stands_still_are_named_with_any_digits(digits):
+    """A phase without its value earned 0 with three digits and 24 with five: no value that velocities tell lies at nought."""
+    for number, name, told in ((0, "alpha", "0 rad"), (2, "alpha", "0 rad"), (0, "p", "0 1/s")):
+        desk = variants()[number]
+        points, table = desk.marked(Machine(desk.variant, data={name: 0.0}).table(), digits=digits)
+        said = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, 1.0, points, 60.0))
+        assert table.misconception.code == f"datum_{name}" and f"the velocities follow with {told}." in said
+        assert points == pytest.approx(24, abs=1.2)
+
+
+def test_steps_taken_away_are_worth_what_steps_of_another_length_are():
+    for desk in variants()[::2]:
+        machine = desk.machine
+        made = [machine.table(lambda t, q, p=part, m=machine: p * m.h * m.velocities(t, q)[: m.m]) for part in (-1, 2)]
+        (back, table), (twice, _) = (desk.marked(one, digits=5) for one in made)
+        assert (table.misconception.code, table.misconception.names) == ("other_step", (f"{-machine.h:.4g}",))
+        assert back == pytest.approx(twice, abs=0.5)
+
+
+def test_a_slip_in_each_of_several_equations_is_no_one_thing_beside_columns_exchanged():
+    """Each equation with the names of two velocities exchanged explains as much, and was told as one slip in the first."""
+    desk = Desk(variant_of("cylinders"))
+    table = desk.machine.table()
+    places = desk.heads("om2", "om3")
+    table[:, places] = table[:, places[::-1]]
+    _, marked = desk.marked(table, digits=5)
+    assert codes(marked) == ("swapped_columns",)
+
+
+@pytest.mark.parametrize(("name", "term", "without", "frozen"), [
+    ("18", "r3*w3*sin(phi3)", "0", "r3*w3*sin(START)"), ("1", "u1*cos(th1)", "0", "u1*cos(START)"),
+    ("3", "rho1*om1*cos(th1)", "0", "START*om1*cos(th1)"),
+])  # fmt: skip
+def test_a_term_left_out_or_a_cell_that_a_formula_keeps_to_is_worth_what_a_sign_is(name, term, without, frozen):
+    """An equation without a term, or with $A$2 in a spreadsheet, earned 10 to 19 of 60 where a turned sign earned 30."""
+    variant = coursework.load("31") if name == "18" else variant_of("cylinders")
+    desk, constraint = Desk(variant), {one.name: one for one in variant.constraints}[name]
+    line = f"{spelled(constraint.left)} - ({spelled(constraint.right)})"
+    place = {"18": 2, "1": 0, "3": 3}[name]
+    points = []
+    for other in (f"-{term}", without, frozen.replace("START", repr(float(desk.machine.start[place])))):
+        found, table = desk.marked(Machine(variant, lines={name: line.replace(term, other, 1)}).table(), digits=5)
+        assert f"equation_{name}" in codes(table)
+        points.append(found)
+    close(points)

@@ -6,6 +6,8 @@ import pytest
 
 from coursework.grading.reading.documents.document import place_of
 from coursework.grading.reading.documents.page import document_of_latex, document_of_page
+from coursework.grading.reading.files.kinds import is_html
+from coursework.grading.reading.numbers import plain_text
 
 ROWS = "w_1 & 5 \\\\\nw_2 & 7 \\\\\n"
 LATEX = f"w_1 = V/r\n\\begin{{tabular}}{{lr}}\n{ROWS}\\end{{tabular}}\nw_2 = 2 w_1\n"
@@ -44,3 +46,22 @@ def test_a_cell_of_a_page_stands_in_every_row_and_column_that_it_spans(
     (table,) = document.tables
     assert cells(table.rows) == rows
     assert [line.text.replace("·", "*") for line in document.lines] == ["w1 = V/r", "w2 = 2*w1"]
+
+
+def test_a_number_with_its_power_of_ten_is_one_in_latex_too() -> None:
+    (table,) = document_of_latex(
+        r"\begin{tabular}{c}$5{,}25 \cdot 10^{-1}$ & $-1.5\times 10^{2}$\\\end{tabular}", "x", 9, 9
+    ).tables
+    assert [plain_text(cell) for cell in cells(table.rows)[0]] == ["5,25e-1", "-1.5e2"]
+
+
+@pytest.mark.parametrize(
+    ("text", "is_page"), [('<meta charset="utf-8"><div>', True), ("<!-- saved --><table>", True), ("<3 w1", False)]
+)
+def test_a_page_begins_with_any_of_its_signs(text: str, is_page: bool) -> None:
+    assert is_html(text) == is_page
+
+
+def test_a_formula_that_a_script_draws_is_a_line() -> None:
+    page = document_of_page('<p>So</p><script type="math/tex; mode=display">w_1 = V/r</script><script>w2 = 1</script>', "x", 9, 9)
+    assert [line.text for line in page.lines if "=" in line.text] == ["w_1 = V/r"]

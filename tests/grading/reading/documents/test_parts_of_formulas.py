@@ -55,6 +55,7 @@ def bare(text: str) -> str:
         ('<mfenced open="[" close="]" separators=";"><mi>a</mi><mi>b</mi></mfenced>', "(a;b)"),
         ('<mfenced open="|" close="|"><mi>a</mi></mfenced>', "abs(a)"),
         ("<mfenced><mi>a</mi><mi>b</mi></mfenced>", "(a,b)"),
+        ("<mtable><mtr><mtd><mi>a</mi></mtd><mtd><mn>0,5</mn></mtd></mtr><mtr><mtd><mi>b</mi></mtd></mtr></mtable>", "[a,0.5;b]"),
         ("<mtable><mtr><mtd><mi>a</mi></mtd><mtd><mo>=1</mo></mtd></mtr><mtr><mtd><mi>b</mi></mtd></mtr></mtable>", "a=1;b"),
         (
             "<mrow><mo>{</mo><mtable><mtr><mtd><mi>a</mi></mtd></mtr><mtr><mtd><mi>b</mi></mtd></mtr></mtable></mrow>", "a;b",
@@ -77,6 +78,10 @@ def test_parts_of_mathml(xml: str, meant: str) -> None:
     ("xml", "meant"),
     [
         ("<m><mr><e>a</e><e>=1</e></mr><mr><e>b=2</e></mr></m>", "a=1;b=2"),
+        (
+            '<d><dPr><begChr val="["/><endChr val="]"/></dPr><e><m><mr><e>a</e><e>0,5</e></mr><mr><e>b</e></mr></m></e></d>',
+            "[a,0.5;b]",
+        ),
         ("<eqArr><e>a=1</e><e>b=2</e></eqArr>", "a=1;b=2"),
         ("<sSubSup><e>r</e><sub>2</sub><sup>3</sup></sSubSup>", "r_2^3"),
         ("<sPre><sub>2</sub><sup>3</sup><e>r</e></sPre>", "r_2^3"),

@@ -4,7 +4,10 @@ import math
 
 import pytest
 
+from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.table.headers import PRINTED
+from coursework.grading.reading.table.layout import layouts_of
+from coursework.grading.reading.unit_names import unit_of
 
 PREFIXES = {"": 1.0, "m": 1e-3, "c": 1e-2, "k": 1e3}
 
@@ -18,3 +21,22 @@ PREFIXES = {"": 1.0, "m": 1e-3, "c": 1e-2, "k": 1e3}
 ])  # fmt: skip
 def test_a_unit_in_si(si, unit, factor):
     assert PRINTED[si][unit] == pytest.approx(factor, rel=1e-15)
+
+
+@pytest.mark.parametrize(("text", "unit"), [
+    ("rad·s⁻¹", "1/s"), ("(m·s⁻¹)", "m/s"), ("м·с⁻¹", "m/s"), ("mm s^-1", "mm/s"), ("°·s⁻¹", "deg/s"), ("m/seg", "m/s"),
+    ("s⁻¹", "1/s"), ("rad/sec", "1/s"), ("grados", "deg"), ("tr/min", "rpm"), ("kg/s", ""), ("m/sekel", ""),
+])  # fmt: skip
+def test_a_unit_as_countries_write_it(text, unit):
+    assert unit_of(text) == unit
+
+
+@pytest.mark.parametrize(("heads", "places"), [
+    ("t phi s w Comment", {"t": 0, "phi": 1, "s": 2, "w": 3}), ("t s phi rad s m w 1/s", {"t": 0, "phi": 1, "s": 2, "w": 3}),
+])  # fmt: skip
+def test_a_column_s_is_no_unit_of_the_head_before_it_though_a_column_stands_empty(heads, places):
+    """A remark without remarks made w1 stand over s: 40 of 60 points."""
+    rows = [heads.split(), *([f"{k / 10}", "1.5", f"0.{k}7", "-2.4"] for k in range(1, 6))]
+    columns = [("phi", "rad"), ("s", "m"), ("w", "1/s")]
+    (layout,) = layouts_of([[printed(text, ".") for text in row] for row in rows], ".", columns)
+    assert {head.candidates[0]: at for at, head in enumerate(layout.heads) if head.candidates} == places

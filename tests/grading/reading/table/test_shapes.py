@@ -44,6 +44,10 @@ SHAPES = {
     "numbers of steps under the time": csv([[str(k), *row[1:]] for k, row in enumerate(ROWS)]),
     "numbers of rows under the time": csv([[str(k), *row[1:]] for k, row in enumerate(ROWS, 1)]),
     "a minus as accountants write it": csv([[f"({cell[1:]})" if cell[0] == "-" else cell for cell in row] for row in ROWS]),
+    "what R printed into a page": "\n".join(
+        "## " + " ".join(f"{cell:>9}" for cell in row)
+        for row in (["", *HEAD], *([str(k), *row] for k, row in enumerate(ROWS, 1)))
+    ).encode(),
     "powers of Mathematica": csv([[f"{float(cell) / 10:.5f}*^1" for cell in row] for row in ROWS]),
 }
 

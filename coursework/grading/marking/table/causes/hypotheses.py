@@ -215,7 +215,7 @@ def _parts(printed: TableUnderTest) -> list[float]:
     with np.errstate(invalid="ignore", divide="ignore"):
         made = (steps / rates)[np.abs(rates) > _FAST * np.nanmax(np.abs(rates), axis=0, initial=0.0)]
     read = float(f"{np.median(made[np.isfinite(made)]):.2g}") / h if np.isfinite(made).any() else 1.0
-    if read > 0 and all(abs(read / part - 1) > _WHOLE for part in (1.0, _DEGREE, *parts)):
+    if read and all(abs(read / part - 1) > _WHOLE for part in (1.0, _DEGREE, *parts)):
         parts.append(read)
     return parts
 

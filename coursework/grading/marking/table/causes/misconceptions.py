@@ -180,7 +180,7 @@ def explanations(
         return Found(None, found, began, untold)
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
-    tied = [code for code in tied if code not in read_off] or tied
+    tied = [one for one in tied if one not in read_off and (len(named[one][2]) < 2 or not one.startswith("equation_"))] or tied
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, untold)
 

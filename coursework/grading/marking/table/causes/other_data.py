@@ -22,7 +22,7 @@ from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.entries import Given
 
-FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
+FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 # Columns count as exchanged where, put back, this part of them is the key's, or where the start values are.
 _LIKE_KEY = 0.5
 _TURN = 2 * np.pi
@@ -32,10 +32,13 @@ _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-3
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
-    """Velocities with a datum ten times, twice, turned round, or as they tell it; with two data exchanged or one declared."""
+    """Velocities with a datum ten times, twice, turned round, left out or as they tell it; with two exchanged or one declared."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
-        (f"datum_{datum.name}", {datum.name: factor * datum.value}) for datum in given for factor in FACTORS
+        (f"datum_{datum.name}", {datum.name: factor * datum.value})
+        for datum in given
+        for factor in FACTORS
+        if factor or _may_vanish(printed, datum)
     ]
     tried += [
         (f"swap_{first.name}_{second.name}", {first.name: second.value, second.name: first.value})
@@ -45,15 +48,30 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     ]
     tried += [(f"confusion_{name}", {name: value}) for name, value in confusions.items()]
     sets = printed.key.sets_at(printed.key.t, printed.q, [data for _, data in tried])
+    by_code = {f"datum_{datum.name}": datum for datum in given}
     for (code, data), found in zip(tried, sets, strict=True):
-        yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
+        shown = _shown(by_code[code], *data.values()) if code in by_code else ()
+        yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found, shown)
     read_off = [(datum, value) for datum, read in _values_read_off(printed) for value in {read: None, float(f"{read:.3g}"): None}]
     for datum, value in read_off:  # as it is read off, and as it may have been typed
-        unit = datum.unit or datum.si
-        shown = (f"{value / (size_of(datum.unit) or 1.0):.4g}", unit) if unit else ()
         at = partial(printed.key.velocities_at, data={datum.name: value})
-        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=shown):
+        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
+
+
+def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
+    """Return whether nothing is divided by a datum alone."""
+    try:
+        printed.key.velocities_at(printed.key.t[:1], printed.key.table[:1, : printed.m], data={datum.name: 0.0})
+    except ArithmeticError:
+        return False
+    return True
+
+
+def _shown(datum: Given, value: float) -> tuple[str, ...]:
+    """Return a value and its unit as a sentence says them, nothing of a number without a unit."""
+    unit = datum.unit or datum.si
+    return (f"{value / (size_of(datum.unit) or 1.0):.4g}", unit) if unit else ()
 
 
 def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
+from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, places
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import kinds, names_at
@@ -23,13 +23,14 @@ from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.ways import HALF, SLACK
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, named, number
 
 # A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
 _HOLDS, _BETTER = 0.9, 0.1
 _SINGULAR = 1e-9
 _FAR, _RARER = 3.0, 4.0  # limits, from which on a row is no farther off; how much nearer what is no sign must be
 OWN = "own_equations"
+_AT_START = "(0)"
 
 
 @frozen
@@ -73,9 +74,28 @@ def _task_lines(key: Key) -> tuple[Line, ...]:
         equations, alike = key.model.equations, kinds(key.variant)
         known = {*key.variant.names, "pi", *(name for name, _ in key.variant.points)}
         trees = [(one.name, Formula("-", one.shown(equations.order))) for one in equations.equations]
-        return tuple(Line(name, tree, tuple(edits(tree, alike))) for name, tree in trees if {*tree.names()} <= known)
+        return tuple(
+            Line(name, tree, (*edits(tree, alike), *_left_out(tree, key.coordinates)))
+            for name, tree in trees
+            if {*tree.names()} <= known
+        )
 
     return key.model.equations.once("lines and their single edits", found)
+
+
+def _left_out(tree: Formula, coordinates: Sequence[str]) -> Iterator[Edit]:
+    """Yield a right equation without one of its terms, and with a coordinate that stands at its start in one place."""
+    for path, node, is_term, _ in places(tree):
+        if is_term and path:
+            yield Edit("factor", path, number(0), 0)
+        if node.op == "name" and node.name in coordinates:
+            yield Edit("name", path, named(node.name + _AT_START), 0)
+
+
+def _names(key: Key, t: Array, q: Array) -> dict[str, Any]:
+    """Return the values of all names at times (n,) and positions (n, m), and those of the coordinates at the start."""
+    starts = {name + _AT_START: key.table[0, place] for place, name in enumerate(key.coordinates)}
+    return {**names_at(key, t, q), **starts}
 
 
 def _claim(printed: TableUnderTest, code: str, used: Sequence[Used]) -> Iterator[Claim]:
@@ -100,16 +120,16 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
     if not lines:
         return []
 
-    def named(cells: Array) -> dict[str, Any]:
-        names = names_at(key, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m])
+    def values_of(cells: Array) -> dict[str, Any]:
+        names = _names(key, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m])
         return {**names, **dict(zip(key.velocities, cells[:, m:].T, strict=True))}
 
     def residuals(cells: Array) -> Array:
-        names = named(cells)
+        names = values_of(cells)
         return np.column_stack([real(value_of(line.tree, names), len(cells)) for line in lines])
 
     try:
-        names = named(student.values)
+        names = values_of(student.values)
         rows = np.isfinite(here := residuals(student.values))
         sizes = np.column_stack([real(size_of(line.tree, names), len(rows)) for line in lines])
         allowed = HALF * sensitivity(residuals, student.values, student.units) + SLACK * sizes
@@ -145,7 +165,7 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
 def _solved(key: Key, trees: Sequence[Formula], t: Array, q: Array) -> Array:
     """Return the velocities (n, r) that the first independent ones of some equations give, NaN where these are singular."""
     sought = key.variant.sought
-    names = names_at(key, t, q)
+    names = _names(key, t, q)
     rows, count = len(t), len(sought)
 
     # All velocities zero, then each of them one by itself: (count + 1, rows) at once.

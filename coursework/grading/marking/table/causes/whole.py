@@ -57,7 +57,8 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     if not made:
         return None
     best = max(share for share, *_ in made.values())
-    first, *ties = [code for code, (share, *_) in made.items() if share >= best - TIE]
+    first, *others = [code for code, (share, *_) in made.items() if share >= best - TIE]
+    ties = [code for code in others if len(made[code][2]) < 2 or not code.startswith("equation_")]  # a slip each is no one thing
     share, table, names = made[first]
     same = alike(key, cells.student, table)
     values = np.where(same, table, np.where(right, key.table, cells.student.values))  # others may be put right
@@ -71,7 +72,7 @@ def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints
     right, fine = (~one.wrong & ~one.missing & one.counted for one in (cells, made))
     assert points.uncounted is not None
     uncounted = right & ~(fine & ~points.uncounted)
-    return replace(points, shut={"untold": int(uncounted.sum())}, uncounted=uncounted)
+    return replace(points, shut={"untold": int(uncounted.sum())} if uncounted.any() else {}, uncounted=uncounted)
 
 
 def _may_be(cells: Cells, claim: Claim, spoken: Flags, right: Flags) -> bool:

@@ -14,6 +14,7 @@ from coursework.grading.reading.documents.signs import plain_signs
 
 DOT = "\u0307"
 _DOTS = {DOT, "˙", ".", "dot"}
+_DECIMAL, MATRIX = re.compile(r"(?<=\d),(?=\d)"), re.compile(r"\s*\[[^\[\]]*\]\s*")
 FUNCTIONS = {"sin", "cos", "tan", "tg", "ctg", "cot", "arcsin", "arccos", "arctan", "arctg", "asin", "acos", "atan", "ln",
               "log", "exp", "sqrt", "abs", "sgn"}  # fmt: skip
 _PRIMES = {"'", "′", "’"}
@@ -75,8 +76,8 @@ def applied(function: str, argument: str) -> str:
 
 
 def enclosed(begin: str, body: str, end: str) -> str:
-    """Return what stands between two signs; the brace before a system of equations encloses nothing."""
-    if "\n" in body.strip("\n"):
+    """Return what stands between two signs; a brace before a system encloses nothing, a matrix has its own."""
+    if "\n" in body.strip("\n") or MATRIX.fullmatch(body):
         return body
     if begin in {"|", "‖"}:
         return f" abs({body}) "
@@ -86,6 +87,17 @@ def enclosed(begin: str, body: str, end: str) -> str:
 def rows_of(rows: list[str]) -> str:
     """Return a system, one row a line."""
     return "\n" + "\n".join(on_one_line(row) for row in rows) + "\n"
+
+
+def matrix_of(rows: list[list[str]]) -> str:
+    r"""Return a matrix in one piece, as MATLAB writes it; cells of equations are a system.
+
+    >>> matrix_of([["a", "0,5"], ["c", "d"]]), matrix_of([["a", "= b"], ["c", "= d"]])
+    (' [a, 0.5; c, d] ', '\na = b\nc = d\n')
+    """
+    if any("=" in cell for row in rows for cell in row) or not any(map(str.strip, map("".join, rows))):
+        return rows_of([" ".join(row) for row in rows])
+    return f" [{'; '.join(', '.join(_DECIMAL.sub('.', on_one_line(cell).strip()) for cell in row) for row in rows)}] "
 
 
 def equations_in(text: str) -> list[str]:

@@ -7,10 +7,12 @@ Used by `odt.py`.
 from __future__ import annotations
 
 from coursework.grading.reading.documents.formulas.formula_text import (
+    MATRIX,
     accented,
     enclosed,
     fraction,
     index,
+    matrix_of,
     power,
     root,
     rows_of,
@@ -61,7 +63,7 @@ def _text(node: FormulaNode) -> str:
         body = separator.join(_text(part) for part in parts)
         return enclosed(node.values.get("open", "(")[:1], body, node.values.get("close", ")")[:1])
     if name == "mtable":
-        return rows_of([" ".join(_text(cell) for cell in row.children) for row in parts if row.name == "mtr"])
+        return matrix_of([[_text(cell) for cell in row.children] for row in parts if row.name == "mtr"])
     return _row(node)
 
 
@@ -76,6 +78,8 @@ def _row(node: FormulaNode) -> str:
         pieces.append(f" {piece} " if part.name == "mi" else piece)
     text = "".join(pieces)
     braced = text.strip().removeprefix("{").strip(" ")
+    if text.strip().startswith("{") and MATRIX.fullmatch(braced):  # what stands behind a brace are the rows of a system
+        braced = rows_of(braced[1:-1].split("; "))
     return braced if "\n" in braced else text
 
 

@@ -15,6 +15,7 @@ from coursework.grading.reading.documents.formulas.formula_text import (
     enclosed,
     fraction,
     index,
+    matrix_of,
     power,
     root,
     rows_of,
@@ -64,7 +65,7 @@ def _run(node: FormulaNode) -> str:
 
 
 def _matrix(node: FormulaNode) -> str:
-    return rows_of([" ".join(_inside(part) for part in row.children) for row in node.children if row.name == "mr"])
+    return matrix_of([[_inside(part) for part in row.children] for row in node.children if row.name == "mr"])
 
 
 _WAYS: dict[str, Callable[[FormulaNode], str]] = {

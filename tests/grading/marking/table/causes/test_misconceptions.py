@@ -109,4 +109,4 @@ def test_a_hypothesis_that_the_digits_cannot_tell_is_not_named(key):
     found = explanations(key, cells).named
     assert found is not None
     assert found.code == "sign_w1"
-    assert explanations(key, cells, hidden=(found.code, *found.ties)).named is None
+    assert explanations(key, cells, hidden=(found.code, *found.ties, "equation_16")).named is None  # a slip in two
