@@ -53,8 +53,8 @@ def continuity(evidence: Evidence) -> Finding:
     name, value = evidence.names[place], float(shares[row, place])
     found = {"name": name, "share": percent(value), "row": row + 1, "next": row + 2}
     if value <= LIMIT:
-        # At a break of a `pieces` law the velocities may jump, as the drive says, and where a law jumps by itself.
-        is_broken = bool(breaks(evidence.variant)) or bool(np.any(_driven(evidence)))
+        # At a break of a `pieces` law the velocities may jump, as the drive says.
+        is_broken = bool(breaks(evidence.variant))
         how = ("broken" if is_broken else "pass") if value else ("broken_same" if is_broken else "same")
         sentence = evidence.say(f"check.CONTINUITY.{how}", **found)
         return Finding("PASS", sentence, value, LIMIT, unit, name, row + 1)
@@ -62,11 +62,11 @@ def continuity(evidence: Evidence) -> Finding:
 
 
 def jump_of_exact(evidence: Evidence) -> Jump | None:
-    """Return the largest jump of the exact motion that no law of the drive makes, None where it has none."""
+    """Return the largest jump of the exact motion that is at no break of a `pieces` law, None where it has none."""
     exact = evidence.exact
     if exact is None or len(exact.t) < 2 or evidence.restricted:
         return None
-    found = _suspects_of(evidence).kept(~_driven(evidence))
+    found = _suspects(evidence)
     begin, end = (exact.t[found.row] + part * exact.step for part in (found.left, found.right))
     for time in breaks(evidence.variant):
         found = found.kept(~((begin * (1 - _AT_BREAK) <= time) & (time <= end * (1 + _AT_BREAK))))
@@ -94,27 +94,6 @@ class _Brackets(NamedTuple):
         angles = np.array([evidence.unit(name) == "rad" for name in evidence.names])[self.column]
         change = np.abs(np.where(angles, change - whole_turns(change), change))
         return np.where(change < NO_ERROR, 0.0, change / evidence.scales[self.column])
-
-
-def _suspects_of(evidence: Evidence) -> _Brackets:
-    return evidence.once("suspects", lambda: _suspects(evidence))
-
-
-def _driven(evidence: Evidence) -> Array:
-    """Return which of the suspects jump by the time alone, in one position: with the drive, whose law says so."""
-    exact = evidence.exact
-    if exact is None or len(exact.t) < 2 or evidence.restricted:
-        return np.zeros(0, dtype=bool)
-    found = _suspects_of(evidence)
-    begin, position = _between(evidence, found.row, found.left)
-    end = _between(evidence, found.row, found.right)[0]
-    places = (np.arange(len(begin)), np.array([evidence.true.names.index(name) for name in evidence.names])[found.column])
-    try:
-        with np.errstate(all="ignore"):
-            low, high = (np.hstack([position, evidence.rates.table(time, position)[0]])[places] for time in (begin, end))
-    except (ArithmeticError, ValueError, OutsideTable):
-        return np.zeros(len(begin), dtype=bool)
-    return found._replace(low=low, high=high).shares(evidence) > found.shares(evidence) / 2
 
 
 def _suspects(evidence: Evidence) -> _Brackets:
