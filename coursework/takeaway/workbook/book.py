@@ -11,13 +11,14 @@ from datetime import datetime
 from io import BytesIO
 from typing import Any
 
+from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.report.output.results import Results
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.system.extras import require
 from coursework.takeaway.workbook.by_forces import forced_columns
-from coursework.takeaway.workbook.cells import OF_EULER, StepTable
+from coursework.takeaway.workbook.cells import SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
 from coursework.takeaway.workbook.columns import step_columns
 from coursework.takeaway.workbook.data import TABLES, write_data
@@ -46,14 +47,14 @@ def workbook_of(run: SceneRun, language: str) -> bytes:
     """Return the workbook of a run."""
     book, content, table = _begun(run, language)
     residuals = list(residuals_of(book, table))
-    sheets = _sheets(book, (DATA, table.sheet, EXACT, "Checks", "Graphs", "Read me"))
+    sheets = _sheets(book, (DATA, SHEET, EXACT, "Checks", "Graphs", "Read me"))
     sheets["Graphs"].set_portrait()
     write_data(book, sheets[DATA], table.names, table.tables)
-    write_steps(book, sheets[table.sheet], table)
+    write_steps(book, sheets[SHEET], table)
     write_exact(book, sheets[EXACT], table)
     write_checks(book, sheets["Checks"], table, residuals)
     write_graphs(book, sheets["Graphs"], table)
-    _readme(book, sheets["Read me"], table.sheet)
+    _readme(book, sheets["Read me"])
     book.file.close()
     return content.getvalue()
 
@@ -64,9 +65,9 @@ def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
     With `help_level` 1 the first row has its formulas, and start values that the geometry gives have theirs.
     """
     book, content, table = _begun(run, language)
-    sheets = _sheets(book, (DATA, table.sheet))
+    sheets = _sheets(book, (DATA, SHEET))
     write_data(book, sheets[DATA], table.names, table.tables, solved=help_level > 0)
-    write_first_row(book, sheets[table.sheet], table, help_level)
+    write_first_row(book, sheets[SHEET], table, help_level)
     book.file.close()
     return content.getvalue()
 
@@ -103,12 +104,12 @@ def _sheets(book: Book, names: tuple[str, ...]) -> dict[str, Any]:
     return sheets
 
 
-def _readme(book: Book, sheet: Any, steps: str) -> None:
+def _readme(book: Book, sheet: Any) -> None:
     """Write where each formula comes from."""
     sheet.write_string(0, 0, plain(book.context.variant.title), book.bold)
-    told = {"sheet": steps, "scheme": book.context.told(book.run.scheme_title)}
+    title, is_other = book.context.told(book.run.scheme_title), book.run.motion.scheme != DEFAULT_SCHEME.name
     for row, key in enumerate(README if book.run.variant.motor is None else FORCED, start=2):
-        text = book.say(f"readme.{'slopes' if key == 'steps' and steps != OF_EULER else key}", **told)
+        text = book.say(f"readme.{'slopes' if key == 'steps' and is_other else key}", scheme=title)
         letters = sum(1 + (ord(letter) > _WIDE) for letter in text)
         sheet.set_row(row, _LINE * (1 + letters // _WIDTH))
         sheet.write_string(row, 0, text, book.wrapped)

@@ -22,7 +22,7 @@ from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
 from coursework.takeaway.listing.by_forces import Moving, moving
 from coursework.takeaway.listing.syntax import Syntax, expression
-from coursework.takeaway.workbook.cells import BEFORE, FIRST, ROW, TIME, Column, StepTable
+from coursework.takeaway.workbook.cells import BEFORE, FIRST, ROW, SHEET, TIME, Column, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import STEP, defined_names, letters, start_of
 from coursework.takeaway.workbook.tables import Tables
@@ -154,9 +154,7 @@ class _Writer:
 
     def _elsewhere(self, tree: Formula) -> str:
         """Return a formula of the page over the cells of a row, for another sheet."""
-        names = {name: f"{self.table.sheet}!${place}{ROW}" for name, place in self.places.items()} | {
-            TIME: f"{self.table.sheet}!$A{ROW}"
-        }
+        names = {name: f"{SHEET}!${place}{ROW}" for name, place in self.places.items()} | {TIME: f"{SHEET}!$A{ROW}"}
         return spreadsheet(tree, {**self.table.names, **names})
 
 

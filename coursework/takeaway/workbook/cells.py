@@ -9,7 +9,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 
 from coursework.motion.integration.motion import Motion
-from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
 from coursework.system.frozen import changing
@@ -17,8 +16,8 @@ from coursework.takeaway.workbook.names import STEP, letters
 from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula
 
-OF_EULER = "Euler"  # as the sheet of the table of his scheme is called in every language
 # Stand for the number of a row, of the one before it and the one behind it, and for how many steps lie before it.
+SHEET = "Euler"  # as the sheet is called in every language
 ROW, BEFORE, NEXT, STEPS = "\x01", "\x02", "\x03", "\x04"
 FIRST = 2  # the number of the row of t = 0; row 1 has the names
 TIME = "t"
@@ -85,11 +84,6 @@ class StepTable:
         for name, values in zip(shown[0], shown[1].T, strict=True):
             made.add(Column(name, None, values))
         return made
-
-    @property
-    def sheet(self) -> str:
-        """Return the name of the sheet that it stands in."""
-        return OF_EULER if self.motion.scheme == DEFAULT_SCHEME.name else "Steps"
 
     @property
     def rows(self) -> int:

@@ -15,7 +15,7 @@ from coursework.equations.reduction.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array
-from coursework.takeaway.workbook.cells import FIRST, ROW, StepTable
+from coursework.takeaway.workbook.cells import FIRST, ROW, SHEET, StepTable
 from coursework.takeaway.workbook.names import letters
 from coursework.takeaway.workbook.sheet import RESIDUAL, WIDTH, Book, number, plain
 
@@ -44,7 +44,7 @@ def write_exact(book: Book, sheet: Any, table: StepTable) -> None:
         sheet.write_string(0, beside, plain(f"Δ{name}"), book.right)
         differences = motion.column(name)[:both] - rows[:both, place]
         sheet.set_column(beside, beside, WIDTH, book.shown(differences))
-        _write_small(sheet, beside, FIRST, f"{table.sheet}!{own}{ROW}-{column}{ROW}", differences, None)
+        _write_small(sheet, beside, FIRST, f"{SHEET}!{own}{ROW}-{column}{ROW}", differences, None)
         _write_largest(sheet, both + 2, beside, FIRST, differences, book.shown(differences, bold=True))
         beside += 1
     sheet.write_string(both + 2, len(names) + 1, book.say("largest"), book.bold)
@@ -73,7 +73,7 @@ def write_checks(book: Book, sheet: Any, table: StepTable, residuals: list[Resid
     row = 2
     for name in motion.names if table.rows else ():
         place, own = table.place(name), motion.column(name)
-        cells = [f"{table.sheet}!{place}{FIRST}", f"{table.sheet}!{place}{table.last}", f"C{row + 1}-B{row + 1}"]
+        cells = [f"{SHEET}!{place}{FIRST}", f"{SHEET}!{place}{table.last}", f"C{row + 1}-B{row + 1}"]
         values = [float(own[0]), float(own[-1]), float(own[-1] - own[0])]
         if name in exact.names and len(exact.t) == table.rows:
             there = letters(1 + _names(motion, exact).index(name))
@@ -105,7 +105,7 @@ def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual]
     times, shown = book.times(motion.step), book.file.add_format({"num_format": RESIDUAL})
     shown_largest = book.file.add_format({"num_format": RESIDUAL, "bold": True})
     for step, at in enumerate(motion.t.tolist()):
-        sheet.write_formula(top + 3 + step, 0, f"={table.sheet}!A{FIRST + step}", times, at)
+        sheet.write_formula(top + 3 + step, 0, f"={SHEET}!A{FIRST + step}", times, at)
     for place, (head, text, _, is_kept) in enumerate(columns, start=1):
         sheet.write_string(top + 1, place, plain(head), book.right)
         column = values[:, place - 1] - (values[0, place - 1] if is_kept else 0.0)

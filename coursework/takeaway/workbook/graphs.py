@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursework.takeaway.workbook.cells import FIRST, StepTable
+from coursework.takeaway.workbook.cells import FIRST, SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT
 from coursework.takeaway.workbook.names import number_of
 from coursework.takeaway.workbook.sheet import Book, plain
@@ -31,7 +31,7 @@ def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
             symbol = plain(book.context.symbol(name).text)
             marker = {"type": "circle", "size": 4, "border": {"color": colour}, "fill": {"color": colour}}
             own = number_of(table.place(name))
-            chart.add_series(_series(table.sheet, own, table.last, symbol) | {"marker": marker, "line": {"none": True}})
+            chart.add_series(_series(SHEET, own, table.last, symbol) | {"marker": marker, "line": {"none": True}})
             if name in exact:
                 column, last = 1 + exact.index(name), FIRST + len(run.scene.exact.t) - 1
                 told = f"{symbol}, {book.say('exact')}"

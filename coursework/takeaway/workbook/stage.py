@@ -22,7 +22,7 @@ from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import AT_EVENT
 from coursework.motion.schemes import scheme_of
 from coursework.system.arrays import Array
-from coursework.takeaway.workbook.cells import ROW, TIME, Column, Matrix, StepTable
+from coursework.takeaway.workbook.cells import ROW, SHEET, TIME, Column, Matrix, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import letters, number_of
 from coursework.variant.formula.tree import Formula, mapped
@@ -139,7 +139,7 @@ class Stage:
         """Return a formula over the cells of a row, for another sheet."""
         self.text(tree)  # what it names gets its columns first
         own = self.places
-        self.places = {name: f"{self.writer.table.sheet}!{place}" for name, place in own.items()}
+        self.places = {name: f"{SHEET}!{place}" for name, place in own.items()}
         try:
             return self.text(tree)
         finally:
