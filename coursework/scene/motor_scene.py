@@ -20,6 +20,7 @@ from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
+from coursework.effects.dynamics.why_ended import LIMIT
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.scheme import read_scheme
 from coursework.motion.integration.integrate import TOO_LARGE
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy
 
 
-_SAID = {"dead point": "dead", "limit position": "limit", "not finite": "far", "too steep": "steep", TOO_LARGE: "wide"}
+_SAID = {"dead point": "dead", LIMIT: "limit", "not finite": "far", "too steep": "steep", TOO_LARGE: "wide"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -157,14 +158,14 @@ class MotorScene(Scene):
         others = [one.rate for place, one in enumerate(coordinates) if place not in free]
         cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned)
         return Stop(
-            found.ended, found.at, found.at / step, (), last, cause,
+            "dead point" if found.ended == LIMIT else found.ended, found.at, found.at / step, (), last, cause,
             say(f"dynamics.{key}_means", row=len(found.t), names=either(others) if others else ""),
         )  # fmt: skip
 
     def _ended_as(self, found: FreeMotion) -> FreeMotion:
         """Return the rows of a scheme: where no position closes, the motion itself says whether the links or the step is why."""
         true = self._true.ended
-        as_true = "dead point" if true and true != "limit position" else true or TOO_LARGE
+        as_true = "dead point" if true and true != LIMIT else true or TOO_LARGE
         return replace(found, ended=as_true) if found.ended == "dead point" else found
 
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:

@@ -99,7 +99,7 @@ def test_two_free_rates_with_a_closed_loop_keep_energy_and_length():
 
 def test_a_limit_of_the_free_coordinates_stops_the_rows():
     run = coursework.solve(coursework.parse_variant(free_31()), scheme="exact", step=0.001, end=0.2)
-    assert run.stop.kind == "limit position"
+    assert run.stop.kind == "dead point"
     # There C stands below B, so that phi3 is pi and C.y does not change with it.
     last = {name: run.motion.column(name)[-1] for name in ("phi3", "w3")}
     assert run.stop.time == pytest.approx(0.05 + (math.pi - last["phi3"]) / last["w3"], abs=1e-7)

@@ -1,7 +1,7 @@
 """Why a motion under forces cannot be followed any further: its links, its free coordinates alone, or the forces.
 
 Enters: `EquationsOfMotion`, the states that a step into the end has passed.  Leaves: `Open`.
-Used by `dynamics.py`, `regime.py` and `grading/marking/key/free_rows.py`.
+Used by `dynamics.py`, `scene/motor_scene.py`, `regime.py` and `grading/marking/key/free_rows.py`.
 """
 
 from __future__ import annotations
@@ -14,13 +14,14 @@ import numpy as np
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.system.arrays import Array
 
+LIMIT = "limit position"  # of the free coordinates alone: a dead point that the links pass
 _SMALL = 0.1  # of a determinant: what is left of it at a dead point
 
 
 class Open(ArithmeticError):
     """No closed position lies near: the mechanism is at a dead point, or a step was too wide; `at` (s), where that is known.
 
-    `kind`: "too steep" where not the links, but the forces let nobody follow the motion, "limit position" where the links move
+    `kind`: "too steep" where not the links, but the forces let nobody follow the motion, `LIMIT` where the links move
     on and only the free coordinates turn back.
     """
 
@@ -44,7 +45,7 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
             fastest = np.max([found[place] for place in motion.others], axis=0)
             # Two powers of the determinant lie between: rates of links without mass grow as its inverse, others not at all.
             as_fast = fastest[-1] ** 2 * least[-1] < fastest[1] ** 2 * least[1]
-            return Open(_vanishes(rows[:, 0], least), "limit position" if as_fast else "dead point")
+            return Open(_vanishes(rows[:, 0], least), LIMIT if as_fast else "dead point")
     return Open(at, "too steep")
 
 

@@ -32,8 +32,8 @@ def dead_point(context: PageContext) -> list[Part]:
     if context.run.scene.phases:
         facts.append((words("stop.phases"), context.rich(context.run.scene.phases)))
     own = context.run.scene.stop is None  # the scheme stops where the mechanism does not
-    # Nothing is known of what comes after, or it waits there, or the scheme lost the motion before.
-    is_open = stop.kind in {"too steep", "sensitive", "held", "limit position"} or len(context.run.motion.t) < int(stop.row)
+    # Under forces the links move on, wait there, or nobody knows; elsewhere the scheme may have lost the motion before.
+    is_open = not context.run.scene.follows_laws or len(context.run.motion.t) < int(stop.row)
     kept = words("stop.kept_so_far" if own else "stop.kept_only" if is_open else "stop.kept", row=len(context.run.motion.t))
     lead = words("stop.lead", kind=begun(context.event(stop.kind)), time=time) + words("join.sentences")
     drawing = context.run.at_stop()

@@ -106,7 +106,7 @@ def rod(r, **data):
 def test_a_rod_shorter_than_its_crank_stops_it_where_the_rod_stands_across_its_guide():
     """0.61730816 s by SciPy's DOP853 (1e-12) from Lagrange's equations with two multipliers, which pass that place."""
     run = rod(r=0.36, M1=1, M2=2, T=0)
-    assert run.stop.kind == "limit position" and run.stop.time == pytest.approx(0.61730816, abs=1e-7)
+    assert run.stop.kind == "dead point" and run.stop.time == pytest.approx(0.61730816, abs=1e-7)
     assert len(run.motion.t) == 62
 
 

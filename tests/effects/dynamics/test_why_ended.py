@@ -23,7 +23,7 @@ def led_by_its_crank():
 
 def test_a_piston_that_leads_stops_at_its_dead_centre_and_the_crank_that_leads_passes_it(led_by_its_crank):
     run, whole = piston("u3"), led_by_its_crank
-    assert run.stop.kind == "limit position"
+    assert run.stop.kind == "dead point"
     assert whole.stop is None and len(whole.t) == 301
     assert run.stop.time == pytest.approx(np.interp(math.pi, whole.column("theta1"), whole.t), abs=2e-5)
     rows = len(run.motion.t) - 1
@@ -33,7 +33,7 @@ def test_a_piston_that_leads_stops_at_its_dead_centre_and_the_crank_that_leads_p
 
 def test_rows_of_a_scheme_that_reach_the_limit_are_told_so():
     run = piston("u3", "rk4", step=0.0005)
-    assert run.motion.stop.kind == "limit position" and run.motion.stop.time == pytest.approx(0.3826, abs=1e-3)
+    assert run.motion.stop.kind == "dead point" and run.motion.stop.time == pytest.approx(0.3826, abs=1e-3)
 
 
 def test_links_without_mass_would_have_to_stretch():
