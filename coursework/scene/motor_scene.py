@@ -185,12 +185,12 @@ class MotorScene(Scene):
         found = self.free_equations.table(t, *q.T, *v.T)
         return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float).T.reshape(len(t), len(found))
 
-    @computed("free_equations", "exact", "stop", "start")
+    @computed("free_equations", "stop", "start")
     def motion(self) -> Motion:
         """The rows of the scheme, or of the motion itself."""
         scheme, time = self.scheme, self.variant.time
         if scheme is None:
-            return self.exact
+            return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
         found = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
         return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
 
