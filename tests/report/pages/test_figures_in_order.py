@@ -11,8 +11,8 @@ import pytest
 
 from coursework.report.text.parts import Figure, Panels, Table
 from tests.command import call
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, solved
-from tests.report.text.test_units_behind import OFFSET
 
 BEGINS = 24  # letters of a caption, its number among them
 
@@ -25,7 +25,8 @@ def plain(text):
 @pytest.mark.parametrize("name", ["whitworth", "own"])
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_numbers_of_figures_grow_on_paper(tmp_path, name, language):
-    (tmp_path / "own.toml").write_text(OFFSET, encoding="utf-8")
+    own = mechanism("slider-crank", ('"0 deg"', '"20 deg"'), n="40 rpm", step="0.05 s", end="1.5 s", period=None)
+    (tmp_path / "own.toml").write_text(own, encoding="utf-8")
     told = call("run", name if name != "own" else tmp_path / "own.toml", "--quantities", "table,plots,checks,graph_check,plans",
                 "--language", language, "--format", "html,pdf", "--out", tmp_path / "out")  # fmt: skip
     assert told.exit_code in (0, 1), told.output
