@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.effects.dynamics.dynamics_checks import _areas
 from tests.effects.dynamics.test_dynamics import pushed
 from tests.effects.test_rubbing import UNRUBBED
 from tests.hard.scenes import check
@@ -46,3 +47,11 @@ def test_a_scheme_makes_energy_or_takes_it_away(scheme, step, way):
     kept = (1 + z if scheme == "euler" else 1 - z**3 / 72 + z**4 / 576) ** 40
     assert told.verdict == "COARSE" and way in told.sentence
     assert f"{abs(kept - 1) * 6.25:.3g} J" in told.sentence  # of 50 N/m stretched by 0.5 m
+
+
+@pytest.mark.parametrize("rows", [2, 3, 4, 9])
+def test_areas_between_rows_are_those_of_a_line_and_from_four_rows_on_of_a_cubic(rows):
+    t = np.linspace(1.0, 3.0, rows)
+    line, cubic = 2 * t + 1, t**3
+    assert _areas(line, t) == pytest.approx(np.diff(t**2 + t))
+    assert (_areas(cubic, t) == pytest.approx(np.diff(t**4 / 4))) is (rows > 3)

@@ -117,6 +117,9 @@ def test_velocities_of_a_pair_must_be_known() -> None:
 def test_numbers_too_large_do_not_leave_as_infinity() -> None:
     with pytest.raises(ValueError, match="RRR: the numbers at row 0 are too large to compute with"):
         rrr(ORIGIN, Pair((1.0, 0.0), (1e200, 0.0)), lengths=(1.0, 1.0), mode=1)
+    fast = np.array([[0.0, 0.0], [1.0, 0.0], [1e200, 0.0]])
+    with pytest.raises(ValueError, match="at row 2 are"):
+        rrr(ORIGIN, Pair((1.0, 0.0), fast), lengths=(1.0, 1.0), mode=1)
 
 
 def test_one_row_of_a_pair_goes_with_many_of_a_guide() -> None:

@@ -51,13 +51,18 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
             ('through = "B", angle = "90 deg"', 'through = "B", angle = "0 deg"'),
             r'V316 .*through B lies at 0°.*angle = "90 deg"',
         ),
+        (
+            mechanism("slider-crank"),
+            ('"A", angle = "0", offset', '"A", angle = "0.5", offset'),
+            r"V316 .*through C lies at 0°, and C moves along (28\.6479|-151\.352)°",
+        ),
         (TRAMMEL, ('through = "B", angle = "90 deg"', 'through = "E", angle = "90 deg"'), "V316 .*E leaves that line"),
         (mechanism("epicyclic"), ('radius = "R0"', 'radius = "1.01*R0"'), "V317 .*radius of 0.1.* contact P is 0.1"),
         (mechanism("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
         (mechanism("31"), ('hinges = ["D"]', 'hinges = ["D", "A"]'), "V319 .*A moves: at t = .*Take it out of hinges"),
         (mechanism("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
     ],
-    ids=["link", "rail", "curved", "circle", "contact on a rail", "moving hinge", "contact in a ring"],
+    ids=["link", "rail", "slope", "curved", "circle", "contact on a rail", "moving hinge", "contact in a ring"],
 )
 def test_a_link_or_frame_that_contradicts_the_points_is_told(text, slip, told):
     with pytest.raises(coursework.InputError, match=told):
