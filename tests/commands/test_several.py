@@ -79,8 +79,8 @@ def test_the_same_bytes_from_several_processes(folder):
 
 
 def test_patterns_are_expanded_by_us(folder):
-    result = call("run", "[ms]*.toml", "mine", *CSV, "--out", "o")
-    assert list(summary(Path("o"))) == ["mine.toml", "stops.toml"]  # mine only once
+    result = call("run", "[ms]*.toml", "mine", "31", *CSV, "--out", "o")
+    assert list(summary(Path("o"))) == ["mine.toml", "stops.toml", "31"]  # mine only once, and what comes after it too
     assert result.exit_code == 1
     assert call("run", "x*.toml", *CSV, "--out", "p").exit_code == 2
     assert list(summary(Path("p"))) == ["x*.toml"]
