@@ -207,8 +207,11 @@ def explained(message: str, text: str, file: str) -> Fault:
     found = lines[line - 1].strip() if 0 < line <= len(lines) else ""
     advice = _strange(lines[line - 1], column - 1) if found and column and _KEY_EXPECTED.match(reason) else None
     advice = advice or _advice(reason, found)
-    told = say("fault.V009", advice=advice, found=found[:60]) if found else say("fault.V010", advice=advice)
-    return Fault(told, file, line, column)
+    return Fault(_told(advice, found), file, line, column)
+
+
+def _told(advice: str, found: str) -> Sentence:
+    return say("fault.V009", advice=advice, found=found[:60]) if found else say("fault.V010", advice=advice)
 
 
 def _strange(line: str, at: int) -> str | None:
@@ -228,8 +231,7 @@ def _with_other_keys(first: Fault, text: str) -> list[Fault]:
     lines, found = text.split("\n"), [first]
     for line, key in keys.items():
         if line > first.line and (advice := _strange(lines[line - 1], key.start(1))):
-            told = say("fault.V009", advice=advice, found=lines[line - 1].strip()[:60])
-            found.append(Fault(told, first.file, line, key.start(1) + 1))
+            found.append(Fault(_told(advice, lines[line - 1].strip()), first.file, line, key.start(1) + 1))
     return found
 
 
