@@ -10,6 +10,7 @@ near zero, a step that is too wide, …) is solved alone, as `solve` does it, an
 from __future__ import annotations
 
 import math
+import operator
 import tempfile
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -94,12 +95,12 @@ class Solutions:
         return pd.DataFrame(dict(self.sets.given), index=pd.RangeIndex(len(self), name="set"))
 
     def table(self, index: int) -> pd.DataFrame:
-        """Return the table of one set (index t), as `solve` gives it: only the rows it has."""
+        """Return the table of one set (index t), as `solve` gives it: only the rows it has.  Raises `IndexError`."""
         import pandas as pd
 
         from coursework.takeaway.frames import time_index
 
-        rows = self.values[index]
+        rows = self.values[operator.index(index)]
         kept = ~np.isnan(rows).any(axis=1)
         return pd.DataFrame(rows[kept], index=time_index(self.t[kept]), columns=list(self.columns))
 

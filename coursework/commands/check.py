@@ -8,6 +8,7 @@ from __future__ import annotations
 from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
+from coursework.motion.geometry.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
@@ -52,7 +53,8 @@ def check_variant(variant: str) -> int:
     else:
         key = "screen.closed" if closure.complete else "screen.open"
         tell(say_count(key, len(closure.names)))
-        if doubt := open_to_doubt(closure):
+        at_once = scene.stop is not None and not scene.stop.time  # a dead point at the start hides what the geometry gives
+        if not at_once and (doubt := open_to_doubt(closure)):
             tell(doubt[0])
     begun = start_of(closure)
     if begun.verdict != "PASS" and begun.sentence != say("check.START.skip"):
@@ -76,12 +78,16 @@ def _tell_mobility(run: Run) -> None:
     sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
     drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
     verdict = say("screen.driven", number=drives)
+    twice: tuple[tuple[str, str], ...] = ()
     if drives and mobility.degrees != drives:
+        twice = hinges_with_two_names(run.scene.equations, run.scene.closure) if run.scene.closure else ()
         way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
         verdict = way or say("screen.driven_otherwise", drives=drives)
     if not drives or run.variant.motor is not None:
         verdict = say("screen.as_listed")
     tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))
+    for one, other in twice:
+        tell(say("screen.two_names", one=one, other=other))
 
 
 def _along_its_guide(variant: Variant) -> Sentence | None:

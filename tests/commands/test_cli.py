@@ -17,6 +17,7 @@ from coursework.results.checks.check import CHECKS
 from coursework.system.extras import installed_from
 from coursework.variant.catalogue import entries
 from tests.command import call
+from tests.mechanisms.library import mechanism
 
 pytestmark = pytest.mark.usefixtures("folder")
 PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
@@ -161,6 +162,18 @@ def test_two_where_the_input_is_wrong(case, folder):
     assert sentence in result.stderr
     assert "Traceback" not in result.output
     assert list(folder.iterdir()) == []
+
+
+@pytest.mark.parametrize(("ends", "twice"), [(("R", "S"), True), (("R", "R"), False)])
+def test_a_hinge_with_two_names_is_told_where_the_freedoms_do_not_agree(ends, twice):
+    links = "".join(
+        f'{place} = {{ points = ["{a}", "{b}"] }}\n' for place, (a, b) in enumerate(("OP", ("P", ends[0]), ("Q", ends[1])), 1)
+    )
+    Path("own.toml").write_text(
+        f'{mechanism("four-bar-by-its-points")}[links]\n{links}[frame]\nhinges = ["O", "Q"]\n', encoding="utf-8"
+    )
+    told = call("check", "own.toml").stdout
+    assert ("R and S stand in one place throughout." in told) == twice == ("but 1 are driven" in told)
 
 
 def test_what_forces_move_is_not_called_driven_nor_its_motion_refined():

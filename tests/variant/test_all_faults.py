@@ -103,12 +103,14 @@ def test_a_table_of_keys_says_which():
 
 @pytest.mark.parametrize(
     ("written", "advised"),
-    [("1/90 s", "0.0111111111 s"), ("1000/90 ms", "11.1111111 ms"), ("2*pi/(90*n) s", "2*pi/(90*n)")],
+    [("1/90 s", "0.0111111111111111 s"), ("1000/90 ms", "11.1111111111111 ms"), ("2*pi/(90*n) s", "2*pi/(90*n)")],
 )
 def test_a_formula_with_a_unit_behind_it(written, advised):
     (line,) = told(SHAPER.replace('step = "1/90"', f'step = "{written}"'))
     assert line.endswith(f'Write "{advised}".')
-    assert parse_variant(SHAPER.replace('step = "1/90"', f'step = "{advised}"'), "shaper").time.step > 0
+    for end, rows in (("4/3", 120), ("4", 360)):
+        mended = parse_variant(re.sub('end = ".*"', f'end = "{end}"', SHAPER.replace('"1/90"', f'"{advised}"')), "shaper")
+        assert mended.time.steps == rows or "n" in advised
 
 
 def test_a_start_is_told_in_the_unit_that_was_typed():

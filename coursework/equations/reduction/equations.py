@@ -134,7 +134,10 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
 def _bound(geometry: Geometry, equations: tuple[VelocityEquation, ...]) -> tuple[VelocityEquation, ...]:
     """Return what the geometry says of velocities of [unknowns] and of links that no position has."""
     said = geometry.bound()
-    known = {name for equation in equations if equation.written is None for name in equation.coefficients}
+    held = [equation for equation in equations if equation.written is None]
+    known = {name for equation in held for name in equation.coefficients}
+    if len(held) < len(known):  # positions alone leave some of these open; what rolls is then told by its contact
+        known -= {link.rate for link in geometry.variant.links if link.contact and link.rate}
     found = []
     for one in (*said, *geometry.rates_of_links(known | {one.name for one in said})):
         because = say("equation.rate_of_link", name=one.name, link=one.link) if one.link else say("equation.bound", name=one.name)

@@ -33,7 +33,7 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
     `mode` +1: C to the left of the ray from B to D, -1: right.  Coordinates theta_i, theta_j (rad); meets C.
     determinant = r_i r_j sin(theta_i - theta_j) (m^2), scaled = sin(theta_i - theta_j).
     Raises `CannotAssemble` unless |r_i - r_j| <= BD <= r_i + r_j; `AtDeadPoint` where the links lie on one
-    line, unless `positions_only`; `ValueError` for a mode or a length that does not exist.
+    line, unless `positions_only`; `ValueError` for a mode or a length that does not exist, or where there are not two.
 
     >>> import numpy as np
     >>> from coursework.procedures import Pair, rrr
@@ -47,6 +47,8 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
     B and D are 0.8000 m apart, the two links reach 0.7000 m; together they are 0.1000 m too short.
     """
     assembly.require_mode("RRR", mode, MODES)
+    if not hasattr(lengths, "__len__") or len(lengths) != 2:
+        raise ValueError(f"RRR: two lengths were expected, of the link from B and of the link from D, found {lengths!r}.")
     b, d = pair_of(b), pair_of(d)
     r_i, dr_i, ddr_i = assembly.length("RRR, the link from B", lengths[0])
     r_j, dr_j, ddr_j = assembly.length("RRR, the link from D", lengths[1])

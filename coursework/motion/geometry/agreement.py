@@ -18,6 +18,7 @@ from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import CONFIGURATIONS, Closure, compile_closure
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
+from coursework.variant.record.variant import Binding
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -148,7 +149,7 @@ def _faults(
     for place in alone:
         one = written[place - first]
         rows = every[:, [*range(first), place]]
-        bound = next((bound.name for bound in equations.bound if bound.name in one.coefficients), "")
+        bound = next((bound for bound in equations.variant.bindings if bound.name in one.coefficients), None)
         about = _of_bound(bound, equations, rows) if bound else ""
         faults.append(Fault(say("fault.V302", name=one.name, about=about, sections=_sections(equations)), file, one.line))
     return faults
@@ -161,12 +162,16 @@ def _sections(equations: VelocityEquations) -> tuple[str, str]:
     return "[points]", "[[group]]" if equations.variant.groups else "closure = …" if equations.positions else "[unknowns]"
 
 
-def _of_bound(name: str, equations: VelocityEquations, rows: Array) -> Sentence:
-    """Return what is told of an unknown that the last of the rows holds: whether it agrees where that counts the other way."""
+def _of_bound(bound: Binding, equations: VelocityEquations, rows: Array) -> Sentence:
+    """Return what is told of an unknown that the last of the rows holds: whether it agrees where that counts the other way.
+
+    That is asked of a velocity along a direction alone: the rate of a link has none that could be turned.
+    """
     turned = rows.copy()
-    turned[:, -1, equations.unknowns.index(name)] *= -1
-    key = "fault.bound.is_right" if _contradictory(turned).any() else "fault.bound.other_way"
-    return say(key, name=name, line=equations.variant.nearest_line("unknowns", name))
+    turned[:, -1, equations.unknowns.index(bound.name)] *= -1
+    agrees_turned = bound.along is not None and not _contradictory(turned).any()
+    key = "fault.bound.other_way" if agrees_turned else "fault.bound.is_right"
+    return say(key, name=bound.name, line=equations.variant.nearest_line("unknowns", bound.name))
 
 
 def _require_free(equations: VelocityEquations, times: Array, positions: Array) -> None:

@@ -8,6 +8,8 @@ Used by `geometry/`, `exact_scene.py`, `way_to_motion.py`, `settings.py` and `mo
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,10 +46,11 @@ def is_chain(variant: Variant) -> bool:
     return bool(given) and all(c.name in given or c.rate in variant.known_rates for c in variant.coordinates)
 
 
-def chain_positions(equations: VelocityEquations, times: Array) -> Array:
+def chain_positions(equations: VelocityEquations, times: Array, *, advises: bool = True) -> Array:
     """Return the coordinates (n, m) at `times` (s, growing from 0), angles continuous, group after group.
 
     What neither a drive nor a group gives keeps its start value: that is right for all times in a chain, else at t = 0 only.
+    Where a group cannot be assembled at the start, it `advises` the other mode of an earlier one with which it can.
     """
     variant, rows = equations.variant, len(times)
     driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
@@ -74,6 +77,8 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
                 reason = say("group.dead.undecided", found=reason)
             elif 0 < error.shortage < HIDDEN:
                 reason = joined([reason, say("group.nearly")])
+            elif advises and error.row == 0 and (other := _other_mode(equations, number)):
+                reason = joined([reason, other])
             known = {"kind": group.kind, "time": float(times[error.row]), "reason": reason}
             told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
             raise _fault(told, number, group, variant) from error
@@ -84,6 +89,18 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
             angle = coordinate.unit == "rad"
             q[:, place] = _continued(found[:, column], coordinate.start_or_guess) if angle else found[:, column]
     return q if len(q) == rows else q[kept]
+
+
+def _other_mode(equations: VelocityEquations, number: int) -> Sentence | None:
+    """Return which group before this one, put together the other way, lets it close at the start; None where none does."""
+    listed = equations.variant.groups
+    for place, group in enumerate(listed[: number - 1]):
+        for mode in group_kind(group.kind).modes if group.mode else ():
+            tried = (*listed[:place], replace(group, mode=mode), *listed[place + 1 : number])
+            with suppress(InputError):
+                chain_positions(replace(equations, variant=replace(equations.variant, groups=tried)), np.zeros(1), advises=False)
+                return say("group.other_mode", number=place + 1, mode=f"{mode:+d}")
+    return None
 
 
 def _close_together(equations: VelocityEquations, driven: Sequence[Coordinate], times: Array) -> tuple[Array, Array, Array]:

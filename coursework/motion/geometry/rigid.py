@@ -1,7 +1,8 @@
 """Whether [links] and [frame] are what the points of a file do: links keep their shape, hinges rest, guides lie where points run.
 
-Enters: velocity equations and their closure.  Leaves: nothing.  Raises `InputError` naming each link, rail, circle.
-Used by `unseen_signs.py`.  No column of the table feels a guide across the way of its slider; drawing, plans and forces do.
+Enters: velocity equations and their closure.  Leaves: hinges with two names.  Raises `InputError` naming each link, rail, circle.
+Used by `unseen_signs.py` and `commands/check.py`.
+No column of the table feels a guide across the way of its slider; drawing, plans and forces do.
 """
 
 from __future__ import annotations
@@ -57,15 +58,31 @@ def _may_move(point: str, variant: Variant) -> bool:
     return point not in places or not {*reached([point], places)} <= {point, *places, *variant.values, "pi"}
 
 
+def hinges_with_two_names(equations: VelocityEquations, closure: Closure) -> tuple[tuple[str, str], ...]:
+    """Return points of two links that stand in one place throughout: a joint that is not counted, with no name in common."""
+    seen = _seen(equations, closure)
+    links = [{*link.points, link.wheel or ""} for link in equations.variant.links]
+    pairs = [pair for pair in combinations(seen.tracks, 2) if all(any(name in of for of in links) for name in pair)]
+    return tuple(
+        pair
+        for pair in pairs
+        if not any({*pair} <= of for of in links) and np.max(seen.apart(*pair)) <= OPEN * closure.scale and seen.keeps(*pair)
+    )
+
+
 def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
+    seen = _seen(equations, closure)
+    return [*seen.of_links(), *seen.of_hinges(), *seen.of_rails(), *seen.of_circles()]
+
+
+def _seen(equations: VelocityEquations, closure: Closure) -> _Seen:
     variant, vectors = equations.variant, equations.symbols.vectors
     times, positions = closure.configurations
     found = compile_values(equations, [part for vector in vectors.values() for part in vector])[1](times, *positions.T)
     parts = np.array([np.broadcast_to(np.asarray(part, dtype=float), times.shape) for part in found])
     tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}
     growing = [positions[:, place] for place, one in enumerate(variant.coordinates) if one.unit == "m"]
-    seen = _Seen(variant, times, tracks, growing, closure.scale)
-    return [*seen.of_links(), *seen.of_hinges(), *seen.of_rails(), *seen.of_circles()]
+    return _Seen(variant, times, tracks, growing, closure.scale)
 
 
 @frozen
@@ -86,11 +103,11 @@ class _Seen:
         bars = {link.name: link.points for link in self.variant.links}
         for link in self.variant.links:
             points = [*link.points, *([link.wheel] if link.wheel else [])]
-            pairs = [pair for pair in combinations(points, 2) if not self._keeps(self._apart(*pair))]
+            pairs = [pair for pair in combinations(points, 2) if not self.keeps(*pair)]
             pairs = [pair for pair in pairs if not (self._grows(*pair) and self._straight(points, *pair))]
             if pairs:
                 yield self._fault(
-                    ("links", link.name), self._not_rigid(link, *max(pairs, key=lambda pair: np.ptp(self._apart(*pair))))
+                    ("links", link.name), self._not_rigid(link, *max(pairs, key=lambda pair: np.ptp(self.apart(*pair))))
                 )
                 continue
             offs = [[self._off(point, *pair) for pair in combinations(bars.get(link.slides or "", ()), 2)] for point in points]
@@ -136,7 +153,7 @@ class _Seen:
         ]
         for wheel in (link for link in links if circles and link.wheel and link.contact and link.contact not in others):
             contact = wheel.contact or ""
-            away = [float(self._apart(contact, name)[0]) for _, name, _ in circles]
+            away = [float(self.apart(contact, name)[0]) for _, name, _ in circles]
             near = min(range(len(circles)), key=lambda at: abs(away[at] - circles[at][2]))
             place, centre, radius = circles[near]
             if abs(away[near] - radius) > _TOLERANCE * self.scale:
@@ -156,9 +173,9 @@ class _Seen:
         """Return that two points of a link do not keep their distance, and which points each of them does keep it to."""
         kept = []
         for point in (one, other):
-            if others := tuple(name for name in self.tracks if name != point and self._keeps(self._apart(point, name))):
+            if others := tuple(name for name in self.tracks if name != point and self.keeps(point, name)):
                 kept.append(say("fault.V314.keeps", point=point, others=others))
-        known = {"link": link.name, "one": one, "other": other, **self._between(self._apart(one, other))}
+        known = {"link": link.name, "one": one, "other": other, **self._between(self.apart(one, other))}
         return say("fault.V314.kept", **known, kept=joined(kept)) if kept else say("fault.V314.alone", **known)
 
     def _between(self, sizes: Array) -> dict[str, float]:
@@ -166,8 +183,13 @@ class _Seen:
         place = int(np.argmax(np.abs(sizes - sizes[0])))
         return {"first": float(sizes[0]), "last": float(sizes[place]), "time": float(self.times[place])}
 
-    def _apart(self, one: str, other: str) -> Array:
+    def apart(self, one: str, other: str) -> Array:
+        """Return the distance of two points (c,)."""
         return np.abs(self.tracks[one] - self.tracks[other])
+
+    def keeps(self, one: str, other: str) -> bool:
+        """Return whether two points keep their distance."""
+        return self._keeps(self.apart(one, other))
 
     def _off(self, point: str, one: str, other: str) -> Array:
         """Return how far (c,) a point lies beside the line through two others, nan where these are one."""
@@ -190,7 +212,7 @@ class _Seen:
 
     def _grows(self, one: str, other: str) -> bool:
         """Return whether two points are the ends of an arm that grows: a vector in [points], or as long as a coordinate says."""
-        if any(self._keeps(self._apart(one, other) + sign * length) for length in self.growing for sign in (-1, 1)):
+        if any(self._keeps(self.apart(one, other) + sign * length) for length in self.growing for sign in (-1, 1)):
             return True
         placed = dict(self.variant.points)
         return any(

@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.system.arrays import Array
 from coursework.system.frozen import caching, frozen
+from coursework.variant.record.variant import no_column
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -110,7 +111,7 @@ class Motion:
         for names, rows in ((self.coordinate_names, self.coordinates), (self.velocity_names, self.velocities)):
             if name in names:
                 return rows[:, names.index(name)]
-        raise KeyError(name)
+        raise KeyError(str(no_column(name, ("t", *self.names))))
 
     @cached_property
     def names(self) -> tuple[str, ...]:

@@ -149,6 +149,9 @@ def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
         for centre, rim in circles:
             radius = np.abs(each.at[rim] - each.at[centre])
             shown += [each.at[centre] + radius * (1 + 1j), each.at[centre] - radius * (1 + 1j)]
+        for slot in outline.slots:  # a lever reaches beyond the points of the file
+            (beside, low, high), along = each.line(slot), each.along(slot.base, slot.toward)
+            shown += [each.at[slot.at] + along * (1j * beside + end) for end in (min(low, 0.0), max(high, 0.0))]
     every = np.concatenate(shown)
     size = float(max(np.ptp(every.real), np.ptp(every.imag))) or 1.0
     field.set_xlim(every.real.min() - 0.12 * size, every.real.max() + 0.12 * size)
@@ -160,8 +163,10 @@ def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
 
 def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion, words: Words) -> Line2D:
     """Draw the coordinate whose table is farthest from the motion, and return the cursor."""
+    inside = exact.t <= table.t[-1]  # behind the last row nothing can be compared
     gaps = [
-        np.max(np.abs(np.interp(exact.t, table.t, a) - b)) for a, b in zip(table.coordinates.T, exact.coordinates.T, strict=True)
+        np.max(np.abs(np.interp(exact.t, table.t, a) - b)[inside])
+        for a, b in zip(table.coordinates.T, exact.coordinates.T, strict=True)
     ]
     name = table.coordinate_names[int(np.argmax(gaps))]
     axes.plot(exact.t, exact.column(name), color="black", linewidth=1.4)

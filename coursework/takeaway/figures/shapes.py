@@ -157,8 +157,15 @@ def _paths(element: ElementTree.Element, height: float) -> Iterator[Shape]:
     if element.get("d", "").startswith("m") and len(leans) == 1 and all(len(points) == 2 for points, _ in pieces):
         yield Hatching(tuple(points[0] for points, _ in pieces), leans.pop(), pen)
         return
+    band = float(element.get("stroke-width", 0)) if element.get("stroke") == "white" else 0.0
     for points, closed in pieces:
-        yield Chain(points, closed, fill, pen)
+        yield Chain(_beside(*points, band), True, fill, pen) if band and len(points) == 2 else Chain(points, closed, fill, pen)
+
+
+def _beside(a: complex, b: complex, width: float) -> tuple[complex, ...]:
+    """Return the corners of what a white line covers: a masking area has no width of its own."""
+    aside = 0.5j * width * (b - a) / abs(b - a)
+    return a - aside, b - aside, b + aside, a + aside
 
 
 def _pieces(way: str, height: float) -> Iterator[tuple[tuple[complex, ...], bool]]:

@@ -181,9 +181,9 @@ def _untouched(variant: Variant) -> Iterator[_Found]:
 
 
 def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
-    """Yield the drives that move nothing: no rate, no velocity of the driven point, in no equation, point or law.
+    """Yield what has no part in the file: data in no formula; drives that are no rate, no velocity of the driven point besides.
 
-    What is zero has no term in an equation.
+    What is zero has no term in an equation.  Velocity equations alone have neither an offset nor the place of a pivot.
     """
     formulas = chain((one for _, one in variant.formulas()), (one for place in dimensions.places for one in place.formulas))
     read = {*variant.rates, *(link.rate for link in variant.links), *(name for one in formulas for name in one.names())}
@@ -191,6 +191,9 @@ def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     for law in variant.drive:
         if law.name not in read and not (law.formula and known_value(law.formula, variant.values) == 0):
             yield "IDLE", ("drive", law.name), say("remark.idle", name=law.name)
+    for given in variant.given:
+        if given.value and given.name not in read and (variant.points or variant.groups):
+            yield "UNUSED", ("given", given.name), say("remark.unused", name=given.name)
 
 
 def _written_lengths(variant: Variant) -> set[str]:

@@ -232,7 +232,8 @@ def _readers(source: Source) -> tuple[Callable[[str | int | float, str], units.Q
 def _without_unit(text: str, wanted: str = "") -> Sentence | None:
     """Return what is said of a formula with a unit behind it, such as "1/90 s"; None for any other text.
 
-    Advised is that unit, or `wanted` (an SI unit) where it measures something else.
+    Advised is that unit, or `wanted` (an SI unit) where it measures something else, and all digits: with nine the last row of a
+    table would be missed.
     The unit of "phi1 + 90 deg" is that of the number, which would measure something else without it.
     """
     tree, formula, unit = _split(text)
@@ -242,7 +243,7 @@ def _without_unit(text: str, wanted: str = "") -> Sentence | None:
     if value is None and _ENDS_IN_NUMBER.search(formula) and units.size_of(unit) != 1:
         return None
     unit = unit if wanted in {"", UNITS[unit][1]} else wanted
-    advised = formula if value is None else f"{value:.9g} {unit}"
+    advised = formula if value is None else f"{value:.15g} {unit}"
     return say("fault.V160", found=text[:60], advised=advised)
 
 
@@ -253,7 +254,7 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
     if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
         return None
     meant = unit or units.advised_unit(wanted) or ("rad" if "pi" in tree.names() else "")
-    return say("fault.V162", found=text[:60], advised=f"{value:.9g} {meant}".strip())
+    return say("fault.V162", found=text[:60], advised=f"{value:.15g} {meant}".strip())
 
 
 def _split(text: str) -> tuple[Formula | None, str, str]:

@@ -228,7 +228,7 @@ class Frame:
 class Remark:
     """Something that looks like a slip of the pen and changes no status: a stable code, the line, a sentence.
 
-    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD, RPM, LINKS, IDLE, GUIDE, CONTACT.
+    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD, RPM, LINKS, IDLE, UNUSED, GUIDE, CONTACT.
     """
 
     code: str

@@ -33,6 +33,7 @@ _NOT_STRUCTURE = re.compile(
 )
 _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
+_OPEN_KEY = re.compile(r"[ \t]*([\w-]+)[ \t]*=")
 QUOTES = re.compile("[“”„«»‘’]")
 _KEY_EXPECTED = re.compile(r"Invalid statement|Invalid initial character|Expected '=' after|Expected '\]'")
 # What the reader's message begins with -> the last part of the key of the advice.
@@ -160,7 +161,7 @@ def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
-        raise InputError([explained(str(error), text, file)]) from error
+        raise InputError(_with_other_keys(explained(str(error), text, file), text)) from error
     source = Source(file, folder, data, locate(text))
     # Hexadecimal digits make numbers of any size, which Python neither prints nor turns into a float.
     if huge := [*_huge(data, ())]:
@@ -177,11 +178,15 @@ def _huge(data: Any, path: KeyPath) -> Iterator[tuple[KeyPath, int]]:
         yield from _huge(value, (*path, key))
 
 
+def _structure(text: str) -> list[str]:
+    """Return the lines of a text without its texts and remarks."""
+    return _NOT_STRUCTURE.sub(lambda match: "q" + "\n" * match[0].count("\n"), text).split("\n")
+
+
 def _too_deep(text: str) -> int:
     """Return the first line whose keys or brackets are nested too deeply, 0 if there is none.  Reads each letter once."""
-    bare = _NOT_STRUCTURE.sub(lambda match: "q" + "\n" * match[0].count("\n"), text)
     depth = 0
-    for number, line in enumerate(bare.split("\n"), start=1):
+    for number, line in enumerate(_structure(text), start=1):
         for bracket in _BRACKET.findall(line):
             depth += 1 if bracket in "[{" else -1
             if depth > _MAX_NESTING:
@@ -202,8 +207,11 @@ def explained(message: str, text: str, file: str) -> Fault:
     found = lines[line - 1].strip() if 0 < line <= len(lines) else ""
     advice = _strange(lines[line - 1], column - 1) if found and column and _KEY_EXPECTED.match(reason) else None
     advice = advice or _advice(reason, found)
-    told = say("fault.V009", advice=advice, found=found[:60]) if found else say("fault.V010", advice=advice)
-    return Fault(told, file, line, column)
+    return Fault(_told(advice, found), file, line, column)
+
+
+def _told(advice: str, found: str) -> Sentence:
+    return say("fault.V009", advice=advice, found=found[:60]) if found else say("fault.V010", advice=advice)
 
 
 def _strange(line: str, at: int) -> str | None:
@@ -212,6 +220,19 @@ def _strange(line: str, at: int) -> str | None:
     if strange := foreign_letter(key):
         return say("fault.toml.letter", number=strange[0] + 1, strange=strange[1])
     return None if key.isascii() else say("fault.toml.greek", key=key)
+
+
+def _with_other_keys(first: Fault, text: str) -> list[Fault]:
+    """Return a fault; where it is a key with letters of another alphabet, those of all such keys of the text behind it."""
+    lines_left = enumerate(_structure(text), start=1)
+    keys = {line: key for line, one in lines_left if (key := _OPEN_KEY.match(one)) and not key[1].isascii()}
+    if first.line not in keys:
+        return [first]
+    lines, found = text.split("\n"), [first]
+    for line, key in keys.items():
+        if line > first.line and (advice := _strange(lines[line - 1], key.start(1))):
+            found.append(Fault(_told(advice, lines[line - 1].strip()), first.file, line, key.start(1) + 1))
+    return found
 
 
 def _advice(reason: str, found: str) -> str:

@@ -28,6 +28,11 @@ def row_of_pins(*places: float) -> Pair:
             lambda: rrp(ORIGIN, X_AXIS, length=1.0, mode=2),
             "RRP: assembly mode 2 does not exist. Modes: +1 (the larger s), -1",
         ),
+        (
+            lambda: rrr(ORIGIN, ORIGIN, lengths=(0.4,), mode=1),  # type: ignore[arg-type]
+            "RRR: two lengths were expected, of the link from B and of the link from D, found (0.4,).",
+        ),
+        (lambda: rrr(ORIGIN, ORIGIN, lengths=0.4, mode=1), "RRR: two lengths were expected"),  # type: ignore[arg-type]
         (lambda: rpr(ORIGIN, ORIGIN, mode=-2), "RPR: assembly mode -2 does not exist."),
         (
             lambda: rrr(ORIGIN, ORIGIN, lengths=(-1.0, 1.0), mode=1),

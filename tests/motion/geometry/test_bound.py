@@ -16,8 +16,8 @@ from tests.mechanisms.library import mechanism
 TEMPLATE = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8").replace("NAME", "mine")
 BOUND = 'u = { unit = "m/s", of = "B", along = "0 deg" }'
 # A slider-crank; a shaper, whose u is its block along the lever; the same as a chain with three velocities by hand beside it;
-# two gears and a sleeve on the second.
-OWN = ("slider-crank-with-slide-velocity", "shaper-equations", "shaper-with-more-velocities", "gears")
+# two gears and a sleeve on the second; gears in two stages, the last with a crank that a position equation leaves open.
+OWN = ("slider-crank-with-slide-velocity", "shaper-equations", "shaper-with-more-velocities", "gears", "gears-and-crank")
 FILES = {"template": TEMPLATE, **{name: mechanism(name) for name in OWN}}
 WRITTEN = re.compile(r'name *= "([^"]+)"\n(?:because *= "[^"]*"\n)?equation *= "([^"]+)"')
 
@@ -100,6 +100,12 @@ def test_a_direction_the_other_way_is_told_as_such():
         closure_of(TEMPLATE.replace('along = "0 deg"', 'along = "180 deg"'))
     other = TEMPLATE.replace('along = "0 deg"', 'along = "180 deg"').replace("r3*w3*sin(phi3) = u", "r3*w3*sin(phi3) = -u")
     assert closure_of(other).unjudged == ()
+
+
+def test_the_rate_of_a_link_has_no_direction_to_turn():
+    wrong = FILES["gears-and-crank"].replace("z3*w2 = -z4*w4", "z3*w2 = z4*w4")
+    with pytest.raises(coursework.InputError, match=r"equation second contradicts .* w2 is taken as line 19 says\.$"):
+        closure_of(wrong)
 
 
 def test_what_the_geometry_says_stands_for_an_equation_where_none_is_written():

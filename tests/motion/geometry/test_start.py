@@ -6,7 +6,7 @@ import pytest
 
 import coursework
 from coursework.motion.geometry.start import start_values
-from tests.mechanisms.library import changed
+from tests.mechanisms.library import changed, mechanism
 from tests.scene.model.test_start import angles, four_bar
 
 FROM, NAMES = 'from = ["B", "D"]', 'coordinates = ["phi2", "phi3"]'
@@ -53,3 +53,15 @@ def test_points_or_coordinates_in_the_other_order_are_told_where_the_start_shows
         told = found[0][1]
         assert (told["number"], told["kind"], told["key"]) == (2, "RRR", key)
         assert told["swapped"] == {"from": '["B", "D"]', "coordinates": '["phi2", "phi3"]'}[key]
+
+
+@pytest.mark.parametrize(("rod", "mended"), [("0.30 m", True), ("0.001 m", False)])
+def test_the_other_mode_of_an_earlier_group_is_advised_where_with_it_a_group_closes(rod, mended):
+    other = 'coordinates = ["phi3", "s"]\nmode = "-1"'
+    wrong = mechanism("shaper", ('coordinates = ["phi3", "s"]\nmode = "+1"', other), b=rod)
+    with pytest.raises(coursework.InputError, match=r"V306 .*group 3 .*too short\.") as caught:
+        _ = coursework.solve(coursework.parse_variant(wrong)).table
+    assert str(caught.value).endswith('With mode = "+1" in group 2 it can.') == mended
+    if mended:
+        right = changed(wrong, (other, other.replace("-1", "+1")))
+        assert coursework.solve(coursework.parse_variant(right)).stop is None

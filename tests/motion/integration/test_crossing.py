@@ -56,5 +56,5 @@ def test_motions_are_equal_where_their_names_scheme_step_stop_and_rows_are():
     with pytest.raises(ValueError, match="read-only"):
         motion.rows[0, 0] = 1.0
     assert motion.column("t") is motion.t and motion.column("w3").tolist() == motion.rows[:, motion.names.index("w3")].tolist()
-    with pytest.raises(KeyError):
+    with pytest.raises(KeyError, match=r"no column 'w9'.*t, .*w3"):
         motion.column("w9")

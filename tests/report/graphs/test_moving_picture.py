@@ -11,10 +11,13 @@ from PIL import Image
 import coursework
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
+from coursework.report.graphs import moving_picture as moving_picture_module
 from coursework.report.graphs.moving_picture import DPI, SETTINGS, Joints, Shape, draw_ground, label_text, moving_picture
 from coursework.report.text.symbols import symbol
+from coursework.report.text.words import Words
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases
+from tests.mechanisms.library import mechanism
 
 README_PICTURE = Path(__file__).parents[3] / "reports" / "moving.gif"
 
@@ -84,6 +87,38 @@ def test_the_name_of_a_pivot_stands_beside_its_ground_where_fewer_links_pass():
     joints.show(20)
     (beside,) = (word for word in joints.words if word.get_text() == "Z")
     assert beside.get_position()[0] > poses.pose(20)["Z"].real  # its crank and the links on it are to the left
+
+
+LEVER = mechanism(
+    "slotted-lever", ("0.1 m", "0.15 m"), ("68.19859051363818 deg", "59.03624346792648 deg"),
+    ('D = "', 'O = "(0, 0)"\nD = "'),
+    ("[ask]", """[links]
+1 = { points = ["O", "A"], rate = "w1" }
+2 = { points = ["A"], slides = "3", rate = "w3" }
+3 = { points = ["D"], rate = "w3" }
+[ask]"""),
+)  # fmt: skip
+
+
+def test_a_lever_that_reaches_beyond_every_point_stays_in_the_window():
+    run = coursework.solve(coursework.parse_variant(LEVER), quantities=("table",))
+    outline = read_outline(run.scene.mechanism)
+    poses = read_poses(outline, run.scene.equations)(run.exact.t, run.exact.coordinates)
+    field = Figure().add_subplot()
+    shape = Shape(field, outline, poses, moving_picture_module._window(field, outline, (poses, poses)))
+    (left, right), (low, high) = field.get_xlim(), field.get_ylim()
+    for frame in range(0, len(run.exact.t), 4):
+        shape.show(frame, dashed=False)
+        x, y = np.vstack([line.get_xydata() for line in field.lines]).T
+        assert left < np.nanmin(x) <= np.nanmax(x) < right and low < np.nanmin(y) <= np.nanmax(y) < high
+
+
+def test_the_graph_shows_what_is_off_within_the_table():
+    """The table ends before the motion does; there the driven angle, exact in every row, is farthest from its last row."""
+    run, longer = (coursework.solve(coursework.parse_variant(LEVER), end=end, quantities=("table",)) for end in (0.9, 1.0))
+    axes = Figure().add_subplot()
+    moving_picture_module._graph(axes, run, run.motion, longer.exact, Words(load_phrases()))
+    assert axes.get_title(loc="left").startswith("th")
 
 
 def test_a_file_without_points_has_nothing_to_show(tmp_path):

@@ -120,7 +120,8 @@ SUMMARIES = {
     ),
     "wrong": (
         [judged("STOP", "PASS"), judged("RESIDUAL", "FAIL"), judged("ACCURACY", "FAIL"), judged("PERIOD-POSITION", "FAIL")],
-        "The table is not computed right: 1 of 2 checks of the computation; see RESIDUAL. A sentence. Wrong: PERIOD-POSITION.",
+        "The table is not computed right: 1 of 2 checks of the computation pass; see RESIDUAL. A sentence. "
+        "Wrong: PERIOD-POSITION.",
     ),
     "the tool itself": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.01, column="w1", row=2), judged("DRIFT", "ERROR")],

@@ -94,3 +94,14 @@ def test_a_mechanism_that_nothing_drives_is_no_table_that_passes():
     run = coursework.solve(coursework.parse_variant(text), "rk4")
     assert next(one for one in run.checks if one.code == "STOP").verdict == "SKIP"
     assert run.summary.startswith("Nothing moves: every velocity is zero in each of the 21 rows.")
+
+
+def test_a_dead_point_at_the_start_is_no_lack_of_the_file(tmp_path):
+    """There the geometry gives no velocity, and to say more in [points] or [closure] would mend nothing."""
+    file = tmp_path / "arm.toml"
+    file.write_text(mechanism("arm-with-relative-angle", ("1 rad", "180 deg")), encoding="utf-8")
+    run = coursework.solve(file)
+    found = next(check for check in run.checks if check.code == "AGREEMENT")
+    assert (run.stop.time, found.verdict) == (0.0, "SKIP") and "not judged" not in run.summary
+    told = CliRunner().invoke(main, ["check", str(file)]).stdout
+    assert "dead point" in told and "nothing in the geometry gives" not in told

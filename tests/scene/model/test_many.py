@@ -235,3 +235,10 @@ def test_without_a_mode_a_dyad_closes_next_to_its_start_in_every_set(mode):
     found = coursework.solve_many(free, data, scheme="exact", step=0.02, end=0.5).values
     turned = np.isin(np.arange(found.shape[2]), [2]) * 4 * np.pi  # theta3
     assert np.max(np.abs(found + turned - wanted)) < 1e-9
+
+
+def test_a_table_is_asked_for_by_the_number_of_its_set():
+    many = coursework.solve_many("homework", {"r1": [0.4, 0.41]}, step=0.05)
+    assert many[np.int64(-1)].equals(many[1])
+    with pytest.raises(TypeError, match="slice"):
+        _ = many[0:1]

@@ -47,6 +47,12 @@ def test_a_fill_is_white_black_or_grey(given, fill):
     assert found == Circle(1 + 98j, 3.0, fill, found.pen)
 
 
+def test_a_white_band_covers_its_own_width_whichever_way_it_runs():
+    for far, corners in (("4 0", (1 + 97j, 5 + 97j, 5 + 99j, 1 + 99j)), ("0 -4", (2 + 98j, 2 + 102j, 102j, 98j))):
+        (found,) = shapes(f'<path d="M1 2l{far}" fill="none" stroke="white" stroke-width="2"/>')
+        assert (found.points, found.closed, found.fill, found.pen.width) == (pytest.approx(corners), True, "white", 0.0)
+
+
 HEAD = '<path d="M20 10 17 9 17 11Z" fill="black"/>'
 
 

@@ -69,6 +69,8 @@ def agreement(evidence: Evidence) -> Finding:
     written = _written(evidence)
     if not written:
         return skipped(say("check.AGREEMENT.derived"))
+    if not len(evidence.motion.t) and not _confirmed(evidence):  # a dead point at the start hides what the geometry gives
+        return skipped(say("check.no_row"))
     if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
         return Finding("SKIP", doubt[0], unjudged=doubt[1])
     if not _confirmed(evidence):
