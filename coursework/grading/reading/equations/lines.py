@@ -30,6 +30,7 @@ from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.parts import LIST, parts_of
 from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems import in_rows
+from coursework.grading.reading.equations.vectors import with_entries_named
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.grading.reading.unit_names import unit_of
@@ -56,7 +57,9 @@ _STATEMENT = re.compile(
     r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
     r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
 )
-_TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer|f64|f32|number)\s*=")  # of Pascal, Rust
+_TYPED = re.compile(
+    r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
+)  # of Pascal, Rust, Python
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
 _KEPT = re.compile(
     r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
@@ -143,7 +146,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
     function = ""
-    for number, line in _continued(logical_lines(in_rows(_BLANKS.sub("", text))), names):
+    for number, line in _continued(logical_lines(_by_names(_BLANKS.sub("", text), names)), names):
         if defined := _DEFINED.fullmatch(line):
             called = defined[1] or defined[2]
             meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 of calc_w3
@@ -160,10 +163,17 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
         if returned := _RETURNED.match(bare):
             rest = bare[returned.end() :]  # a list of what is to vanish is the value of no one name
-            bare = f"{function if TURNED.search(rest) and not rest.startswith('[') else ''}{rest}"
+            is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought
+            bare = f"{function if is_value and not rest.startswith('[') else ''}{rest}"
         bare = _closed(bare)
         if any(map(str.isalnum, bare)):  # no line of signs alone below a title
             yield number, bare
+
+
+def _by_names(text: str, names: Names) -> str:
+    """Return a text with the equations of a system for its matrices and with names for the entries of vectors."""
+    variant = names.expected.variant
+    return with_entries_named(in_rows(text, variant.sought), variant, names.spellings)
 
 
 def _closed(line: str) -> str:
