@@ -23,7 +23,7 @@ from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array, shifted
 
 # Schemes that somebody takes for Euler's; their names are the codes of the misconceptions.
-SCHEMES_TRIED = ("heun", "midpoint", "rk4")
+SCHEMES_TRIED = ("heun", "midpoint", "ralston", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
 # Only velocities of such a table are right.

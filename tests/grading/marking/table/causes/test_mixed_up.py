@@ -152,7 +152,17 @@ def heun_at_one_time(machine):
     return machine.table(increment)
 
 
+def ralston(machine):
+    def increment(t, q):
+        first = machine.h * machine.velocities(t, q)[: machine.m]
+        second = machine.h * machine.velocities(t + 2 * machine.h / 3, q + 2 * first / 3)[: machine.m]
+        return (first + 3 * second) / 4
+
+    return machine.table(increment)
+
+
 MIXED = {
+    "ralston": ralston,
     "first_angles": lambda m: m.table(printed=lambda t, q: m.velocities(t, m.start)),
     "angles_above": of_angles_above,
     "time_in_rows": lambda m: m.table(printed=lambda t, q: m.velocities(round(t / m.h), q)),
