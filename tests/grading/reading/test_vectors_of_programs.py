@@ -79,3 +79,15 @@ def test_what_vanishes_and_numbers_of_lines_are_no_rates():
     lines = ["VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)", "2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + r3*w4/2"]
     for form in ("F({k}) = {e}", "Eq({k}): {e} = 0", "F[{k}] = {e}"):
         assert marked("\n".join(form.format(k=k, e=e) for k, e in enumerate(lines, 1))).independent == 2, form
+
+
+def test_what_a_program_does_round_equations_is_none_and_a_decimal_comma_takes_nothing_apart():
+    """An unread line beside a wrong equation is a question to a person: what adds, unpacks, starts and calls is none."""
+    done = [
+        "y0 = np.array([0.7, -6.05])", "y = y + h*rhs(t, y)", "t += h", "phi1, phi2 = phi1 + h*w1, phi2 + h*w2",
+        "const auto [phi1, phi2] = q;", "dydt = [w1; x(1); x(2)];", "y0 <- c(phi1 = 0.2, phi2 = 2.2)", "t[k] = k*h",
+        "sol = solve_ivp(f, (0, 0.5), y0, max_step=0.01)", "double x[2] = {0.7, 6.05}, dxdt[2];",
+    ]  # fmt: skip
+    assert [line for line in done if marked(line).marks] == []
+    for line in ("0,5r3 w4 = r3 w3 (cos phi3 - 2 sin phi3)", "0,5*r3*w4 = r3*w3*cos(phi3) - 2*r3*w3*sin(phi3)"):
+        assert marked(line).independent == 1, line

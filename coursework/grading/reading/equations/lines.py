@@ -22,6 +22,7 @@ from coursework.grading.reading.equations.line_kinds import (
     is_equation_without_sign,
     is_part_of_equation,
     is_row,
+    is_statement,
     is_step,
     own_name,
     sign_of_list,
@@ -51,12 +52,6 @@ _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
-# What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
-_STATEMENT = re.compile(
-    r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
-    r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
-    r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
-)
 _TYPED = re.compile(
     r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
 )  # of Pascal, Rust, Python
@@ -157,7 +152,7 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
             bare = bare[under.end() :]
-        if _STATEMENT.match(bare):
+        if is_statement(bare):
             continue
         bare = bare.strip("'") if bare.startswith("'") else bare
         bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
