@@ -26,7 +26,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
 
 # Raised whenever marks may come out otherwise: a second run then grades everything anew.
-GRADING_VERSION = 14
+GRADING_VERSION = 15
 
 
 @dataclass(frozen=True)

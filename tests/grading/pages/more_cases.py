@@ -21,7 +21,7 @@ from tests.grading.marking import students
 from tests.grading.marking.equations.test_solved import SECOND, SLIP, solved
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.students import DATA, START, H, velocities
-from tests.grading.marking.table.causes.test_mixed_up import moved_by_radians, of_rows_above, with_sines_exchanged
+from tests.grading.marking.table.causes.test_mixed_up import MIXED, moved_by_radians, of_rows_above, with_sines_exchanged
 from tests.grading.pages.truths import RIGHT, cases, files
 from tests.grading.reading.notations import PLAIN
 
@@ -213,6 +213,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "new-phi": files(new_phi()),
         "rows-above": files(of_rows_above(MACHINE)),
         "cosine-in-drive": files(with_sines_exchanged(MACHINE)),
+        **{code.replace("_", "-"): files(made(MACHINE)) for code, made in MIXED.items()},
         "radians-added-to-degrees": {"table.csv": text(moved_by_radians(MACHINE), NAMES)},
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
     }

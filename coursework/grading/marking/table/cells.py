@@ -31,6 +31,7 @@ from coursework.system.arrays import Array, Flags
 
 Marks = NDArray[np.str_]
 
+_PART_OF_PLACE = 1e-3  # of a last place, for round-off
 _ROUND_OFF = 1e-12
 WRONG, MISSING, GIVEN = "wrong", "missing", "given"
 # Right from the student's own earlier cells only.
@@ -102,6 +103,13 @@ def marks_by(key: Key, student: StudentTable, ways: Sequence[Way], given: Flags)
     return marks, ~shown & np.isfinite(values)
 
 
+def _cut_off(start: Array, printed: Array, units: Array) -> Flags:
+    """Return which start values (1, m) are the task's with the digits behind the last place cut off in the place of rounded."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        places = np.floor(np.abs(start) / units + _PART_OF_PLACE) * np.sign(start)
+        return np.asarray(np.abs(printed / units - places) < _PART_OF_PLACE)
+
+
 def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:
     """Return the marks of every cell; `table` (n, m + r) is what stands for the key's where the motion begins elsewhere."""
     table = key.table if table is None else table
@@ -111,7 +119,8 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     units[:, :m] = np.maximum(units[:, :m], own.coarse)  # worked out coarser than printed, a cell misses the key by as much
     ways = (Way(KEY, table, as_printed(key, units)), *own.tried)
     start = Way(START, table[:1, :m], HALF * (student.units[:1, :m] + key.told_to) + _ROUND_OFF)
-    marks, too_coarse = marks_by(key, student, ways, start.holds(values[:1, :m]))
+    begins = start.holds(values[:1, :m]) | _cut_off(table[:1, :m], values[:1, :m], student.units[:1, :m])
+    marks, too_coarse = marks_by(key, student, ways, begins)
     follows = own.holds(values)
     follows[:, m:] |= ways[0].holds(values)[:, m:]
     before, fitted = None, np.zeros(marks.shape, dtype=bool)

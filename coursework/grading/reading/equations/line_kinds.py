@@ -39,6 +39,22 @@ _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # the row, no datum k
 _FEWEST = 4  # words of an expression that is no prose
 
+# What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
+_STATEMENT = re.compile(
+    r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
+    r"|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
+    # It adds to what was, makes vectors of numbers and of names, takes them apart, defines functions, calls what integrates.
+    r"|\w{1,20}\s*[-+*/]=|(?P<same>[^\W\d]\w{0,19})\s*:?=\s*(?P=same)\s*\+"
+    r"|\w{1,20}\s*:?=\s*[\w.]{0,12}\(?\[(?:[\w.,;()\s]|-(?=[\d.]))*\]\)?;?$"
+    r"|(?:[a-z]{2,5}\s){0,2}[\[(]?(?:[^\W\d]\w{0,19},\s*)+[^\W\d]\w{0,19}[\])]?\s*=\s*[A-Za-z][\w.]{0,40}(?:[(\[].*[)\]])?;?$"
+    r"|(?:t|[^\W\d_]{1,5}_?\d{1,2})(?:,\s*[^\W\d]\w{0,19})+\s*=(?!=)[^=]*$"
+    r"|(?:double|float|const|static|\s)+\w{1,20}\[\d*\]\s*="
+    r"|(?:[a-z]{2,5}\s)?\w{1,20}\s*(?:<-|=)\s*(?:function\s*\(|\([\w\s,]*\)\s*=>|\[&\])|\w{1,20}\s*<-\s*c\("
+    r"|\w{1,20}\s*(?:<-|=)\s*(?:\w{1,9}\.)?(?:zeros|ones|empty|linspace|arange|ode\w*|solve_ivp|lsode|ODEProblem|\w*symbols)\s*\("
+    r"|t(?:\[\w\]|\(\w\))?\s*:?=\s*\(?(?:[ikn]|row)(?:\s*-\s*1\s*\))?\s*\*\s*h;?$"
+    r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|n\s*=\s*\d+;?$"
+)
+
 
 def definition(text: str, names: Names) -> tuple[str, Formula] | None:
     """Return the name and the formula of a line that defines a name of the student's own, None for any other line."""
@@ -117,6 +133,15 @@ def is_step(text: str, names: Names) -> bool:
     used = names_in(right, names.spellings) | begun
     used -= {"h"}  # which may be a length of the task, too
     return any(moved == {one.name} and used == {one.name, one.rate} for one in names.expected.variant.coordinates)
+
+
+def is_statement(text: str) -> bool:
+    """Return whether a line is what a program does with equations, or round them, and none itself.
+
+    >>> is_statement("y = y + h*rhs(t, y)"), is_statement("phi1, phi2 = y"), is_statement("w1, w2 = 0"), is_statement("w1 = 2*w2")
+    (True, True, True, False)
+    """
+    return _STATEMENT.match(text) is not None
 
 
 def is_row(text: str) -> bool:

@@ -22,6 +22,7 @@ from coursework.grading.reading.equations.line_kinds import (
     is_equation_without_sign,
     is_part_of_equation,
     is_row,
+    is_statement,
     is_step,
     own_name,
     sign_of_list,
@@ -30,6 +31,7 @@ from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.parts import LIST, parts_of
 from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems import in_rows
+from coursework.grading.reading.equations.vectors import with_entries_named
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.grading.reading.unit_names import unit_of
@@ -50,13 +52,9 @@ _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
-# What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
-_STATEMENT = re.compile(
-    r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
-    r"|(?:const\s)?\[?(?:\w{1,20},\s*)+\w{1,20}\]?\s*=\s*[A-Za-z]\w{0,40}(?:[(\[].*[)\]])?;?$|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
-    r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|(?:t\s*:?=\s*(?:[ikn]|row)\s*\*\s*h|n\s*=\s*\d+);?$"
-)
-_TYPED = re.compile(r"\b(\w{1,40})\s*:\s*(?:double|real|extended|integer|f64|f32|number)\s*=")  # of Pascal, Rust
+_TYPED = re.compile(
+    r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
+)  # of Pascal, Rust, Python
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
 _KEPT = re.compile(
     r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
@@ -143,7 +141,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
     function = ""
-    for number, line in _continued(logical_lines(in_rows(_BLANKS.sub("", text))), names):
+    for number, line in _continued(logical_lines(_by_names(_BLANKS.sub("", text), names)), names):
         if defined := _DEFINED.fullmatch(line):
             called = defined[1] or defined[2]
             meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 of calc_w3
@@ -154,16 +152,23 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
             bare = bare[under.end() :]
-        if _STATEMENT.match(bare):
+        if is_statement(bare):
             continue
         bare = bare.strip("'") if bare.startswith("'") else bare
         bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
         if returned := _RETURNED.match(bare):
             rest = bare[returned.end() :]  # a list of what is to vanish is the value of no one name
-            bare = f"{function if TURNED.search(rest) and not rest.startswith('[') else ''}{rest}"
+            is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought
+            bare = f"{function if is_value and not rest.startswith('[') else ''}{rest}"
         bare = _closed(bare)
         if any(map(str.isalnum, bare)):  # no line of signs alone below a title
             yield number, bare
+
+
+def _by_names(text: str, names: Names) -> str:
+    """Return a text with the equations of a system for its matrices and with names for the entries of vectors."""
+    variant = names.expected.variant
+    return with_entries_named(in_rows(text, variant.sought), variant, names.spellings)
 
 
 def _closed(line: str) -> str:

@@ -32,6 +32,7 @@ _DERIVATIVES = (
     re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
     re.compile(rf"\bdot[\s_]*\(?\s*{_NAME}\s*\)?"),
     re.compile(rf"\b(?:diff|D|Diff|der)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
+    re.compile(rf"{_NAME}\.diff\(\s*t\s*\)"),
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
@@ -47,6 +48,7 @@ _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
 _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[ijkn]\s*\]|\(i\))")
 _LAMBDA = re.compile(r"=\s*(?:lambda\b[\w\s,]{0,60}:|@\s*\([\w\s,]{0,60}\))")  # of Python, of MATLAB
+_METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() of Rust
 _PI = r"(?:(?:np|numpy|math|Math)\.)?(?:pi|π|ПИ|ПІ)(?:\(\))?"
 _IN_DEGREES = re.compile(
     r"\b(?:(?:np|numpy|math|Math)\.)?(?:radians|deg2rad|РАДИАНЫ|РАДІАНИ)\s*(?=\()|(?<=\b(?:sin|cos))d\b"
@@ -67,6 +69,7 @@ def plain(text: str, spellings: Spellings) -> str:
     ['w3', '=', 'w3']
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
+    text = _METHOD.sub(r"\2(\1)", text)
     text = _DEGREES.sub(r"\1(\2*pi/180)", text)
     text = _LAMBDA.sub("= ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
     text = _OF_ROW.sub(lambda found: _of_row(found, spellings), text)
@@ -93,7 +96,7 @@ def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
     before, behind = found[1], found[2]
     if behind != "(" and not behind.lower().startswith(("sin", "cos", "tan", "sqrt")) and spellings.canonical(behind) is None:
         return found[0]
-    if is_field:
+    if is_field or (len(before) > 1 and before.isalpha() and spellings.canonical(before) is None):
         return "" if len(before) > 1 or before.isalpha() else found[0]
     return f"{before}*" if before == ")" or before.isdigit() or spellings.canonical(before) else found[0]
 

@@ -7,6 +7,7 @@ nothing of the kind.  Nothing is computed.  Used by `lines.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from coursework.grading.reading.equations.latex import matrices_in_one_piece
 from coursework.grading.reading.equations.parts import product, vector
@@ -31,17 +32,24 @@ _ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1))  # of the matrix, the unknowns and t
 _TAKEN = rf"(?m)(?:^|(?<=;))[ \t]*{_NAME}[ \t]*=[ \t]*%s[ \t]*[\[(][ \t]*(\d{{1,2}})[ \t]*[\])][ \t]*(?:;|$)"  # w1 = x(1)
 _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
+# One cell of a matrix or of the right side, A(1,2) = … or b[0] = …
+_ELEMENT = re.compile(
+    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:(?:,|\]\s*\[)\s*(\d{1,2})\s*)?[\])]"
+    r"[ \t]*:?=(?!=)([^=;\n]+);?"
+)
+_SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _MOST, _LONGEST, _MOST_CHARACTERS = 20, 4000, 200_000
 
 
-def in_rows(text: str) -> str:
-    r"""Return a text with the equations of a system in the place of its matrix.
+def in_rows(text: str, sought: Sequence[str] = ()) -> str:
+    r"""Return a text with the equations of a system in the place of its matrix; unknowns without names are those `sought`.
 
     >>> in_rows("A = [a, b; c, d]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)")
     '(a)*(w1) + (b)*(w2) = e; (c)*(w1) + (d)*(w2) = f; ;\n'
     """
-    if len(text) > _MOST_CHARACTERS or ("[" not in text and "matrix" not in text):
+    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,")):
         return text
+    text = _elements_gathered(text)
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
     found = next((found for pattern in _PRODUCTS if (found := pattern.search(whole))), None)
     if found is None:
@@ -50,9 +58,8 @@ def in_rows(text: str) -> str:
     groups = [group for group in found.groups() if group]
     matrix, unknowns, right = (groups[place] for place in _ORDERS[_PRODUCTS.index(found.re)])
     taken = [] if "," in unknowns else sorted(re.finditer(_TAKEN % re.escape(unknowns), whole), key=lambda one: int(one[2]))
-    columns = (
-        vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else [one[1] for one in taken]
-    )
+    columns = vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else []
+    columns = columns or [one[1] for one in taken] or [*sought]
     equations = product(named[matrix][2], columns, vector(named[right][2])) if {matrix, right} <= named.keys() else []
     if not equations:
         return text
@@ -63,6 +70,28 @@ def in_rows(text: str) -> str:
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
     return whole
+
+
+def _elements_gathered(text: str) -> str:
+    """Return a text in which a matrix that is filled cell by cell, A[0, 1] = …, is written as a whole."""
+    cells: dict[str, list[re.Match[str]]] = {}
+    for one in _ELEMENT.finditer(text):
+        cells.setdefault(one[1], []).append(one)
+    matrices = {name: found for name, found in cells.items() if any(one[3] for one in found)}
+    for name, found in cells.items():  # the vector of the right side, beside a matrix
+        if len(matrices) == 1 and name not in matrices and re.search(_SOLVED_WITH % re.escape(name), text):
+            matrices[name] = found
+    pieces: list[tuple[int, int, str]] = []
+    size = max((int(index) for found in matrices.values() for one in found for index in (one[2], one[3]) if index), default=0)
+    base = 0 if any(index == "0" for found in matrices.values() for one in found for index in (one[2], one[3])) else 1
+    for name, filled in matrices.items():
+        values = {(int(one[2]), int(one[3] or base)): one[4].strip() for one in filled}
+        columns = range(base, size + 1) if any(one[3] for one in filled) else (base,)
+        rows = [", ".join(values.get((row, column), "0") for column in columns) for row in range(base, size + 1)]
+        pieces += [(*one.span(), "" if k else f"{name} = [{'; '.join(rows)}]") for k, one in enumerate(filled)]
+    for begin, end, said in sorted(pieces, reverse=True) if size < _MOST else ():
+        text = text[:begin] + said + text[end:]
+    return text
 
 
 def _matrices(text: str) -> list[tuple[str, int, int, str]]:

@@ -106,6 +106,24 @@ class TableUnderTest:
         tolerance = HALF * self.q_units + shifted(HALF * self.q_units + HALF * spread + slack, 1)
         return expected, tolerance
 
+    def rates_used(self) -> list[int]:
+        """Return for each coordinate the rate of its unit that most of its steps were made with, in doubt its own.
+
+        Where a coordinate does not begin as the task's does, its column may be another one's: its own rate is left to it.
+        """
+        h, m, units = self.key.step, self.m, [one.unit for one in self.key.variant.coordinates]
+        begins = np.abs(self.q[0] - self.key.table[0, :m]) <= self.q_units[0]
+        found = list(range(m))
+        for place in np.flatnonzero(begins).tolist():
+            alike = [place, *(other for other in range(m) if other != place and units[other] == units[place])]
+            held: list[int] = []
+            for other in alike:
+                rates, digits = (cells[:, [other] * m] for cells in (self.w, self.w_units[:, :m]))
+                expected, tolerance = self.steps(h * rates, h * digits)
+                held.append(int(np.count_nonzero(np.abs(self.q - expected)[:, place] <= tolerance[:, place])))
+            found[place] = alike[held.index(max(held))]
+        return found
+
     def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
         """Return velocities (n, r) and their tolerance."""
         tolerance = velocity_tolerance(self.key, self.w_units, found, spread)

@@ -23,7 +23,7 @@ from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array, shifted
 
 # Schemes that somebody takes for Euler's; their names are the codes of the misconceptions.
-SCHEMES_TRIED = ("heun", "midpoint", "rk4")
+SCHEMES_TRIED = ("heun", "midpoint", "ralston", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
 # Only velocities of such a table are right.
@@ -69,12 +69,17 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     """Steps of other schemes, each a function of the row's own angles; of Euler with the time of a row beside."""
     h, m, velocities_at = printed.key.step, printed.m, printed.key.velocities_at
 
-    def increments(t: Array, q: Array, w: Array, scheme: Scheme, ahead: float) -> Array:
-        return np.asarray(scheme.step(lambda at, moved: velocities_at(at + ahead, q + moved)[:, :m], t, np.zeros_like(q), h))
+    def increments(t: Array, q: Array, w: Array, scheme: Scheme, ahead: float, clock: float) -> Array:
+        def slopes(at: Array, moved: Array) -> Array:
+            return velocities_at(t + clock * (at - t) + ahead, q + moved)[:, :m]
 
-    tried = [*((name, SCHEMES[name], 0.0) for name in SCHEMES_TRIED), ("step_ahead", EULER, h), ("step_behind", EULER, -h)]
-    for code, scheme, ahead in tried:
-        made = partial(increments, scheme=scheme, ahead=ahead)
+        return np.asarray(scheme.step(slopes, t, np.zeros_like(q), h))
+
+    # Of another scheme the time may have been left that of the row in all stages: clock 0.
+    tried = [(name, SCHEMES[name], 0.0, clock) for name in SCHEMES_TRIED for clock in (1.0, 0.0)]
+    tried += [("step_ahead", EULER, h, 1.0), ("step_behind", EULER, -h, 1.0)]
+    for code, scheme, ahead, clock in tried:
+        made = partial(increments, scheme=scheme, ahead=ahead, clock=clock)
         stacked = printed.stacked(partial(made, w=np.empty(0)))
         claim = printed.claim(code, printed.steps(stacked(printed.q), printed.spread(stacked)))
         yield replace(claim, table=printed.marched(velocities_at, made))
@@ -85,18 +90,27 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     for claim, new in ((trapezoid, 0.5), (backward, 1.0)):
         yield replace(claim, table=printed.marched(velocities_at, partial(_implicit, printed.key, m, new)))
     before, units_before = shifted(rates, 1), np.nan_to_num(shifted(units, 1))
-    claim = printed.claim("row_before", printed.steps(h * before, h * units_before))
-    yield replace(claim, table=partial(_from_rows_before, printed.key))
+    for code, weight in (("row_before", 1.0), ("two_rows", -0.5)):
+        used = rates + weight * (before - rates)
+        claim = printed.claim(code, printed.steps(h * used, h * (abs(1 - weight) * units + abs(weight) * units_before)))
+        yield replace(claim, table=partial(_from_rows_before, printed.key, weight))
+    order = printed.rates_used()
+    if order != [*range(m)]:
+        claim = printed.claim("other_rates", printed.steps(h * rates[:, order], h * units[:, order]))
+        yield replace(claim, table=printed.marched(velocities_at, lambda t, q, w: h * w[:, order]))
 
 
-def _from_rows_before(key: Key) -> Array:
-    """Return the table (n, m + r) whose steps use the velocities of the row before; the first has its own only."""
+def _from_rows_before(key: Key, weight: float = 1.0) -> Array:
+    """Return the table (n, m + r) whose steps use the velocities of the row before with a weight, its own with what is left.
+
+    The first row has its own only.
+    """
     m = len(key.coordinates)
     rates: list[Array] = []
 
     def increments(t: Array, q: Array, w: Array) -> Array:
         rates.append(w[:, :m])
-        return key.step * rates[max(len(rates) - 2, 0)]
+        return key.step * (rates[-1] + weight * (rates[max(len(rates) - 2, 0)] - rates[-1]))
 
     return march(key, key.table[0, :m], key.velocities_at, increments)
 
@@ -106,6 +120,17 @@ def _of_rows_above(key: Key) -> Array:
     m, table = len(key.coordinates), _from_rows_before(key)
     table[1:, m:] = table[:-1, m:].copy()
     return table
+
+
+def _of_angles_above(key: Key) -> Array:
+    """Return the table (n, m + r) whose velocities have the time of their row and the angles of the row above."""
+    rows: list[Array] = []
+
+    def velocities_at(t: Array, q: Array) -> Array:
+        rows.append(q)
+        return key.velocities_at(t, rows[max(len(rows) - 2, 0)])
+
+    return march(key, key.table[0, : len(key.coordinates)], velocities_at)
 
 
 def _implicit(key: Key, m: int, new: float, t: Array, q: Array, w: Array) -> Array:
@@ -122,9 +147,16 @@ def _implicit(key: Key, m: int, new: float, t: Array, q: Array, w: Array) -> Arr
 def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     """Velocities of another time, or printed a row too late or too early."""
     h, m = printed.key.step, printed.m
-    for code, ahead in (("time_ahead", h), ("time_behind", -h)):
-        yield from printed.velocity_claim(code, partial(_of_times, printed.key, 1.0, ahead))
+    times = [("time_ahead", 1.0, h), ("time_behind", 1.0, -h), ("time_in_rows", 1 / h, 0.0), ("time_in_rows", 1 / h, 1.0)]
+    for code, part, ahead in (*times, ("time_still", 0.0, 0.0), ("time_still", 0.0, 1.0)):  # p where p*t was meant
+        yield from printed.velocity_claim(code, partial(_of_times, printed.key, part, ahead))
+    start = printed.key.table[:1, :m]
+    yield from printed.velocity_claim("first_angles", lambda t, q: printed.key.velocities_at(t, np.repeat(start, len(q), axis=0)))
     found, tolerance = printed.true_velocities
+    above = shifted(printed.q, 1)
+    above[0] = printed.q[0]
+    claim = printed.claim("angles_above", None, (printed.key.velocities_at(printed.key.t, above), shifted(tolerance, 1)))
+    yield replace(claim, table=partial(_of_angles_above, printed.key))
     claim = printed.claim("rows_above", None, (shifted(found, 1), shifted(tolerance, 1)))
     yield replace(claim, table=partial(_of_rows_above, printed.key))
     for code, by in (("omega_late", 1), ("omega_early", -1)):

@@ -23,6 +23,7 @@ from coursework.variant.formula.units import size_of
 from coursework.variant.record.entries import Given
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
+_OF_FREQUENCIES = (2 * np.pi, 0.5 / np.pi)  # turns a second for radians a second, and the other way round
 # Columns count as exchanged where, put back, this part of them is the key's, or where the start values are.
 _LIKE_KEY = 0.5
 _TURN = 2 * np.pi
@@ -37,7 +38,7 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     tried: list[tuple[str, dict[str, float]]] = [
         (f"datum_{datum.name}", {datum.name: factor * datum.value})
         for datum in given
-        for factor in FACTORS
+        for factor in (*FACTORS, *(_OF_FREQUENCIES if datum.si == "1/s" else ()))
         if factor or _may_vanish(printed, datum)
     ]
     tried += [

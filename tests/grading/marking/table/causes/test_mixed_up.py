@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.reasons.table import table_reasons
+from coursework.grading.marking.table.cells import _cut_off
 from coursework.words.sentences import load_phrases
 from tests.grading.marking.machines import DEGREE, Machine
 from tests.grading.marking.table.test_equal_faults import close, codes, variants
@@ -109,3 +110,81 @@ def test_a_value_is_told_with_the_unit_and_the_mark_of_the_language(language, sa
     _, table = desk.marked(Machine(desk.variant, data={"V1": value}).table())
     phrases = load_phrases(language)
     assert said in " ".join(phrases.written(reason.text) for reason in table_reasons(desk.key, table, 1.0, 24.0, 60.0))
+
+
+def by_the_rate_of_another(machine):
+    """The last two angles are moved with the velocities of each other."""
+    order = [*range(machine.m)]
+    last = [place for place, c in enumerate(machine.variant.coordinates) if c.unit == "rad"][-2:]
+    order[last[0]], order[last[1]] = last[1], last[0]
+    return machine.table(lambda t, q: machine.h * machine.velocities(t, q)[order])
+
+
+def of_two_rows(machine):
+    """The scheme of Adams and Bashforth, whose first step is Euler's."""
+    slopes = []
+
+    def increment(t, q):
+        slopes.append(machine.velocities(t, q)[: machine.m])
+        return machine.h * (slopes[-1] + 0.5 * (slopes[-1] - slopes[max(len(slopes) - 2, 0)]))
+
+    return machine.table(increment)
+
+
+def of_angles_above(machine):
+    """The time of the row, the angles of the row above."""
+    rows = []
+
+    def velocities(t, q):
+        rows.append(q)
+        return machine.velocities(t, rows[max(len(rows) - 2, 0)])
+
+    return machine.table(printed=velocities)
+
+
+def heun_at_one_time(machine):
+    """Both stages of Heun's step at the time of the row."""
+
+    def increment(t, q):
+        first = machine.h * machine.velocities(t, q)[: machine.m]
+        return (first + machine.h * machine.velocities(t, q + first)[: machine.m]) / 2
+
+    return machine.table(increment)
+
+
+def ralston(machine):
+    def increment(t, q):
+        first = machine.h * machine.velocities(t, q)[: machine.m]
+        second = machine.h * machine.velocities(t + 2 * machine.h / 3, q + 2 * first / 3)[: machine.m]
+        return (first + 3 * second) / 4
+
+    return machine.table(increment)
+
+
+MIXED = {
+    "ralston": ralston,
+    "first_angles": lambda m: m.table(printed=lambda t, q: m.velocities(t, m.start)),
+    "angles_above": of_angles_above,
+    "time_in_rows": lambda m: m.table(printed=lambda t, q: m.velocities(round(t / m.h), q)),
+    "time_still": lambda m: m.table(printed=lambda t, q: m.velocities(1.0, q)),
+    "other_rates": by_the_rate_of_another,
+    "two_rows": of_two_rows,
+    "heun": heun_at_one_time,
+    "datum_p": lambda m: Machine(m.variant, data={"p": 2 * np.pi * m.variant.values["p"]}).table(),
+}
+
+
+@pytest.mark.parametrize("code", MIXED)
+def test_faults_of_time_angles_and_rates_are_named_and_keep_what_is_worth_of_one(code):
+    """Rows of such a table follow no motion near the task's: unnamed it had nothing."""
+    for desk in (variants()[0], variants()[2]):
+        found, table = desk.marked(MIXED[code](desk.machine), digits=5)
+        assert code in codes(table)
+        assert found > 23
+
+
+def test_start_values_with_digits_cut_off_are_those_of_the_task():
+    """2.876 rad of the task are 2.87 rad where two decimals are kept and none is rounded; 2.86 rad are another start."""
+    for printed, right in ((2.87, True), (2.86, False), (2.88, False)):
+        begins = _cut_off(np.array([[2.876, -0.28]]), np.array([[printed, -0.28]]), np.full((1, 2), 0.01))
+        assert begins.tolist() == [[right, True]]

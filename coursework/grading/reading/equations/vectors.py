@@ -1,0 +1,154 @@
+"""The vectors of a program, y[0], x(2), dydt[1], Y[k, 0] -> the names of the task, in the order that the text tells.
+
+Enters: a text, the variant.  Leaves: the text with names in the place of entries; as it stands where no order is told.
+Nothing is computed.  Used by `lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Sequence
+
+from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.signs import depths
+from coursework.variant.formula.reader import FUNCTION_WORDS
+from coursework.variant.record.variant import Variant
+
+_ROW = r"(?:([ijkn](?:\s*[-+]\s*1)?)\s*(?:,|\]\s*\[)\s*)?"  # Y[k, 0] and Y[k][0], of which a row later is another value
+_ENTRY = re.compile(rf"(?<![\w.\\'])([^\W\d]\w{{0,20}}) ?([\[(])\s*{_ROW}(\d{{1,2}})\s*[\])]")
+_NAMES = r"((?:[^\W\d]\w{0,20}\s*[,;]\s*)+[^\W\d]\w{0,20})"
+_LIST = re.compile(rf"(?:[\[({{]|\breturn )\s*{_NAMES}\s*(?:[\])}}]|$)", re.MULTILINE)
+_UNPACKED = re.compile(
+    rf"(?m)^[^\n=]{{0,12}}?(?<![\w.]){_NAMES}\s*[\])]?\s*:?=\s*([^\W\d]\w{{0,20}})(?:\[[^\]]{{0,4}}\]|\.T)?;?\s*$"
+)
+_SAID = re.compile(
+    rf"(?<![\w.])([^\W\d]\w{{0,20}})(?:\s*(?:=|:|<-)\s*(?:[\w.]{{1,12}}\()?[\[({{]|:)\s*{_NAMES}\s*(?:[\])}}]|$)", re.MULTILINE
+)
+_NUMBERS = re.compile(r"[\[({]\s*((?:-?\d+\.?\d*\s*[,;\s]\s*)+-?\d+\.?\d*)\s*[\])}]")
+_RETURNED = re.compile(r"(?:\breturn\s+|(?<![\w.])d\w{1,12}\s*=\s*)(?:[\w.]{1,12}\s*\(\s*)?(?=[\[({])")
+_ZERO_BASED = re.compile(r"\b(?:np|math|Math|std|torch)\.|\bimport\b|#include|\b(?:double|float|const|let|var|func)\s")
+_SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
+_DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
+_MOST_CHARACTERS = 200_000
+
+
+def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str:
+    """Return a text with the names of the task for the entries of vectors.
+
+    The order is told by the line that takes the vector apart or makes it, by a remark, by what the program returns, by the
+    start values; else it is that of the task.
+    """
+    if len(text) > _MOST_CHARACTERS or not (entries := [*_ENTRY.finditer(text)]):
+        return _returned(text, [one.rate for one in variant.coordinates])
+    uses: dict[str, list[re.Match[str]]] = defaultdict(list)
+    for entry in entries:
+        uses[entry[1]].append(entry)
+    is_zero_based = any(int(entry[4]) == 0 for entry in entries)
+    order = _order(text, variant, spellings)
+    rates = {one.name: one.rate for one in variant.coordinates}
+    meant: dict[str, dict[int, str]] = {}
+    for vector, used in uses.items():
+        indices = {int(entry[4]) for entry in used}
+        by_use = _by_use(text, vector, used, order, rates, variant)
+        is_own = is_zero_based or not all(spellings.angle(f"{vector}{index}") for index in indices)
+        # f(1) is an angle whose Greek letter got lost, unless it is what the right sides of a program are assigned to.
+        is_own = is_own or (vector in {"f", "F"} and [*by_use] == [rates[name] for name in order])
+        if not is_own or (used[0][2] == "(" and (vector in spellings.known or vector.lower() in FUNCTION_WORDS)):
+            continue
+        names = _told(text, vector, spellings) or by_use
+        is_from_one = used[0][2] == "(" or max(indices) >= len(names) or not _ZERO_BASED.search(text)
+        base = int(is_from_one and not is_zero_based)
+        found = dict(enumerate(names, start=base)) | _taken(text, vector, spellings)
+        if indices & found.keys():
+            meant[vector] = found
+    named = _ENTRY.sub(lambda entry: _named(entry, meant), text)
+    return _returned(_SAME.sub("", named) if meant else text, [rates[name] for name in order])
+
+
+def _named(entry: re.Match[str], meant: dict[str, dict[int, str]]) -> str:
+    """Return the name of an entry, with the row where that is another one."""
+    name = meant.get(entry[1], {}).get(int(entry[4]))
+    return entry[0] if name is None else f"{name}[{entry[3]}]" if entry[3] and entry[3] != entry[3].strip("+-1 ") else name
+
+
+def _order(text: str, variant: Variant, spellings: Spellings) -> list[str]:
+    """Return the coordinates in the order of the program: as it returns their rates, as it starts them, as the task has them."""
+    names = [one.name for one in variant.coordinates]
+    of_rate = {one.rate: one.name for one in variant.coordinates}
+    for found in _LIST.finditer(text):
+        listed = [of_rate.get(spellings.canonical(name) or "") for name in re.findall(r"\w+", found[1])]
+        if sorted(filter(None, listed)) == sorted(names) and len(listed) == len(names):
+            return [name for name in listed if name]
+    starts = {one.name: one.start for one in variant.coordinates if one.start is not None}
+    for found in _NUMBERS.finditer(text):
+        numbers = [float(number) for number in re.split(r"[\s,;]+", found[1])]
+        if sorted(numbers) == sorted(starts.values()) and len({*numbers}) == len(names):
+            return sorted(names, key=lambda name: numbers.index(starts[name]))
+    return names
+
+
+def _told(text: str, vector: str, spellings: Spellings) -> list[str]:
+    """Return the names of a vector that a line takes apart, or that a line or a remark lists; [] where none does."""
+    lists = [found[1] for found in _UNPACKED.finditer(text) if found[2] == vector]
+    lists += [found[2] for found in _SAID.finditer(text) if found[1] == vector]
+    for listed in lists:
+        names = [spellings.canonical(name) for name in re.findall(r"\w+", listed)]
+        if all(names):
+            return [name for name in names if name]
+    return []
+
+
+def _taken(text: str, vector: str, spellings: Spellings) -> dict[int, str]:
+    """Return the names that take an entry each, phi1 = y[0], or that an entry takes, dydt[0] = w1."""
+    entry = rf"{re.escape(vector)} ?[\[(]\s*(\d{{1,2}})\s*[\])]"
+    found: dict[int, str] = {}
+    ends, equals = r"\s*(?:[;,}#%]|//|$)", r"\s*(?::\s*\w+\s*)?(?::?=|<-)\s*"
+    for match in re.finditer(rf"(?m)(?<![\w.])([^\W\d]\w{{0,20}}){equals}{entry}{ends}", text):
+        if name := spellings.canonical(match[1]):
+            found.setdefault(int(match[2]), name)
+    for match in re.finditer(rf"(?m)(?<![\w.]){entry}{equals}([^\W\d]\w{{0,20}}){ends}", text):
+        if (name := spellings.canonical(match[2])) and name not in spellings.data:
+            found.setdefault(int(match[1]), name)
+    return found
+
+
+def _by_use(
+    text: str, vector: str, used: Sequence[re.Match[str]], order: Sequence[str], rates: dict[str, str], variant: Variant
+) -> Sequence[str]:
+    """Return what a vector holds by what is done with it: of turned angles the state, what is assigned to its rates."""
+    if re.search(rf"(?:sin|cos)\s*\(\s*[-+\w.*\s]{{0,20}}{re.escape(vector)} ?[\[(]", text, re.IGNORECASE):
+        return order
+    assigned = {int(entry[4]): made[1] for entry in used if (made := re.match(r"\s*:?=([^=\n][^\n]*)", text[entry.end() :]))}
+    if assigned:
+        speeds = [rates[name] for name in order]
+        is_solved = len(assigned) == len(order) and any("/" in formula for formula in assigned.values())
+        own = any(
+            rate in re.findall(r"\w+", formula) for rate, (_, formula) in zip(speeds, sorted(assigned.items()), strict=False)
+        )
+        return speeds if _DERIVATIVE.fullmatch(vector) or (is_solved and not own) else ()
+    indices = {int(entry[4]) for entry in used}
+    is_factor = any("*" in {text[entry.end() : entry.end() + 2].strip(), text[: entry.start()].rstrip()[-1:]} for entry in used)
+    return variant.sought if is_factor and len(indices) == len(variant.sought) else ()
+
+
+def _returned(text: str, rates: Sequence[str]) -> str:
+    """Return a text with equations in the place of what is returned, [w1, (…)/(…)], where some rates stand in their places."""
+    for found in _RETURNED.finditer(text):
+        begun = found.end()
+        inside = depths(text[begun : begun + 4000])
+        if 0 not in inside:
+            continue
+        end = begun + inside.index(0)
+        cells, start = list[str](), begun + 1
+        for place in range(begun + 1, end + 1):
+            if (text[place] in ",;" and inside[place - begun] == 1) or place == end:
+                cells.append(" ".join(text[start:place].split()))
+                start = place + 1
+        pairs = [*zip(rates, cells, strict=False)]
+        if any(map(_ENTRY.fullmatch, cells)):
+            continue  # of a vector that nobody named
+        if len(cells) == len(rates) and 0 < sum(rate == cell for rate, cell in pairs) < len(rates):
+            equations = "; ".join(f"{rate} = {cell}" for rate, cell in pairs if rate != cell)
+            return text[: found.start()] + equations + "\n" * text.count("\n", begun, end) + text[end + 1 :].lstrip(")")
+    return text
