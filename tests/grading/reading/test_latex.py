@@ -3,7 +3,7 @@
 import pytest
 
 from coursework.grading.reading.equations.latex import without_latex
-from coursework.grading.reading.equations.parts import parts_of
+from coursework.grading.reading.equations.systems.parts import parts_of
 
 ARROWS = (
     "Rightarrow", "Longrightarrow", "implies", "rightarrow", "longrightarrow", "to", "Leftrightarrow", "iff", "therefore",

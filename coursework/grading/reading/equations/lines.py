@@ -13,7 +13,6 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_in, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.line_kinds import (
@@ -28,10 +27,11 @@ from coursework.grading.reading.equations.line_kinds import (
     sign_of_list,
 )
 from coursework.grading.reading.equations.meanings import key
-from coursework.grading.reading.equations.parts import LIST, parts_of
 from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
-from coursework.grading.reading.equations.systems import in_rows
-from coursework.grading.reading.equations.vectors import with_entries_named
+from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
+from coursework.grading.reading.equations.systems.matrices import in_rows
+from coursework.grading.reading.equations.systems.parts import LIST, parts_of
+from coursework.grading.reading.equations.systems.vectors import with_entries_named
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.grading.reading.unit_names import unit_of

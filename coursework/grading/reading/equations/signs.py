@@ -1,7 +1,7 @@
 """Letters and signs as programs paste them -> those of a keyboard: mathematical italics, full width, subscripts, dots, arrows.
 
 Enters: one line as typed.  Leaves: the line in plain letters, with one sign of equality and one arrow.  Nothing is guessed here.
-Used by `plain_text.py`, `parts.py` and `systems.py`.
+Used by `plain_text.py`, `parts.py` and `matrices.py`.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from coursework.grading.reading.documents.formulas.starmath import text_of_starm
 from coursework.grading.reading.documents.odt import document_of_odt
 from coursework.grading.reading.documents.pdf_lines import PageLine, Word
 from coursework.grading.reading.documents.rtf import document_of_rtf
-from coursework.grading.reading.equations.parts import parts_of
+from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.files.archive import Archive
 from tests.grading.reading.dialects import archive
 

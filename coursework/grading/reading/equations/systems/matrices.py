@@ -10,8 +10,8 @@ import re
 from collections.abc import Sequence
 
 from coursework.grading.reading.equations.latex import matrices_in_one_piece
-from coursework.grading.reading.equations.parts import product, vector
 from coursework.grading.reading.equations.signs import depths
+from coursework.grading.reading.equations.systems.parts import product, vector
 
 _DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*+:?=[ \t]*+(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)")
 _NAME = r"([^\W\d]\w{0,20})"

@@ -1,7 +1,7 @@
 """One line as typed -> the equations in it: parted by commas, semicolons, arrows, blanks, "and"; a product of matrices by rows.
 
 Enters: a line.  Leaves: pieces of it, each with one equation, in the order of the line.
-Used by `lines.py` and `systems.py`.
+Used by `lines.py` and `matrices.py`.
 """
 
 from __future__ import annotations
