@@ -16,7 +16,7 @@ from coursework.variant.record.variant import Variant
 
 _PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
 # A point between names multiplies in France, where the line has no other sign for that; else a field is behind it, par.r1.
-_POINT = re.compile(r"([^\W\d]\w*|[\d)])\.(?=([^\W\d]\w*|\())")
+_POINT = re.compile(r"((?<![^\W\d])[^\W\d]\w{0,40}|[\d)])\.(?=([^\W\d]\w{0,40}|\())")
 _KEYED = re.compile(r"[^\W\d]\w{0,20}\[\s*['\"](\w{1,20})['\"]\s*\]")  # d["r1"] of Python
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
