@@ -142,6 +142,10 @@ class MotorScene(Scene):
         found = fine.exact(self._begin, time.step, time.steps)
         return known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
 
+    @cached_property
+    def _exact_rows(self) -> Motion:
+        return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
+
     @computed("free_equations")
     def stop(self) -> Stop | None:
         """Why the motion itself ends early: links that would have to stretch, or a limit of its free coordinates."""
@@ -153,20 +157,21 @@ class MotorScene(Scene):
         step, coordinates = self.variant.time.step, self.variant.coordinates
         last = dict(zip([c.name for c in coordinates], found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
         key = "still" if found.ended == "held" and not found.at else _SAID.get(found.ended, found.ended)
+        means = "far" if key == "wide" else key  # a shorter step helps in both
         free = self.free_equations.free
         turned = tuple(coordinates[place].name for place in free)
         others = [one.rate for place, one in enumerate(coordinates) if place not in free]
         cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned)
         return Stop(
             "dead point" if found.ended == LIMIT else found.ended, found.at, found.at / step, (), last, cause,
-            say(f"dynamics.{key}_means", row=len(found.t), names=either(others) if others else ""),
+            say(f"dynamics.{means}_means", row=len(found.t), names=either(others) if others else ""),
         )  # fmt: skip
 
     def _ended_as(self, found: FreeMotion) -> FreeMotion:
         """Return the rows of a scheme: where no position closes, the motion itself says whether the links or the step is why."""
-        true = self._true.ended
-        as_true = "dead point" if true and true != LIMIT else true or TOO_LARGE
-        return replace(found, ended=as_true) if found.ended == "dead point" else found
+        if found.ended != "dead point":
+            return found
+        return replace(found, ended={"": TOO_LARGE, LIMIT: LIMIT}.get(self._true.ended, found.ended))
 
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:
         variant, count = self.variant, len(found.t)
@@ -190,14 +195,14 @@ class MotorScene(Scene):
         """The rows of the scheme, or of the motion itself."""
         scheme, time = self.scheme, self.variant.time
         if scheme is None:
-            return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
+            return self._exact_rows
         found = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
         return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
 
     @computed("free_equations", "stop", "start")
     def exact(self) -> Motion:
         """The motion without a scheme's error, on the same rows."""
-        return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
+        return self._exact_rows
 
     def accelerations_of(self, motion: Motion) -> Array:
         """Return the accelerations (n, k) that the forces give the links in each row."""

@@ -222,7 +222,8 @@ class Dynamics:
                     self.q = self._followed(t, now[:count]) if self._rates else self.closed(t, now[:count])
                 positions.append(list(self.q))
                 rates.append(now[count:])
-                self._first = self._first or (t, *self.q, *now[count:])
+                if not row:
+                    self._first = (t, *self.q, *now[count:])
                 if row < steps:
                     now = take(t, now)
                 if not (math.isfinite(sum(now)) and max(now) < _RUNAWAY and min(now) > -_RUNAWAY):

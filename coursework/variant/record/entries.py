@@ -160,6 +160,11 @@ class Constraint:
         return self.left, self.right
 
     @property
+    def difference(self) -> Formula:
+        """Return left - right."""
+        return Formula("-", self.sides)
+
+    @property
     def key(self) -> str:
         """Return the key of the file that the equation stands behind."""
         return "closure" if self.is_closure else "equation"

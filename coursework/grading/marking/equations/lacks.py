@@ -50,16 +50,13 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
 def _lacks_term(tree: Formula, variant: Variant, probe: Probe) -> Sentence | str:
     """Return which term of an equation of the task a line is short of, "" where no single one makes up for what is wrong."""
     left = real(value_of(tree, probe.names), probe.count)
-    for equation in (Formula("-", (one.left, one.right)) for one in variant.constraints):
-        for path, node, is_term, _ in places(equation):
-            if is_term and path:
-                term = real(value_of(node, probe.names), probe.count)
-                for sign, off in (("-", left - term), ("+", left + term)):
-                    whole = (
-                        linear(Formula(sign, (tree, node)), probe)
-                        if np.max(np.abs(off)) <= _SAME * np.max(np.abs(term))
-                        else None
-                    )
-                    if whole is not None and np.any(whole.directions):
-                        return say("feedback.lack.term", term=spelled(node))
+    terms = (
+        node for equation in variant.constraints for path, node, is_term, _ in places(equation.difference) if is_term and path
+    )
+    for node in terms:
+        term = real(value_of(node, probe.names), probe.count)
+        for sign, off in (("-", left - term), ("+", left + term)):
+            is_short = np.max(np.abs(off)) <= _SAME * np.max(np.abs(term))
+            if is_short and np.any(linear(Formula(sign, (tree, node)), probe).directions):
+                return say("feedback.lack.term", term=spelled(node))
     return ""

@@ -32,7 +32,7 @@ def is_one_slip(wrong: Sequence[Formula], counted: Sequence[Formula], variant: V
         for tree in counted:
             more = [*lines, linear(tree, probe)]
             lines = more if rank(more) == len(more) else lines
-        task = [linear(Formula("-", (one.left, one.right)), probe) for one in variant.constraints]
+        task = [linear(one.difference, probe) for one in variant.constraints]
     except NoValue:
         return False
     if len(lines) != needed or len(task) != needed or not all(line.is_affine for line in lines) or rank(lines) < needed:

@@ -6,7 +6,7 @@ Used by `earning.py`, `grade.py`, `whole.py`, `verdicts.py`, `table_marks.py`, a
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -180,9 +180,14 @@ def explanations(
         return Found(None, found, began, untold)
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
-    tied = [one for one in tied if one not in read_off and (len(named[one][2]) < 2 or not one.startswith("equation_"))] or tied
+    tied = [code for code in tied if code not in read_off and is_one_thing(code, named[code][2])] or tied
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, untold)
+
+
+def is_one_thing(code: str, names: Sequence[str]) -> bool:
+    """Return whether a cause is one thing: slips in several equations, a slip each, are not."""
+    return len(names) < 2 or not code.startswith("equation_")
 
 
 def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:

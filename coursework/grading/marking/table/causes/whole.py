@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim
-from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, share_of
+from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing, share_of
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.points import TablePoints
@@ -58,7 +58,7 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
         return None
     best = max(share for share, *_ in made.values())
     first, *others = [code for code, (share, *_) in made.items() if share >= best - TIE]
-    ties = [code for code in others if len(made[code][2]) < 2 or not code.startswith("equation_")]  # a slip each is no one thing
+    ties = [code for code in others if is_one_thing(code, made[code][2])]
     share, table, names = made[first]
     same = alike(key, cells.student, table)
     values = np.where(same, table, np.where(right, key.table, cells.student.values))  # others may be put right
