@@ -20,6 +20,7 @@ from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases, say
 from tests.hard.test_change_points import past_the_pivot
+from tests.mechanisms.library import mechanism
 from tests.report.own import BOOM
 from tests.report.wording.test_sought import CRANK
 from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER
@@ -112,6 +113,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solve("example-2-motor", "semi-implicit", quantities=["table"]),
         solve("example-2-motor", "rk4", quantities=["table"]),
         solve(parse_variant(CRANK), quantities=["table"]), solve(parse_variant(BOOM), quantities=["table"]),
+        solve(parse_variant(mechanism("ten-wheels")), quantities=["table"]),
     ]  # fmt: skip
 
 

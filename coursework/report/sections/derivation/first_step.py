@@ -19,7 +19,7 @@ from coursework.report.wording.sought import corrections
 DECIMALS = 5  # of a result
 DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
 INDICES = "kinjm"  # letters that count the steps; a datum of the file may have one
-MOST_LINES = 8  # coordinates written out; the others are done alike
+MOST_LINES = 8  # coordinates whose step is written out; the others are only named
 
 
 def first_step(context: PageContext) -> list[Part]:
@@ -37,7 +37,8 @@ def first_step(context: PageContext) -> list[Part]:
         return [Paragraph(context.say(f"derivation.scheme{free}", scheme=context.told(title_of(scheme)), **named)), lines, *rest]
     # The semi-implicit scheme takes the rates that it has just made.
     ahead = set(run.motion.coordinate_names) if scheme is SEMI_IMPLICIT else set()
-    stepped = dict(sorted(context.stepped.items(), key=lambda one: one[0] in ahead)[:MOST_LINES])
+    every = dict(sorted(context.stepped.items(), key=lambda one: one[0] in ahead))
+    stepped, others = (dict(list(every.items())[part]) for part in (slice(MOST_LINES), slice(MOST_LINES, None)))
     index = index_of_steps(run.variant.names)
     told = {"index": context.lettering(index), "step": context.quantity(run.step, "s")}
     if run.variant.motor is None:
@@ -45,6 +46,8 @@ def first_step(context: PageContext) -> list[Part]:
     else:
         along = context.say("derivation.along_free", scheme=begun(context.told(title_of(scheme))), **told)
     steps = [_line(context.symbol(name), context.symbol(rate), index, ahead=name in ahead) for name, rate in stepped.items()]
+    if others:
+        rest.insert(0, Paragraph(context.say("derivation.alike", coordinates=context.symbol_list(others))))
     parts: list[Part] = [Paragraph(along), Equations(steps, flow=True), *rest]
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
         made = _accelerations(context) if run.variant.motor else {}

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
+from tests.mechanisms.library import mechanism
 from tests.solved import solved
 
 
@@ -92,3 +93,11 @@ def test_the_box_and_the_first_and_last_row_tell_a_rate_that_forces_make(real: M
     assert any("ω1 = 2.5498 rad/s" in real.text_of(line).replace("\xa0", " ") for line in box["items"])
     table = next(part for part in real.parts(run, "results") if part.get("id") == "first-last")
     assert [real.text_of(column["head"]) for column in table["columns"]] == ["", "θ1", "θ2", "s3", "ω1", "ω2", "u3"]
+
+
+def test_the_step_of_eight_coordinates_is_written_out_and_the_others_are_named(real: ModuleType) -> None:
+    """The ninth was left out without a word."""
+    run = coursework.solve(coursework.parse_variant(mechanism("ten-wheels")), quantities=["table"])
+    assert list(lines(real, run)) == [f"φ{index}" for index in "₁₂₃₄₅₆₇₈"]
+    assert "Likewise φ9 and φ10." in real.text_of(real.parts(run, "solution"))
+    assert "Likewise" not in real.text_of(real.parts(solved("31"), "solution"))
