@@ -52,6 +52,9 @@ def _mended(source: Source) -> Shape:
     from coursework.variant.reading.models import model_of
 
     data = source.data
+    if other := _of_another_file(data):
+        told = say("fault.V020", listed=", ".join(key[:_LONGEST] for key in other))
+        raise InputError([source.fault((other[0],), told, at_key=True)])
     faults: list[Fault] = []
     repaired: set[KeyPath] = set()
     hidden: set[str] = set()
@@ -69,6 +72,16 @@ def _mended(source: Source) -> Shape:
             repaired |= found.keys()
             for path, entry in found.items():
                 stand_in(data, path, entry)
+
+
+def _of_another_file(data: dict[str, Any]) -> list[str]:
+    """Return the sections that no variant has, if there are several and nothing describes a mechanism: ranges, a rubric."""
+    strange = [key for key in data if key not in schema.VariantFile.keys()]
+    return [] if len(strange) < _STRANGE or not _OF_A_MECHANISM.isdisjoint(data) else strange[:_LISTED]
+
+
+_STRANGE, _LISTED, _LONGEST = 2, 3, 50  # keys that make a file another one, those that are listed, characters of each
+_OF_A_MECHANISM = {"coordinates", "constraint", "group", "drive", "unknowns"}
 
 
 def _hides(path: KeyPath, entry: Entry) -> set[str]:
