@@ -76,7 +76,8 @@ def _mended(source: Source) -> Shape:
 
 def _of_another_file(data: dict[str, Any]) -> list[str]:
     """Return the sections that no variant has, if there are several and nothing describes a mechanism: ranges, a rubric."""
-    strange = [key for key in data if key not in schema.VariantFile.keys()]
+    known = schema.VariantFile.keys()
+    strange = [key for key in data if key not in known]
     return [] if len(strange) < _STRANGE or not _OF_A_MECHANISM.isdisjoint(data) else strange[:_LISTED]
 
 

@@ -28,7 +28,7 @@ from coursework.variant.formula.tree import Formula, named, number
 # A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
 _HOLDS, _BETTER = 0.9, 0.1
 _SINGULAR = 1e-9
-_FAR, _RARER = 3.0, 4.0  # limits, from which on a row is no farther off; how much nearer what is no sign must be
+_FAR = 3.0  # limits, from which on a row is no farther off
 OWN = "own_equations"
 _AT_START = "(0)"
 
