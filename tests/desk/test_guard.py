@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from coursework.desk.serving.limits import Limits
-from tests.desk.desks import COOKIE, HOST, PORT, SECRET, TEXT, desk
+from coursework.words.sentences import say
+from tests.desk.desks import COOKIE, HOST, PORT, SECRET, TEXT, Here, desk
 
 CHECK = {"json": {"text": ""}}
 
@@ -28,6 +29,18 @@ def test_the_secret_becomes_a_cookie_and_leaves_the_address(client):
     assert "HttpOnly" in cookie
     assert "samesite=strict" in cookie.lower()
     assert client.get("/api/files").status_code == 200
+
+
+def test_a_fault_of_ours_is_told_in_a_sentence_and_without_what_was_typed(client, monkeypatch, capsys):
+    async def breaks(self, job, desk, gone):
+        gone.close()
+        raise RuntimeError("typed: r = 1")
+
+    monkeypatch.setattr(Here, "answer", breaks)
+    answer = client.post("/api/check", **CHECK)
+    assert (answer.status_code, answer.json()["sentence"]) == (500, str(say("desk.our_fault")))
+    told = capsys.readouterr().err
+    assert told.startswith("RuntimeError in test_guard.py:") and "typed" not in told
 
 
 @pytest.mark.parametrize("cookies", [{}, {COOKIE: "x"}, {COOKIE: SECRET[:-1]}, {f"coursework-desk-{PORT + 1}": SECRET}])

@@ -74,7 +74,7 @@ class Application:
             *(Route(f"/api/{kind}", self.computed, methods=["POST"]) for kind in COMPUTED if kind != "take"),
             *Library(self.answer).routes(), *(self.files.routes() if self.files else ()),
         ]  # fmt: skip
-        handlers: dict[Any, Any] = {HTTPException: refusal, OutputError: refusal}
+        handlers: dict[Any, Any] = dict.fromkeys((HTTPException, OutputError, Exception), refusal)
         return Guard(Starlette(routes=routes, exception_handlers=handlers, lifespan=self.life), self.plan.gate)
 
     @asynccontextmanager

@@ -22,7 +22,7 @@ from starlette.requests import Request
 from starlette.responses import RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from coursework.desk.job import FAULT, FORBIDDEN, told
+from coursework.desk.job import FORBIDDEN, told
 from coursework.desk.serving.limits import Limits
 from coursework.desk.serving.replies import language_of, reply
 from coursework.system.frozen import frozen
@@ -69,19 +69,17 @@ class Guard:
         self.app, self.gate = app, gate
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Let a request pass, or refuse it; whatever goes wrong behind is told without a word of what was typed."""
+        """Let a request pass, or refuse it; whatever goes wrong behind is written down without a word of what was typed."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
         scope["root_path"] = self.gate.root
         if not scope["path"].startswith(f"{self.gate.root}/"):
             scope["path"] = self.gate.root + scope["path"]
-        request, begun = Request(scope, receive), False
+        request = Request(scope, receive)
 
         async def sent(message: Message) -> None:
-            nonlocal begun
             if message["type"] == "http.response.start":
-                begun = True
                 headers = MutableHeaders(scope=message)
                 for name, value in HEADERS.items():
                     headers.setdefault(name, value)
@@ -91,11 +89,9 @@ class Guard:
         refusal = self._refusal(request)
         try:
             await (refusal or self.app)(scope, receive, sent)
-        except Exception as error:
+        except Exception as error:  # which the application has answered
             place = traceback.extract_tb(error.__traceback__)[-1]
             sys.stderr.write(f"{type(error).__name__} in {Path(place.filename).name}:{place.lineno}\n")
-            if not begun:
-                await reply(told(FAULT, language_of(request), "desk.our_fault"))(scope, receive, sent)
         finally:
             if scope["state"]["limited"] and self.gate.limits:
                 self.gate.limits.end(scope["state"]["limited"])

@@ -15,7 +15,7 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
 
-from coursework.desk.job import Answer, plain
+from coursework.desk.job import FAULT, Answer, plain
 from coursework.desk.serving.bodies import Refused
 from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import CourseworkError
@@ -55,7 +55,8 @@ async def refusal(request: Request, error: Exception) -> Response:
     if isinstance(error, CourseworkError):
         # Its own sentence advises an option that the desk does not have.
         return reply(plain(NOT_WRITTEN, {"sentence": written(say("desk.no_room"))}))
-    assert isinstance(error, HTTPException)
+    if not isinstance(error, HTTPException):
+        return reply(plain(FAULT, {"sentence": written(say("desk.our_fault"))}))
     sentence = error.sentence if isinstance(error, Refused) else say("desk.no_route")
     headers = {**(error.headers or {}), **({"Connection": "close"} if error.status_code in _CLOSED else {})}
     return reply(plain(error.status_code, {"sentence": written(sentence)}), headers)

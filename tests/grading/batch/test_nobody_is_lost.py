@@ -131,6 +131,17 @@ def test_a_journal_that_is_no_file_is_refused(tmp_path, kind):
     assert other.read_bytes() == b"kept"
 
 
+@posix
+def test_pages_are_not_written_through_a_link(tmp_path):
+    hand_in(tmp_path / "in" / "ada")
+    out, other = tmp_path / "out", tmp_path / "other"
+    out.mkdir()
+    other.mkdir()
+    (out / "feedback").symlink_to(other)
+    assert grade(tmp_path / "in", out).exit_code == 2
+    assert list(other.iterdir()) == []
+
+
 def test_results_among_submissions_are_refused(tmp_path):
     hand_in(tmp_path / "in" / "ada")
     for out in (tmp_path / "in", tmp_path / "in" / "marks"):
