@@ -5,7 +5,7 @@ import math
 import pytest
 
 from coursework.grading.reading.numbers import printed
-from coursework.grading.reading.table.headers import PRINTED
+from coursework.grading.reading.table.headers import PRINTED, read_head
 from coursework.grading.reading.table.layout import layouts_of
 from coursework.grading.reading.unit_names import unit_of
 
@@ -40,3 +40,13 @@ def test_a_column_s_is_no_unit_of_the_head_before_it_though_a_column_stands_empt
     columns = [("phi", "rad"), ("s", "m"), ("w", "1/s")]
     (layout,) = layouts_of([[printed(text, ".") for text in row] for row in rows], ".", columns)
     assert {head.candidates[0]: at for at, head in enumerate(layout.heads) if head.candidates} == places
+
+
+@pytest.mark.parametrize(("head", "means"), [
+    ("speed of the slider, m/s", ["v"]), ("speed of the slider", ["v"]), ("скорость ползуна, м/с", ["v"]),
+    ("speed of the crank 1", ["w1"]), ("speed of the crank 3", []), ("angle of the crank", ["phi"]),
+])  # fmt: skip
+def test_words_mean_the_one_column_of_their_kind(head, means):
+    known = [("phi", "rad"), ("w1", "1/s"), ("w2", "1/s"), ("v", "m/s")]
+    assert [*read_head(head, known).told] == means
+    assert means != ["v"] or read_head(head, [*known, ("u", "m/s")]).told == ()
