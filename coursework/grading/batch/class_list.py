@@ -135,7 +135,7 @@ def class_of_roster(source: Source, roster: Sequence[Student], file: Path, works
 
 
 def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
-    """Return a variant and its bytes, from a name in the catalogue or a path below `folder`.  Raises `InputError`."""
+    """Return a variant and its bytes, from a name in the catalogue or a path relative to `folder`.  Raises `InputError`."""
     path = folder / name
     is_file = path.is_file()
     if is_file and not _is_variant(path):
@@ -163,7 +163,7 @@ def _by_id(places: Sequence[Place]) -> tuple[Place, ...]:
     return tuple(sorted(places, key=lambda place: place.id))
 
 
-MOST = 500  # variants: no real class has more, and to compare a table with all of them helps nobody
+MOST = 500  # variants: with more the class is a whole university, and to compare a table with all of them helps nobody
 
 
 def class_tables(variants: Mapping[str, Variant]) -> dict[str, list[list[float]]]:

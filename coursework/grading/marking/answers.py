@@ -94,7 +94,10 @@ def _slip(key: Key, answer: Answer, row: int, value: float, tolerance: float) ->
 
 
 def _expected(key: Key, of: str, row: int) -> tuple[float, float, float]:
-    """Return the value in `row` (from 0) of the exact motion, for forces also that of the table, and the largest of its kind."""
+    """Return the exact value in `row` (from 0), the table's value, and the largest of its kind in that row.
+
+    Only for a force are the first two different.
+    """
     if key.forces is not None and of in key.forces.names:
         return key.forces.right(of, row)
     if of in key.names:

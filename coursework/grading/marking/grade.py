@@ -39,9 +39,9 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     from coursework.grading.marking.force_columns import ForceColumns
 
-# In places smaller than this (SI), two programs that compute the same table in another order differ.
+# Two programs that compute the same table in another order differ in the decimals beyond this place (SI).
 _COPIED = 1e-13
-# Tolerance of "fewer decimals", as a factor: one decimal in degrees is nearly three in radians, and counts as that.
+# A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
 _FEWER = 2.0
 GRADED = ("graded", "graded-with-notes")
 
@@ -260,7 +260,7 @@ class Marker:
 
 
 def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
-    """Return a submission that could not be looked into as grades.json writes it."""
+    """Return the entry of grades.json for a submission that could not be graded."""
     return {
         "status": status, "score": None, "max": rubric.points, "proposed": None, "reason": reason, "files": [], "reading": None,
         "table": _empty_table(rounded_points(rubric.most("table"))),
@@ -270,7 +270,7 @@ def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
 
 
 def _empty_table(most: float) -> dict[str, Any]:
-    """Return a table that is not there as grades.json writes it."""
+    """Return the entry of grades.json for a table that is not there."""
     return {
         "state": "missing", "score": None, "max": most, "rows": 0, "rows_needed": 0, "first_wrong": None, "wrong_cells": 0,
         "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,

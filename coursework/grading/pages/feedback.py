@@ -112,7 +112,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
 
 
 def short_page(student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
-    """Return the page of a submission that could not be looked into."""
+    """Return the page of a submission that could not be graded."""
     nothing = {"variant": "", "parts": [], "so_far": [], "summary": [], "notes": []}
     return _page(final, student, name, words, typeset, **nothing, table=None, equations=None, answers=None)
 

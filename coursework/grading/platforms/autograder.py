@@ -114,7 +114,7 @@ def _not_marked(outcome: Outcome, language: str) -> str:
 
 
 def _parts(outcome: Outcome) -> Iterator[tuple[PartOutcome, float, float]]:
-    """Return the parts with their points and most points; each of these add up to that of the whole."""
+    """Return the parts with their points and most points, which add up to those of the whole submission."""
     scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
     return zip(outcome.parts, scores, _summing([part.max_score for part in outcome.parts], outcome.max_score), strict=True)
 

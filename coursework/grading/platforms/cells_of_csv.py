@@ -55,7 +55,7 @@ class CellText:
         return cells[column].value.strip() if column is not None and column < len(cells) else ""
 
     def named(self, names: Iterable[str]) -> Iterator[tuple[int, dict[str, str]]]:
-        """Yield the number of every record but the head, and its contents by those of `names` as titles."""
+        """Yield the number of each record below the head, and its contents by title, for the titles in `names`."""
         places = {name: self.columns.get(name) for name in names}
         for record in range(1, len(self.records)):
             yield record, {name: self.value(record, place) for name, place in places.items()}

@@ -28,7 +28,10 @@ _SAME = 1e-8  # relative difference up to which two quantities agree at all poin
 
 @frozen
 class Difference:
-    """The `kind` of difference; the `term` as written, or the velocity in a missing term; `column` is 0 if there is none."""
+    """How a line differs: `term` is the wrong term ("extra", "factor"), or the velocity whose term is missing or another one.
+
+    `column` is its place in the line, 0 if it has none.
+    """
 
     kind: Literal["extra", "factor", "missing", "other"]
     term: Formula
@@ -114,7 +117,7 @@ def _nothing_left(slopes: Array, place: int, term: Array) -> bool:
 
 
 def _sizes(term: Array, variant: Variant, probe: Probe) -> int | None:
-    """Return how many simple coefficients a coefficient is the sum of, None if it is no such sum."""
+    """Return how many functions of one simple basis add up to the coefficient `term`, None if no basis fits."""
     for basis in _simple(variant, probe):
         sizes = np.linalg.lstsq(basis, term, rcond=None)[0]
         if _are_same(basis @ sizes, term):

@@ -109,7 +109,7 @@ class EquationMarks:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """Return notes to a person: signs were added to some lines to read them, or their numbers are rounded."""
+        """Return notes for a person: how many lines were completed in order to read them, and which have rounded numbers."""
         guessed = sum(mark.line.guessed and mark.verdict != "unreadable" for mark in self.marks)
         rounded = [str(mark.line.line) for mark in self.marks if mark.verdict == "rounded"]
         return (

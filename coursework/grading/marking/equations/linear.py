@@ -64,7 +64,7 @@ class Linear:
 
     def is_near(self, limit: float) -> bool:
         """Return whether numbers with relative rounding errors up to `limit` explain the residual: it is at most `limit` of the
-        terms as written at every point, and at most `NEAR` times that of the collected terms, which may nearly cancel, at most.
+        terms as written at every point, and `NEAR * limit` of the collected terms, which may nearly cancel, at half the points.
         """
         written = _part(np.sum(self.slopes * self.probe.velocities, axis=1) + self.rest, self.size)
         return bool(np.all(written <= limit) and np.median(self.residuals) <= NEAR * limit)

@@ -42,7 +42,7 @@ def value_of(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any] |
 
 
 def size_of(tree: Formula, names: Mapping[str, Any]) -> Any:
-    """Return the sum (n,) of the absolute values of a formula's terms, to which its value is compared."""
+    """Return the sum (n,) of the absolute values of a formula's terms, with which its value is compared."""
     with np.errstate(all="ignore"):
         return _size(tree, names)
 

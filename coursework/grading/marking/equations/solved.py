@@ -16,7 +16,7 @@ from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Variant
 
-_HOLDS = 1e-6  # relative to the sum of an equation's terms
+_HOLDS = 1e-6  # residual up to which an equation holds, relative to the sum of the absolute values of its terms
 
 
 def is_one_slip(wrong: Sequence[Formula], counted: Sequence[Formula], variant: Variant, probe: Probe) -> bool:

@@ -278,5 +278,5 @@ def _solved(model: Model, variants: Sequence[Variant]) -> Solutions:
 
 
 def _complete(rows: Array) -> Array:
-    """Return the rows up to the one where the motion stopped."""
+    """Return the rows before the motion stopped."""
     return np.asarray(rows[~np.isnan(rows).any(axis=1)])

@@ -129,7 +129,7 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
         right = marks == KEY if table is key.table else alike(key, student, key.table) & (marks != KEY)
         made = restored(key, student, marks == WRONG, right, own)
         before, fitted = made.before, made.fitted
-        for way in reversed(made.ways):  # in the end a true step comes before a step with a velocity that may be wrong
+        for way in reversed(made.ways):  # a true step is tried before a step with a velocity that may be wrong
             holds = way.holds(values)
             holds[:1, :m] = False
             marks[holds & (marks == WRONG) & ~fitted] = way.name

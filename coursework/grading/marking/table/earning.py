@@ -25,7 +25,7 @@ ROUNDED = 0.98
 
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
-    """Return the rule that earns most, the first of equal ones, with the cells first; `others` are other variants' tables."""
+    """Return the rule that earns most; on a tie the cells, then the first rule.  `others` are other variants' tables by name."""
     by_cells = Earned(points.share, "cells", points.share, 0.0, 1.0, "", points.shut)
     if stands_still(key, cells):
         return by_cells
@@ -71,9 +71,10 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
 
 
 def _worth(rubric: Rubric, code: str) -> float:
-    """Return the worth of a cell that a misconception explains: with one wrong sign more than with a wrong method.
+    """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
-    A cause that leaves the velocities right costs nothing; rounded velocities cost little, as print with fewer digits hides them.
+    Velocities that are right although the step or the rows are not keep their worth; steps with rounded velocities are Euler's
+    and cost little, as print with fewer digits would hide the rounding.
     """
     if code in {*OTHER_STEPS, ROWS_SHIFTED}:
         return 1.0

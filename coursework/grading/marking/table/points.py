@@ -24,8 +24,8 @@ ENOUGH_ROWS, _COLUMNS, RUN = 0.6, 0.5, 5
 _CONSTANT = 1e-9
 # Part of the velocities that must be explained before a step may start from a row in which a cell was put right.
 _MOSTLY = 0.5
-# _SPARE: tolerance of a step, in largest one-step gaps.  _MOST: part of a row's coordinates that must be near.  FEW_FOLLOWING:
-# part of the rows that must follow for anything to count; FOLLOWING: for everything to count.
+# _SPARE: extra tolerance of a step, as a part of the largest one-step gap.  _MOST: part of a row's coordinates that must be near.
+# FEW_FOLLOWING: part of the rows that must follow before anything counts; FOLLOWING: for everything to count.
 _SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
 # A coordinate that moves in this part of the rows may stand still in the others.
 _MOVES = 0.33

@@ -28,11 +28,12 @@ _AROUND, _TRIED = 8, 3
 
 
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
-    """Yield tables of what rows may have been from which `wrong` cells are made.
+    """Yield tables of what rows may have been, given the `wrong` cells that are made from them.
 
-    In rows from which several wrong cells are made: all coordinates that were `other`, as the next row has them; or one cell
-    that was `other`, with the value on which most wrong cells and the row above agree, without or with the velocities that
-    follow from it. Further, `untold` cells as the rows above make them, in all columns or in one coordinate.
+    `other` marks cells that may have had another value, `untold` those of them that are not explained yet. For rows from which
+    several wrong cells are made: all `other` coordinates as the next row has them; then one `other` cell with the value on
+    which most cells agree, without and with the velocities that follow from it. Last, `untold` cells as the rows above make
+    them, in all columns or in one coordinate.
     """
     m = len(key.coordinates)
     places = np.arange(untold.shape[1])

@@ -93,7 +93,7 @@ class Found:
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
-    """Return whether to look for a misconception: so many of `count` cells are wrong, or the start, the times or whole rows.
+    """Return whether to look for a misconception: of `count` cells many are wrong, or the start, the times or whole rows are.
 
     In a steady drive the rows after a repeated one follow each other again, and few cells are wrong.
     """
@@ -243,7 +243,7 @@ def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
-    """Return the shares that are right on the rows of the table's own times: all cells, and velocities; None for the task's."""
+    """Return two shares that are right on the table's own times: of all cells, of velocities; None if these are the task's."""
     own = on_own_rows(key, cells.student)
     if own is None:
         return None

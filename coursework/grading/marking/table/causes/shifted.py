@@ -1,4 +1,4 @@
-"""A table that is right except for one row too many or too few: a row is repeated or left out.
+"""A table that is right except for one row too many or too few: a row is repeated, left out, or put before the first.
 
 Enters: a `TableUnderTest`.  Leaves: the table with its rows put back.  Used by `other_data.py`.
 From the slip on, every row stands beside another time and no longer follows; with the rows put back, the slip costs one row.

@@ -23,8 +23,8 @@ from coursework.grading.marking.table.ways import StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# _MOST: part of a table that a cause must make; it must be _MORE than what agrees with the task, and _OF_REST of what does not,
-# as a slip that is carried on also leaves the key, and other causes come near by chance.  Less is needed than to name a cause.
+# A cause must make at least _MOST of a table, _MORE more of it than agrees with the task, and _OF_REST of what does not: a slip
+# that is carried on leaves the key too, and other causes come near by chance.  To be named, a cause must make still more.
 _MOST, _MORE, _OF_REST = 0.7, 0.05, 0.6
 
 
