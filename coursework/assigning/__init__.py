@@ -1,1 +1,1 @@
-"""Individual variants for a class: data drawn from ranges, sheets for the students, a key and a page for the instructor."""
+"""Individual variants for a class: data drawn from ranges, task sheets for students, keys and a page for the instructor."""

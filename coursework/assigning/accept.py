@@ -1,6 +1,6 @@
-"""Draws until each student has a mechanism that moves, keeps the limits and is as hard as those of the others.
+"""Draws data until each student has a mechanism that moves, keeps the limits and is about as difficult as the others'.
 
-Enters: `Lots`, the template compiled once, students.  Leaves: `Accepted`, or the counts of what was refused and why.
+Enters: `Lots`, the template compiled once, students.  Leaves: `Accepted`, or counts of the reasons for which draws were refused.
 Used by `variants.py`.
 """
 
@@ -23,17 +23,17 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 T = TypeVar("T")
-PILOTS = 25  # feasible draws whose median is the centre of difficulty
-# A draw that is not possible costs most.  The pilot stops where fewer than one in so many is, looked at from so many draws on.
+PILOTS = 25  # feasible draws whose medians are the centre of difficulty
+# Draws that cannot move cost most.  The pilot stops if fewer than one in ONE_IN is feasible, checked after SURELY draws.
 ONE_IN, SURELY, BATCH = 20, 100, 50
-_TOGETHER = 256  # draws that are judged in one array
-_AT_ONCE, _ALONE = 4, 64  # draws of one student that are judged together: among the class, and where few are left
-_IN_COMPANY = 32  # draws after which those who have nothing yet are served one by one, so that a hopeless case ends soon
+_TOGETHER = 256  # draws judged in one array
+_AT_ONCE, _ALONE = 4, 64  # draws of one student judged together: within the class, and when few students are left
+_IN_COMPANY = 32  # draws of each student before those without data are served one by one, so that a hopeless case ends soon
 
 
 @frozen
 class Accepted:
-    """What one student is given: the drawn `values` by their path in the file, the `attempt` (from 0), and how hard it is."""
+    """The data of one student: drawn `values` by their path in the file, the `attempt` (from 0), the measures of difficulty."""
 
     id: str
     values: Mapping[Path, str]
@@ -42,14 +42,14 @@ class Accepted:
 
     @property
     def check_row(self) -> int | None:
-        """Return the drawn row of the check (from 1), None where it is the template's."""
+        """Return the drawn row of the check (from 1), None if the template's row is kept."""
         text = self.values.get(("time", "check_row"))
         return None if text is None else int(text)
 
 
 @frozen
 class Centre:
-    """The middle of the class: the median of each measure over the pilot stream, and the share of draws that were feasible."""
+    """The middle of the class: the median of each measure over the pilot draws; how many draws were feasible, and of how many."""
 
     numbers: Mapping[str, float]
     feasible: int
@@ -58,7 +58,7 @@ class Centre:
 
 
 class Acceptance:
-    """One class: draws and judges; students may be asked for in any order and any company."""
+    """Draws and judges the data of one class; students may be served in any order and grouping."""
 
     def __init__(self, model: Model, lots: Lots) -> None:
         self.model, self.lots = model, lots
@@ -66,7 +66,7 @@ class Acceptance:
         self.centre = self._centre()
 
     def accepted(self, students: Iterable[str], done: Callable[[int], None] = lambda number: None) -> list[Accepted]:
-        """Return what each student is given; `done` is told how many more are ready.  Raises `InputError` with counts."""
+        """Return the data of each student; `done` is called with how many more are ready.  Raises `InputError` with counts."""
         listed = [*students]
         found: dict[str, Accepted] = {}
         waiting, tries = [*dict.fromkeys(listed)], self.ranges.limits.tries
@@ -87,7 +87,7 @@ class Acceptance:
     def _tried(
         self, students: Sequence[str], attempts: Sequence[int], found: dict[str, Accepted], refused: Mapping[str, Counter[str]]
     ) -> int:
-        """Find what students are given among some attempts, or count why not; return for how many it was found."""
+        """Try some attempts of some students, put what is accepted into `found`, count refusals; return how many were found."""
         before = len(found)
         lots = [(student, number) for student in students for number in attempts]
         for (student, number), (values, verdict) in zip(lots, self._judged(lots), strict=True):
@@ -105,7 +105,7 @@ class Acceptance:
         return list(zip(draws, judge(self.model, read_data(self.model.variant, columns), self.ranges.limits), strict=True))
 
     def _outside(self, numbers: Mapping[str, float]) -> str:
-        """Return the measure that lies outside the band, "" where none does."""
+        """Return the name of a measure that is outside its band, "" if none is."""
         for name in self.ranges.difficulty.numbers:
             low, high = self.band(name)
             if not low <= numbers[name] <= high:
@@ -113,12 +113,12 @@ class Acceptance:
         return ""
 
     def band(self, name: str) -> tuple[float, float]:
-        """Return within which limits a measure lies for every student, whoever is in the class."""
+        """Return the limits of a measure, which are the same for every student and any class."""
         low, high = self.ranges.difficulty.reach
         return low * self.centre.numbers[name], high * self.centre.numbers[name]
 
     def _centre(self) -> Centre:
-        """Return the middle of the first feasible draws of a stream that no student has."""
+        """Return the medians over the first feasible draws of the pilot stream, which belongs to no student."""
         kept: list[Verdict] = []
         refused: Counter[str] = Counter()
         drawn, least = 0, min(SURELY, self.ranges.limits.tries)
@@ -138,7 +138,7 @@ class Acceptance:
         return Centre(numbers, len(kept), drawn, dict(refused))
 
     def _refusal(self, key: str, refused: Counter[str], feasible: int = 0, **values: object) -> Sentence:
-        """Return why the ranges leave too few mechanisms, and what refused how many."""
+        """Return a sentence that the ranges leave too few mechanisms, with how many each reason refused."""
         counts = [say(f"assign.refused.{reason}", number=number) for reason, number in refused.most_common()]
         values |= {"number": feasible + sum(refused.values()), "feasible": feasible}
         return say(key, file=self.ranges.file, reasons=joined(counts, "join.numbers"), **values)

@@ -1,9 +1,9 @@
-"""A roster and an assignment -> every file that students and their instructor get.
+"""A roster and an assignment -> all files for the students and their instructor.
 
-Enters: `Student`s, `Assignment`, the folder OUT.  Leaves: variant files, sheets, keys, roster.csv, class.html, and on request
-one PDF.  Used by `commands/assign.py`.
+Enters: `Student`s, `Assignment`, the folder OUT.  Leaves: variant files, sheets, keys, roster.csv, class.html, and, if asked
+for, one PDF.  Used by `commands/assign.py`.
 
-What one student gets depends on that student alone; a further student adds files and a row and changes class.html.
+The data of a student depend on that student alone; a further student adds files and a row and changes class.html.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
 
 @frozen
 class Wishes:
-    """How the files are made: `seed` as the user gave it, what stands on the line of the deadline, whether there is a PDF.
+    """How the files are made: the `seed` as typed, the text of the `deadline`, whether there is a PDF.
 
-    By the `rubric` a sheet says what is marked and what a person looks at.  With `workbooks` everybody gets one, whose first row
-    has its formulas where `help_level` is 1.
+    By the `rubric` a sheet says what the program marks and what a person looks at.  With `workbooks` each student gets a
+    workbook, whose first row has its formulas if `help_level` is 1.
     """
 
     seed: str
@@ -54,16 +54,16 @@ def assign(
     drawn: Callable[[int], None] = lambda number: None, made: Callable[[int], None] = lambda number: None,
     missed: Callable[[str], None] = lambda letters: None,
 ) -> list[str]:  # fmt: skip
-    """Write the files of a class and return their kinds; nothing is written where one student gets no variant.
+    """Write the files of a class and return their kinds; nothing is written if one student gets no variant.
 
-    `drawn` and `made` are told how many students more have data and files, `missed` which letters the PDF shows as boxes.
-    Raises `InputError`, `OutputError`.
+    `drawn` and `made` are called with how many more students have data and files, `missed` with the letters that the PDF
+    shows as boxes.  Raises `InputError`, `OutputError`.
     """
     if wishes.workbooks:
         from coursework.system.extras import require
         from coursework.takeaway.workbook.book import task_workbook
 
-        require("xlsxwriter", "xlsx", "workbook")  # before the first file
+        require("xlsxwriter", "xlsx", "workbook")  # before any file is written
     individuals = assignment.individuals([student.id for student in roster], drawn)
     equations = key_equations(Scene(assignment.template, assignment.settings), words)
     for name, content in assignment.tables.items():
@@ -87,7 +87,7 @@ def assign(
     if wishes.workbooks:
         written.append("workbooks/ID.xlsx")
     if wishes.pdf:
-        paper = pdf_of("sheets.typ", pages)  # each sheet begins on a page of its own
+        paper = pdf_of("sheets.typ", pages)  # each sheet begins on a new page
         _write(out / PDF, paper.content)
         missed(paper.missing)
         written.append(PDF)
@@ -97,7 +97,7 @@ def assign(
 
 
 def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
-    """Return the roster for `grade --roster`, with what was drawn and how hard it is; further columns are kept."""
+    """Return the roster for `grade --roster`, with the drawn data and their difficulty; further columns are kept."""
     names = [one.name for one in assignment.ranges.ranges]
     head = ["id", "name", "email", "variant", "least_decimals", ACCEPTED, *names, *MEASURES]
     more = [key for key in handouts[0].student.more if key not in head]
@@ -115,7 +115,7 @@ def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
 
 
 def _write(path: Path, content: bytes) -> None:
-    """Write a file; one that is there already with these bytes is left alone."""
+    """Write a file, unless it already has these bytes."""
     with refused(path):
         if path.is_file() and path.read_bytes() == content:
             return

@@ -1,4 +1,4 @@
-"""A class with its individual variants -> the page that shows how data and difficulty spread.
+"""A class with its individual variants -> the page that shows the spread of data and difficulty.
 
 Enters: `Handout`s and the assignment they come from.  Leaves: HTML without script.  Used by `assign.py`.
 """
@@ -23,7 +23,7 @@ LONGEST = 120
 
 
 def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, words: Words) -> str:
-    """Return the page of a class, in which there is somebody."""
+    """Return the page of a class that has at least one student."""
     accepted = [handout.individual.accepted for handout in handouts]
     centre = assignment.acceptance.centre
     draws = [one.attempt + 1 for one in accepted]
@@ -45,7 +45,7 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
 
 
 def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
-    """Return the strip of one measure of difficulty; what the band does not hold has its own reach for a band."""
+    """Return the strip of one measure of difficulty; without a band, it shows the range of the values instead."""
     values = [one.numbers[name] for one in accepted]
     centre = assignment.acceptance.centre.numbers[name]
     banded = name in assignment.ranges.difficulty.numbers
@@ -59,7 +59,7 @@ def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, wo
 
 
 def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
-    """Return the strip of one drawn datum over its range."""
+    """Return the strip of one drawn datum within its range."""
     values = [read(each.values[one.path]).value for each in accepted]
     every = sorted((read(text).value, text) for text in one.ends)
     (low, first), (high, last) = every[0], every[-1]
@@ -84,7 +84,7 @@ def _dressed(text: str, words: Words) -> str:
 
 
 def _column(one: Range, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
-    """Return the column of one datum: its unit stands at the head where all have the same."""
+    """Return the column of one datum; its unit stands at the head if all values have the same unit."""
     texts = [each.values[one.path] for each in accepted]
     units = {read(text).unit for text in texts}
     unit = units.pop() if len(units) == 1 else ""
@@ -104,7 +104,7 @@ def _student(handout: Handout, words: Words) -> Plain:
 
 
 def _equal(accepted: Sequence[Accepted]) -> list[list[str]]:
-    """Return the students who have been given the same data."""
+    """Return the groups of students who have the same data."""
     alike: dict[tuple[str, ...], list[str]] = {}
     for one in accepted:
         alike.setdefault(tuple(text for path, text in sorted(one.values.items()) if path[0] != "time"), []).append(

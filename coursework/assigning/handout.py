@@ -1,6 +1,6 @@
-"""One student's variant -> everything that the sheet and the key say of it, drawn and computed once.
+"""One student's variant -> everything that the sheet and the key say about it, drawn and computed once.
 
-Enters: an `Individual` and who the student is.  Leaves: `Handout`.
+Enters: an `Individual` and its `Student`.  Leaves: `Handout`.
 Used by `assign.py`; read by `sheet.py`, `key.py` and `class_page.py`.
 """
 
@@ -29,11 +29,11 @@ from coursework.words.errors import InputError
 
 @dataclass(frozen=True, eq=False)
 class Handout:
-    """What one student is given, and its key.
+    """What one student gets, and its key.
 
-    `motion` is the Euler table, `start` all coordinates at t = 0 (rad, m), `mechanism` the drawing of the start, None where the
-    file places no points; `meanings` says of data what they are; `check` the construction in the check row, None where the
-    variant asks for none; `of_class` how many decimals are accepted of everybody.
+    `motion` is the Euler table, `start` all coordinates at t = 0 (rad, m), `mechanism` the drawing of the start (None if the
+    file places no points). `meanings` says what each datum is; `check` is the construction in the check row (None if there is
+    none); `of_class` is the number of decimals accepted from everyone.
     """
 
     student: Student
@@ -58,19 +58,19 @@ class Handout:
 
     @property
     def least_decimals(self) -> int:
-        """Return how many decimals the table needs for every slip in it to show."""
+        """Return how many decimals the task sheet asks for, so that every slip in the table shows."""
         return decimals_asked(self.individual.accepted.numbers["one_step_gap"])
 
     @property
     def accepted_decimals(self) -> int:
-        """Return how many decimals the sheet may promise to be enough: those of the class, unless these data need more."""
+        """Return how many decimals the sheet may call enough: those of the class, unless these data need more."""
         gap = self.individual.accepted.numbers["one_step_gap"] / max(1.0, self.variant.time.step)
         enough = 10.0**-self.of_class <= SHARED * SHOWN * gap
         return min(self.of_class if enough else decimals_accepted(gap), self.least_decimals)
 
 
 def make_handout(student: Student, individual: Individual, of_class: int) -> Handout:
-    """Return the handout of a student, whose motion is known to be possible; `of_class` decimals are accepted of everybody."""
+    """Return the handout of a student whose motion is known to be possible; `of_class` decimals are accepted from everyone."""
     variant = individual.variant
     scene = Scene(variant, Settings(DEFAULT_SCHEME.name))
     time = variant.time
@@ -78,14 +78,14 @@ def make_handout(student: Student, individual: Individual, of_class: int) -> Han
     mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start, lambda: scene.exact)
     check = None
     if time.check_row is not None and variant.links:
-        # The key compares the drawing with the table; what Euler's error is stands in the report of a run.
-        with suppress(InputError):  # a mechanism that no construction by centres suits has none to check
+        # The key compares the drawing with the table; the report of a run tells Euler's error.
+        with suppress(InputError):  # for a mechanism that cannot be constructed by centres there is no check
             check = check_graph(scene.mechanism, scene.equations, motion, motion)
     return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings(scene.mechanism), check, scene, of_class)
 
 
 def difficulty_text(value: float) -> str:
-    """Return a measure of difficulty with four digits and without an exponent.
+    """Return a measure of difficulty as text with four digits and without an exponent.
 
     >>> difficulty_text(0.0132), difficulty_text(17.905)
     ('0.01320', '17.91')

@@ -1,9 +1,9 @@
-"""Drawn data -> which mechanisms can be given to a student, and how hard each is; many sets at once.
+"""Drawn data -> which mechanisms can be given to a student, and how difficult each is; many sets at once.
 
-Enters: a template compiled once, sets of data, limits.  Leaves: a `Verdict` each.  Used by `accept.py`.
+Enters: a template compiled once, sets of data, limits.  Leaves: a `Verdict` for each set.  Used by `accept.py`.
 
-A set is sure to move where the vectorised search says so; every other one is searched alone, as `coursework.feasible` does
-it, so that no verdict depends on the company in the array.
+The vectorised search proves for most sets that they can move; every other set is searched alone, as `coursework.feasible` does,
+so that no verdict depends on the other sets in the array.
 """
 
 from __future__ import annotations
@@ -33,15 +33,15 @@ from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import CourseworkError
 
-# The exact motion is followed in at least so many parts of a step, and of the whole: Runge-Kutta 4 is then right to 1e-8 where
-# Euler is off by 0.1, and the smallest determinant is missed by less than a thousandth.
+# The exact motion is computed in at least PARTS parts of a step and FEWEST of the whole: Runge-Kutta 4 is then right to 1e-8
+# where Euler is off by 0.1, and the smallest determinant found is right to a thousandth.
 PARTS, FEWEST = 8, 400
-_LATEST = 1 + 1e-9  # of a horizon, beyond which a row is not looked at
+_LATEST = 1 + 1e-9  # times the horizon: later rows are left out
 
 
 @frozen
 class Verdict:
-    """`refused` is the key of the reason, "" for what may be given out; `numbers` measure the difficulty (SI)."""
+    """`refused` is the key of the reason, "" if the data may be given out; `numbers` are the measures of difficulty (SI)."""
 
     refused: str
     numbers: Mapping[str, float] = field(default_factory=dict)
@@ -64,7 +64,7 @@ def judge(model: Model, data: Data, limits: Limits) -> list[Verdict]:
 
 
 def _refused_at_sight(template: Variant, data: Data, index: int, variant: Variant) -> Verdict:
-    """Return the verdict on data that need no computing: those of the template itself, and times that make no table."""
+    """Return a refusal of data that need no computing: those of the template itself, and times that make no table."""
     names = [name for name in data.changed if name in data.given]
     starts = zip(template.coordinates, data.start[index].tolist(), strict=True)
     same = all(variant.values[name] == template.values[name] for name in names)
@@ -76,7 +76,7 @@ def _refused_at_sight(template: Variant, data: Data, index: int, variant: Varian
 
 
 def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limits) -> list[Verdict]:
-    """Return the verdicts on sets whose rows stand at the same times."""
+    """Return the verdicts on sets of data whose rows have the same times."""
     time = variants[0].time
     horizons = np.array([one.time.whole for one in variants])
     prepared = prepare(model, data, float(np.max(horizons)))
@@ -99,7 +99,7 @@ def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limi
 
 
 def _beyond(limits: Limits, numbers: Mapping[str, float], step: float) -> str:
-    """Return the first limit that a mechanism does not keep, "" for none."""
+    """Return the name of the first limit that a mechanism exceeds, "" if it keeps all."""
     least, fastest = numbers["least_determinant"], numbers["largest_velocity"]
     if limits.least_determinant is not None and not least >= limits.least_determinant:
         return "least_determinant"
@@ -113,7 +113,7 @@ def _beyond(limits: Limits, numbers: Mapping[str, float], step: float) -> str:
 
 
 def _movable(model: Model, data: Data, sure: Flags, horizons: Array) -> Flags:
-    """Return for which sets (n,) the whole motion is possible; those in doubt are searched one by one."""
+    """Return for which sets (n,) the whole motion is possible; sets that are not sure are searched one by one."""
     movable = sure.copy()
     places = np.flatnonzero(~sure)
     if not len(places):
@@ -130,7 +130,7 @@ def _movable(model: Model, data: Data, sure: Flags, horizons: Array) -> Flags:
 
 
 def _stops(model: Model, data: Data, place: int, start: list[float], end: float) -> bool:
-    """Return whether the motion of one set is sure to stop: the search alone, without anything put in words."""
+    """Return whether the motion of one set surely stops, by the search alone, without a message."""
     variant = replace(
         model.variant, given=tuple(replace(one, value=float(data.given[one.name][place])) for one in model.variant.given)
     )
@@ -144,7 +144,7 @@ def _stops(model: Model, data: Data, place: int, start: list[float], end: float)
 def _measured(
     model: Model, data: Data, variants: list[Variant], rows: Array, exact: Array, fine: Array, horizons: Array
 ) -> dict[str, Array]:
-    """Return the measures (n,) of difficulty; nan where a motion was not followed."""
+    """Return the measures of difficulty (n,) by name; nan where a motion could not be followed."""
     m, h = len(model.coordinates), variants[0].time.step
     numbers = model.numbers(data, 1)
     t = np.arange(rows.shape[1]) * h
@@ -166,7 +166,7 @@ def _measured(
 
 
 def _scales(model: Model, variants: list[Variant], data: Data) -> Array:
-    """Return the largest value (blocks, n) that each determinant can take, as `Motion.scaled` is scaled."""
+    """Return the largest value (blocks, n) that each determinant can take, by which it is scaled as in `Motion.scaled`."""
     bounds = [[largest(b.determinant, one) if b.determinant else 0.0 for b in model.blocks] for one in variants]
     for place, row in enumerate(bounds):
         if not all(row):

@@ -1,6 +1,6 @@
-"""A handout -> its key: the Euler table as CSV, and a page with equations, table and the construction of the check row.
+"""A handout -> its key: the Euler table as CSV, and a page with equations, table and the construction in the check row.
 
-Enters: a `Handout`; the equations of the template, which all students share.  Leaves: CSV text and HTML.
+Enters: a `Handout`; the template's equations, which all students share.  Leaves: CSV text and HTML.
 Used by `assign.py`.
 """
 
@@ -22,13 +22,13 @@ from coursework.words.templates import clean, filled
 
 
 def key_csv(handout: Handout) -> str:
-    """Return the Euler table: header t, then the columns; SI; shortest text that reads back to the same number."""
+    """Return the Euler table as CSV: header t and the columns; SI; the shortest text that reads back to the same number."""
     motion = handout.motion
     return timed_csv(motion.names, motion.t, motion.rows)
 
 
 def key_equations(scene: Scene, words: Words) -> tuple[list[Equation], list[Equation]]:
-    """Return the constraints as written and the velocities solved from them, the same for every student of a template."""
+    """Return the equations as written, and the velocities solved from them; both are the same for all students."""
     variant = scene.variant
     written = [equation(variant, one.left, one.right, words, one.name) for one in variant.constraints]
     solved = [equation(variant, named(name), formula, words) for block in scene.solutions for name, formula in block]
@@ -36,7 +36,7 @@ def key_equations(scene: Scene, words: Words) -> tuple[list[Equation], list[Equa
 
 
 def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equation]], words: Words) -> str:
-    """Return the page of one key."""
+    """Return the page with the key of one student."""
     variant = handout.variant
     written, solved = equations
     page: Plain = {

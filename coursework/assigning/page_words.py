@@ -1,6 +1,6 @@
-"""Numbers, symbols and equations of individual variants as the pages set them.
+"""Numbers, symbols and equations of individual variants in the form in which the pages print them.
 
-Enters: a variant, values, formulas.  Leaves: runs and displayed equations, as plain data for the templates.
+Enters: a variant, values, formulas.  Leaves: runs of text and displayed equations, as plain data for the templates.
 Used by `sheet.py`, `key.py` and `class_page.py`.
 """
 
@@ -22,18 +22,18 @@ LONGEST = 200
 
 
 def symbol_runs(variant: Variant, name: str) -> list[dict[str, str]]:
-    """Return the symbol of a name as runs."""
+    """Return the symbol of a name as runs of text."""
     return [symbol(name, rates_of(variant)).run]
 
 
 def symbol_text(variant: Variant, name: str) -> str:
-    """Return the symbol of a name as text, for sentences: "ω₃"; a letter alone is marked, so that it is set as a symbol."""
+    """Return the symbol of a name as text for a sentence, such as "ω₃"; a single letter is marked to be set in italics."""
     text = symbol(name, rates_of(variant)).text
     return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 else text
 
 
 def time_text(variant: Variant, key: str, words: Words) -> str:
-    """Return the step or end of the table; where the file has a formula for it, that too."""
+    """Return the step or end (`key`) of the table, preceded by its formula if the file has one."""
     value = words.amount(words.numbers.plain(getattr(variant.time, key)), "s")
     formula = variant.times.get(("time", key))
     if formula is None:
@@ -42,29 +42,29 @@ def time_text(variant: Variant, key: str, words: Words) -> str:
 
 
 def lettered(variant: Variant, text: str) -> list[dict[str, str]]:
-    """Return a sentence of our own as runs, the names of the variant set as symbols; what is filled in is clean already."""
+    """Return a sentence of our own as runs, with the variant's names as symbols; values in it must be clean already."""
     laws = (law.name for law in (*variant.drive, *variant.functions))
     return runs(printed(text), (*variant.columns, *(given.name for given in variant.given), *laws))
 
 
 def rates_of(variant: Variant) -> Rates:
-    """Return the velocities of a table, as symbols of their derivatives know them."""
+    """Return the velocities of a table, for the symbols of their derivatives."""
     return Rates(frozenset(variant.velocities))
 
 
 def datum(text: str, unit: str, words: Words) -> str:
-    """Return a datum with the digits it was drawn with, and its unit."""
+    """Return a datum with the digits with which it was drawn, and its unit."""
     return words.amount(words.numbers.dressed(clean(text, LONGEST)), unit)
 
 
 def equation(variant: Variant, left: Formula, right: Formula, words: Words, name: str = "") -> Equation:
-    """Return a displayed equation; `name` stands at its margin."""
+    """Return a displayed equation with `name` in its margin."""
     shown = marked(display(left, right, rates_of(variant), name), words("decimal"))
     return {"math": shown.math, "text": shown.text, "name": shown.name}
 
 
 def drives(variant: Variant, words: Words) -> tuple[list[Equation], list[str]]:
-    """Return the laws of the drive as equations, and in words those that are tables or change their formula."""
+    """Return the laws of the drive as equations, and sentences on those given by tables and on the functions."""
     shown: list[Equation] = []
     told: list[str] = []
     for law in variant.drive:

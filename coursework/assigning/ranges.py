@@ -1,9 +1,9 @@
-"""What the data of a class may be: ranges, limits, and how equally hard the drawn mechanisms must be.
+"""What the data of a class may be: ranges, limits, and how equal in difficulty the drawn mechanisms must be.
 
 Enters: nothing.  Leaves: the frozen records `Ranges`, `Range`, `Limits`, `Difficulty`.
 Used by every part of this room; made by `reader.py`.
 
-A ranges file; seven templates have theirs in `variants/ranges/`, with the measured share of draws that can move:
+A ranges file (seven templates have theirs in `variants/ranges/`, each with the measured share of draws that can move):
 
     [given]
     r1    = { from = "0.82 m", to = "1.08 m", step = "0.001 m" }   # any of these, printed with these digits
@@ -22,9 +22,9 @@ A ranges file; seven templates have theirs in `variants/ranges/`, with the measu
     band    = 0.30                         # each number within ±30 % of the median of the class, whoever is in it
     numbers = ["euler_error", "least_determinant", "largest_velocity"]     # also one_step_gap
 
-A draw is SHA-256 of seed, template, ranges and student: a student who comes later changes nobody else's data.  It is taken where
-the whole motion is possible, Euler's table steps over nothing, the limits hold and the mechanism is as hard as the others; ranges
-that leave too few are refused with the reasons counted.
+A draw is the SHA-256 of seed, template, ranges and student: a further student changes no other student's data.  It is accepted if
+the whole motion is possible, Euler's table steps over no event, the limits hold and the mechanism is as difficult as the others.
+If the ranges leave too few mechanisms, they are refused, with a count of each reason.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from dataclasses import field
 from coursework.system.frozen import frozen
 
 Path = tuple[str, ...]
-# What a drawn mechanism is measured by, with the unit it is told in.
+# The measures of a drawn mechanism, each with the unit in which it is told.
 MEASURES: Mapping[str, str] = {
     "euler_error": "rad",
     "least_determinant": "",
@@ -51,8 +51,8 @@ USUAL = ("euler_error", "least_determinant", "largest_velocity")
 class Range:
     """The `count` values that one datum may take; each is a text as a variant file writes it.
 
-    `path` is where the file has it.  Either `choice` lists the values, or they are first, first + step, … in units of
-    10^-decimals of `unit`, so that every value has the digits of its range and no other.
+    `path` is its place in the file.  Either `choice` lists the values, or they are first, first + step, … in units of
+    10^-decimals of `unit`, so that every value has exactly the digits of its range.
     """
 
     path: Path
@@ -70,11 +70,11 @@ class Range:
 
     @property
     def ends(self) -> tuple[str, ...]:
-        """Return the values between which all lie: the first and the last, each one that is listed."""
+        """Return values between which all lie: the first and the last, or all that are listed."""
         return self.choice or (self.text(0), self.text(self.count - 1))
 
     def text(self, place: int) -> str:
-        """Return one value (place from 0).
+        """Return the value at a place (from 0).
 
         >>> Range(("given", "r1"), first=820, step=1, count=261, decimals=3, unit="m").text(7)
         '0.827 m'
@@ -89,11 +89,11 @@ class Range:
 
 @frozen
 class Limits:
-    """What every drawn mechanism must keep; None where nothing is asked.
+    """What every drawn mechanism must fulfil; a limit is None if nothing is asked.
 
-    `least_determinant` scaled, over the whole motion; `least_transmission` (rad) the angle whose sine that is;
-    `largest_velocity` (rad/s) in the Euler table; `least_rows_a_turn` rows that a turn at that velocity would have; `tries`
-    draws a student.
+    `least_determinant` is scaled, over the whole motion; `least_transmission` (rad) is the angle whose sine it is;
+    `largest_velocity` (rad/s) is the one in the Euler table; `least_rows_a_turn` counts the rows of a turn at that velocity;
+    `tries` is the number of draws for each student.
     """
 
     least_determinant: float | None = None
@@ -105,17 +105,17 @@ class Limits:
 
 @frozen
 class Difficulty:
-    """Each of `numbers` lies within ±`band` (a part of it) of the median of the class, whoever the class consists of."""
+    """Each of `numbers` must be within ±`band` (as a part of it) of the median of the class, whatever the class is."""
 
     band: float = 0.30
     numbers: tuple[str, ...] = USUAL
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Return the limits of a number, as parts of its median over the pilot stream.
+        """Return the limits of a measure, as parts of its median over the pilot draws.
 
-        The class is not known when a student's data are drawn, and its median may lie anywhere between the limits.  The upper
-        one is therefore 1 + band times the lower one: then nobody is farther than the band from any such median.
+        The class is unknown when a student's data are drawn, and its median may lie anywhere between the limits.  So the upper
+        limit is 1 + band times the lower one: no student is then farther than the band from any such median.
         """
         root = math.sqrt(1 + self.band)
         return 1 / root, root
@@ -123,7 +123,7 @@ class Difficulty:
 
 @frozen
 class Ranges:
-    """One ranges file; `file` is what messages call it."""
+    """The contents of one ranges file; `file` is its name in messages."""
 
     ranges: tuple[Range, ...]
     limits: Limits = field(default_factory=Limits)
@@ -132,9 +132,9 @@ class Ranges:
 
     @property
     def digest(self) -> str:
-        """Return what a draw depends on, as text: the ranges of the data in the order of their names.
+        """Return the ranges of the data, sorted by name, as a text on which the draws depend.
 
-        Limits and band decide which draw is taken, not what is drawn: widened, they leave most students their data.
+        Limits and band are left out: they decide which draw is taken, not what is drawn, so wider ones change few students' data.
         """
         listed = [[*one.path, *(one.choice or (one.first, one.step, one.count, one.decimals, one.unit))] for one in self.ranges]
         return json.dumps(sorted(listed, key=lambda entry: [str(part) for part in entry]), ensure_ascii=False)

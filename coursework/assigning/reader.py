@@ -1,4 +1,4 @@
-"""A ranges file -> `Ranges` for one template, or every fault of it with line and advice.
+"""A ranges file -> `Ranges` for one template, or all its faults with line and advice.
 
 Enters: TOML (bytes, or its plain data) and the template.  Leaves: `Ranges`.  Raises `InputError`.
 Used by `variants.py`.  Its keys are also in `variants/ranges/ranges.schema.json`, for editors.
@@ -29,17 +29,17 @@ MOST_TRIES, MOST_BAND, MOST_ROWS_A_TURN = 100_000, 10.0, 1e6
 
 
 def read_ranges(content: bytes, file: str, template: Variant) -> Ranges:
-    """Return the ranges of a file.  Raises `InputError` with every fault, in file order."""
+    """Return the ranges in a file.  Raises `InputError` with every fault, in the order of the file."""
     return _Reader(read_source(content, file, {}), template).ranges()
 
 
 def ranges_of(data: Mapping[str, Any], template: Variant) -> Ranges:
-    """Return the ranges of data as a ranges file would hold them.  Raises `InputError`."""
+    """Return the ranges in plain data of the form of a ranges file.  Raises `InputError`."""
     return _Reader(Source("ranges", {}, dict(data), Positions()), template).ranges()
 
 
 def ranges_file(path_or_name: str | Path, folder: Path) -> Path:
-    """Return the file of ranges: a path, or the name of a template of the catalogue (whose ranges lie in `folder`)."""
+    """Return the path of a ranges file, given as a path or as the name of a catalogue template with ranges in `folder`."""
     path = Path(path_or_name)
     beside = folder / f"{path_or_name}.toml"
     if path.is_file() or path.suffix == ".toml" or not beside.is_file():
@@ -51,7 +51,7 @@ def ranges_file(path_or_name: str | Path, folder: Path) -> Path:
 
 
 class _Reader:
-    """Reads one file, gathering faults."""
+    """Reads one file and gathers its faults."""
 
     def __init__(self, source: Source, template: Variant) -> None:
         self.source, self.template = source, template
@@ -161,7 +161,7 @@ class _Reader:
         return Range(place, (), whole[0], whole[1], int((last - first) // step) + 1, decimals, amounts[0].unit)
 
     def _quantity(self, path: KeyPath, value: Any, si: str) -> Quantity | None:
-        """Return one value of a datum, None after a fault."""
+        """Return one value of a datum, None if it has a fault."""
         if not isinstance(value, (str, int, float)):
             self._say(path, "fault.A024")
             return None
@@ -220,7 +220,7 @@ class _Reader:
 
 
 def _decimals(value: Decimal) -> int:
-    """Return how many decimals a number is written with."""
+    """Return the number of decimals with which a number is written."""
     exponent = value.as_tuple().exponent
     assert isinstance(exponent, int)
     return max(0, -exponent)

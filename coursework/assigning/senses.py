@@ -1,6 +1,6 @@
-"""A handout -> from where each angle and length of its table is measured, and which sense is positive.
+"""A handout -> from where each angle and length in its table is measured, and which direction is positive.
 
-Enters: a `Handout`.  Leaves: rows of runs: symbols, what they are, from where, the positive sense.
+Enters: a `Handout`.  Leaves: rows of runs: symbols, what they are, from where measured, the positive direction.
 Used by `sheet.py`.
 """
 
@@ -27,11 +27,11 @@ from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
 QUARTERS = ("right", "up", "left", "down")
-_RIGHT_ANGLE = 1e-9  # rad: so near to it a direction lies on an axis
+_RIGHT_ANGLE = 1e-9  # rad: a direction as near as this to an axis lies on it
 
 
 def sense_rows(handout: Handout, words: Words) -> list[list[Runs]]:
-    """Return a row for each coordinate with its rate, each other velocity, and the velocity of a driven point."""
+    """Return one row for each coordinate with its rate, each other velocity, and the velocity of a driven point."""
     variant, mechanism = handout.variant, handout.scene.mechanism
     found = {turn.coordinate: turn for turn in turns(mechanism, _values(handout))}
     rows: list[tuple[tuple[str, ...], str, str, str]] = []
@@ -49,7 +49,7 @@ def sense_rows(handout: Handout, words: Words) -> list[list[Runs]]:
 
 
 def _values(handout: Handout) -> dict[str, complex]:
-    """Return what the names of the file stand for at the start, points as x + iy; without what a law of time gives."""
+    """Return the values at the start by name, points as x + iy; names that depend on a law of time are left out."""
     variant = handout.variant
     names = [coordinate.name for coordinate in variant.coordinates]
     values: dict[str, complex] = {**variant.values, "pi": math.pi, **dict(zip(names, handout.start, strict=True))}
@@ -81,7 +81,7 @@ def _length(mechanism: Mechanism, one: Coordinate, words: Words) -> tuple[str, s
 
 
 def _placed(mechanism: Mechanism, name: str, words: Words) -> str:
-    """Return a point by its name, one that stands still with its place: "K (0, h)"."""
+    """Return the name of a point, with its place if it does not move: "K (0, h)"."""
     place = dict(mechanism.points).get(name)
     if place is None or place.op != "pair" or {*place.names()} & {*mechanism.variant.columns}:
         return clean(name)
@@ -89,7 +89,7 @@ def _placed(mechanism: Mechanism, name: str, words: Words) -> str:
 
 
 def _velocity(variant: Variant, name: str, words: Words) -> tuple[str, str, str]:
-    """Return what the unknown of an equation is."""
+    """Return what an unknown of the equations is: meaning, an empty origin, and its positive direction."""
     binding = next((one for one in variant.bindings if one.name == name), None)
     link = next((link.name for link in variant.links if link.rate == name), "")
     if binding is None and link:
@@ -104,7 +104,7 @@ def _velocity(variant: Variant, name: str, words: Words) -> tuple[str, str, str]
 
 
 def _way(variant: Variant, parts: Signed, words: Words, key: str) -> str:
-    """Return a direction in words: one of the axes, or at which angle to the x axis."""
+    """Return a direction in words: along an axis, or at an angle to the x axis."""
     angle = summed(parts)
     if set(angle.names()) <= {"pi"}:
         value = evaluate(angle, {})
@@ -118,14 +118,14 @@ def _way(variant: Variant, parts: Signed, words: Words, key: str) -> str:
 
 
 def _set(variant: Variant, formula: Formula, words: Words) -> str:
-    """Return a formula as text; what parts coordinates is no decimal comma."""
+    """Return a formula as text; a comma between coordinates becomes a semicolon where the comma is the decimal mark."""
     text = Setter(typst=False, rates=rates_of(variant), in_sentence=True).set(formula).source
     mark = words("decimal")
     return marked_text(text if mark == POINT else text.replace(", ", "; "), mark)
 
 
 def _arms(mechanism: Mechanism, name: str) -> Iterator[tuple[str, Signed]]:
-    """Yield from which point and in which direction a coordinate that is a length is laid off: K + s @ angle, (s, 0)."""
+    """Yield the point and the direction from which a length coordinate s is laid off, as in K + s @ angle or (s, 0)."""
     length = named(name)
     for side in _sides(mechanism):
         parts = list(signed(side))

@@ -1,4 +1,4 @@
-"""A handout -> the task sheet that a student gets: what is given, what to do, what to hand in.
+"""A handout -> the task sheet for a student: what is given, what to do, what to hand in.
 
 Enters: a `Handout`.  Leaves: plain data, the same for the screen (`reports/sheet.html.j2`) and paper (`reports/sheets.typ`).
 Used by `assign.py`.
@@ -27,11 +27,11 @@ from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
 LONGEST = 200
-TYPED = "\ue002"  # around a name as it is typed; no text has it
+TYPED = "\ue002"  # put around a name that is shown as typed; it occurs in no other text
 
 
 def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plain:
-    """Return all that a task sheet says; the rubric tells what is marked and what a person looks at."""
+    """Return the contents of a task sheet; the rubric says what the program marks and what a person looks at."""
     variant = handout.variant
     shown, told = drives(variant, words)
     return {
@@ -56,13 +56,13 @@ def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plai
 
 
 def sheet_html(page: Plain) -> str:
-    """Return a task sheet for the screen, which prints on A4 and fetches nothing."""
+    """Return a task sheet for the screen; it prints on A4 and loads nothing from elsewhere."""
     drawn = pictures(page["drive"])
     return fitted(filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs))
 
 
 def pictures(equations: Iterable[Equation]) -> Drawn:
-    """Return equations as SVG; none where Typst is missing, and the text form stands in their place."""
+    """Return equations as SVG; empty if Typst is missing, and the page then shows their text."""
     try:
         return draw([one["math"] for one in equations])
     except OutputError:
@@ -85,7 +85,7 @@ def _drawing(handout: Handout, words: Words) -> Plain | None:
 
 
 def data_rows(handout: Handout, words: Words) -> list[list[object]]:
-    """Return each given datum: its symbol, its value as written, what it means."""
+    """Return for each given datum its symbol, its value as written, and its meaning."""
     variant, meanings = handout.variant, handout.meanings
     return [
         [symbol_runs(variant, g.name), datum(g.text, g.unit or g.si, words), lettered(variant, words.written(meanings[g.name]))]
@@ -94,7 +94,7 @@ def data_rows(handout: Handout, words: Words) -> list[list[object]]:
 
 
 def start_rows(handout: Handout, words: Words) -> list[list[object]]:
-    """Return the start of each coordinate: as drawn, or as the geometry gives it."""
+    """Return the start of each coordinate, as drawn or as the geometry determines it."""
     rows: list[list[object]] = []
     solved = determined(handout.variant)
     for place, coordinate in enumerate(handout.variant.coordinates):
@@ -127,7 +127,7 @@ def _tasks(handout: Handout, words: Words) -> list[str]:
 
 
 def _parts(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
-    """Return what is handed in: first what the program marks, then what a person does."""
+    """Return what to hand in: first what the program marks, then what a person looks at."""
     variant = handout.variant
     told = {
         "table": words("sheet.part.table", rows=variant.time.steps + 1),
@@ -145,14 +145,14 @@ def _parts(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
 
 
 def _answer(handout: Handout, words: Words, answer: Answer) -> str:
-    """Return an answer that the rubric asks for: its name, as it is typed, and what it is in which row."""
+    """Return one answer that the rubric asks for: its name as typed, the quantity and the row."""
     variant = handout.variant
     of = symbol_text(variant, answer.of) if answer.of in variant.columns else clean(answer.of)
     return words("sheet.part.answer", name=_typed(answer.name), of=of, row=answer.row or variant.time.row_of_check)
 
 
 def _files(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
-    """Return which files are read, and how equations may be written."""
+    """Return which files can be read, and how equations may be written."""
     told = [words("sheet.files")]
     if rubric.weights["equations"]:
         variant, join = handout.variant, words("join.comma").join
@@ -163,24 +163,24 @@ def _files(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
 
 
 def exemplary(variant: Variant) -> tuple[str, ...]:
-    """Return a coordinate and its rate, those with the most Greek letters, to show how names are written."""
+    """Return a coordinate and its rate as an example of how to write names: the pair with the most Greek letters."""
     pairs: list[tuple[str, ...]] = [(one.name, one.rate) for one in variant.coordinates] or [variant.sought[:1]]
     return max(pairs, key=lambda pair: sum(symbol(name).letter in GREEK.values() for name in pair))
 
 
 def _typed(name: str) -> str:
-    """Return a name that is to be set as it is typed, for `_told`."""
+    """Return a name marked for `_told` to be shown as typed."""
     return f"{TYPED}{clean(name, LONGEST)}{TYPED}"
 
 
 def _told(variant: Variant, text: str) -> Runs:
-    """Return a sentence as runs; names that are typed stay as they are."""
+    """Return a sentence as runs, with the names marked by `_typed` shown as typed."""
     parts = text.split(TYPED)
     return [run for place, part in enumerate(parts) for run in ([{"c": part}] if place % 2 else lettered(variant, part))]
 
 
 def _digits(handout: Handout, words: Words) -> str:
-    """Return which decimals are asked for, and with how many a table is still marked."""
+    """Return how many decimals are asked for, and with how few a table is still marked."""
     asked, accepted = handout.least_decimals, handout.accepted_decimals
     told = [words("sheet.least", decimals=asked)]
     told.append(words("sheet.accepted", decimals=accepted) if accepted < asked else words("sheet.fewer"))
@@ -188,7 +188,7 @@ def _digits(handout: Handout, words: Words) -> str:
 
 
 def _senses(handout: Handout, words: Words, rubric: Rubric) -> Plain:
-    """Return the table of senses, without the column that says nothing of any, and the notes below it."""
+    """Return the table of positive directions, without columns that are empty in all rows, and the notes below it."""
     rows = sense_rows(handout, words)
     heads = [words(key) for key in ("given.quantity", "sheet.sense.what", "sheet.sense.from", "sheet.sense.positive")]
     untold = lettered(handout.variant, words("sheet.sense.untold"))
@@ -202,7 +202,7 @@ def _senses(handout: Handout, words: Words, rubric: Rubric) -> Plain:
 
 
 def _sense_notes(handout: Handout, words: Words, rubric: Rubric, told: bool) -> list[str]:
-    """Return what holds for all signs: how the axes lie, and that turning counted clockwise is read too, where signs are told."""
+    """Return notes on the signs: how the axes lie and, if some sign is `told`, that clockwise angles are also accepted."""
     turning = told and any(handout.variant.unit_of(name) in {"rad", "rad/s"} for name in handout.variant.columns)
     arcs = handout.mechanism is not None and "data-angle" in handout.mechanism.svg
     return [

@@ -1,6 +1,6 @@
-"""Drawn data -> the variant of a student: its file, and the variant that the file is read as.
+"""Drawn data -> the variant of a student: its file, and the variant read from that file.
 
-Enters: the template, what a student was given.  Leaves: `Individual`.
+Enters: the template, the accepted data of a student.  Leaves: `Individual`.
 Used through `import coursework`, and for a whole class by `assign.py`.
 """
 
@@ -33,12 +33,12 @@ from coursework.words.data_folders import folder
 from coursework.words.errors import CourseworkError, InputError, reason_of
 from coursework.words.sentences import say
 
-FOLDER = "ranges"  # of the catalogue
+FOLDER = "ranges"  # the folder within the catalogue
 
 
 @frozen
 class Individual:
-    """One student's variant: what was accepted, the file's bytes, and what they are read as."""
+    """One student's variant: the accepted data, the bytes of the file, and the variant read from them."""
 
     accepted: Accepted
     content: bytes
@@ -59,17 +59,17 @@ class Assignment:
         self.acceptance = Acceptance(self.model, Lots(template, ranges, str(seed)))
 
     def individuals(self, students: Iterable[str], done: Callable[[int], None] = lambda number: None) -> list[Individual]:
-        """Return the variant of each student.  Raises `InputError` where the ranges leave a student without one."""
+        """Return the variant of each student.  Raises `InputError` if the ranges leave a student without one."""
         return [self.individual(accepted) for accepted in self.acceptance.accepted(students, done)]
 
     def individual(self, accepted: Accepted) -> Individual:
-        """Return the variant with the accepted data: the template's file with other values in it, read anew."""
+        """Return the variant with the accepted data: the template's file with these values, read again."""
         if determined(self.template):
             given = {path[1]: text for path, text in accepted.values.items() if path[0] == "given"}
             start = {path[1]: text for path, text in accepted.values.items() if path[0] == "coordinates"}
             variant = self.template.with_data(given, start, check_row=accepted.check_row)
             content = variant_text(variant, self.original, self._scheme).encode("utf-8")
-        else:  # nothing follows from the data, so they need not be read twice
+        else:  # no start follows from the data, so they need not be read twice
             changes: dict[KeyPath, Any] = {path: text for path, text in accepted.values.items() if path[0] != "time"}
             if accepted.check_row is not None:
                 changes["time", "check_row"] = accepted.check_row
@@ -78,21 +78,21 @@ class Assignment:
 
     @cached_property
     def accepted_decimals(self) -> int:
-        """Return with how many decimals, at the least, the table of everyone is marked: one number, from the template."""
+        """Return the least number of decimals with which everyone's table is marked, from the template."""
         try:
             gap = key_to_mark_by(self.template).gap
-        except CourseworkError:  # a template that does not move itself; its middle draw stands for it
+        except CourseworkError:  # a template that cannot move itself; the median over the pilot draws stands for it
             gap = self.acceptance.centre.numbers["one_step_gap"]
         return decimals_accepted(gap)
 
     @property
     def settings(self) -> Settings:
-        """Return how the tables of the class are made."""
+        """Return the settings with which the tables of the class are made."""
         return Settings(DEFAULT_SCHEME.name)
 
     @property
     def _scheme(self) -> str:
-        """Return the scheme that each file must name, so that a run writes the table that is marked; "" where it does anyway."""
+        """Return the scheme that each file must name so that a run makes the marked table; "" if it is used without that."""
         own = scheme_for(self.template)
         return "" if own == DEFAULT_SCHEME.name else DEFAULT_SCHEME.name
 
@@ -100,8 +100,8 @@ class Assignment:
 def draw(template: Variant | str | Path, ranges: Ranges | Mapping[str, Any] | str | Path, seed: str | int, id: str) -> Variant:
     """Return the variant that a student is given: the same one whoever else is in the class.
 
-    `ranges`: a ranges file, the name of a template of the catalogue, or the same as plain data.  Raises `InputError` for
-    ranges with faults, and with counts of the reasons where they leave too few mechanisms.
+    `ranges`: a ranges file, the name of a template in the catalogue, or plain data of the same form.  Raises `InputError` for
+    ranges with faults, and, with a count of each reason, if they leave too few mechanisms.
 
     >>> import coursework
     >>> variant = coursework.draw("31", "31", seed=2026, id="ada")
@@ -126,7 +126,7 @@ def draw_many(
 
 
 def load_ranges(ranges: Ranges | Mapping[str, Any] | str | Path, template: Variant) -> Ranges:
-    """Return ranges from a file, from the catalogue by the name of its template, or from plain data.  Raises `InputError`."""
+    """Return ranges from a file, from the catalogue by the template's name, or from plain data.  Raises `InputError`."""
     if isinstance(ranges, Ranges):
         return ranges
     if isinstance(ranges, Mapping):
@@ -136,7 +136,7 @@ def load_ranges(ranges: Ranges | Mapping[str, Any] | str | Path, template: Varia
 
 
 def read_file(path: Path) -> bytes:
-    """Return the bytes of a file that the instructor names.  Raises `InputError`."""
+    """Return the bytes of a file named by the instructor.  Raises `InputError`."""
     try:
         return path.read_bytes()
     except OSError as error:

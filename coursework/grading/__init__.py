@@ -1,1 +1,1 @@
-"""Many submissions -> marks: collected, read, marked, written out; the text of students is data throughout."""
+"""Many submissions -> marks: collected, read, marked, written out; the text of students is treated as data throughout."""

@@ -1,4 +1,4 @@
-"""How a submission would be read and whether it contradicts itself, in sentences; no number of the key is shown.
+"""How a submission would be read and whether it contradicts itself, in sentences that show no number of the key.
 
 Enters: bytes of files, a variant.  Leaves: `Prechecked`.  Used by `commands/precheck.py` and the desk.
 """
@@ -33,7 +33,7 @@ Told = Callable[[Sentence], None]
 
 @frozen
 class Prechecked:
-    """`fine`: every part could be marked; `has_table`: one was read; what is told, and notes on what was read."""
+    """`fine`: every part could be marked; `has_table`: a table was read; sentences for the student, notes on the reading."""
 
     fine: bool
     has_table: bool
@@ -44,7 +44,7 @@ class Prechecked:
 def precheck(submission: Submission, variant: Variant, named: Callable[[str, tuple[str, ...]], str]) -> Prechecked:
     """Return what a student may know before handing in; `named` writes the names in a text as its reader knows them.
 
-    Raises `InputError` where the variant has no table.
+    Raises `InputError` if the variant has no table.
     """
     key = key_to_mark_by(variant)
     grid = key.grid
@@ -108,7 +108,7 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
 
 
 def _steps(key: Key, cells: Cells, named: Named, told: Told) -> None:
-    """Say the first row whose angles do not follow from the row before by Euler's rule."""
+    """Tell the first row in which a coordinate does not follow from the row before by Euler's rule, or that all do."""
     m = len(key.coordinates)
     values = cells.student.values
     against = telling_steps(key, cells) & ~true_steps(key, cells)

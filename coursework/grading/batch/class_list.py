@@ -1,6 +1,6 @@
-"""SOURCE, roster and worksheet -> whom to grade by which variant.
+"""SOURCE, roster and worksheet -> which students to grade, and by which variant.
 
-Enters: an opened `Source`, the roster or one variant, perhaps Moodle's worksheet.  Leaves: `ClassList`.
+Enters: an opened `Source`, the roster or one variant, Moodle's worksheet if there is one.  Leaves: `ClassList`.
 Raises `InputError` before anything is graded.  Used by `gradebook.py`.
 """
 
@@ -34,9 +34,9 @@ _DECIMALS = re.compile(r"(?:[0-9]|1[0-5])?")
 
 @frozen
 class Place:
-    """One student to grade: by which variant, from which file_lists (none: nothing handed in), where the worksheet has them.
+    """One student to grade: the variant, the file lists (empty: nothing handed in), the row in the worksheet if there is one.
 
-    `accepted_decimals` are those of the roster, None where it has no such column.
+    `accepted_decimals` come from the roster, None if it has no such column.
     """
 
     id: str
@@ -50,7 +50,7 @@ class Place:
 
 @frozen
 class ClassList:
-    """Everyone to grade, by id; `sources` and `variants` by the name of a variant; file_lists of nobody on the roster."""
+    """All students to grade, by id; `sources` and `variants` by the variant's name; file lists of nobody on the roster."""
 
     places: tuple[Place, ...]
     sources: Mapping[str, VariantSource]
@@ -58,7 +58,7 @@ class ClassList:
     not_on_roster: tuple[FileList, ...]
 
     def tasks(self, source: Source, overrides: Mapping[str, tuple[Override, ...]], timed: bool = False) -> Iterator[Task]:
-        """Yield the tasks, each with its files read when it is drawn; if `timed`, with when they were handed in."""
+        """Yield the tasks; files are read when a task is drawn.  If `timed`, a task says when the files were handed in."""
         for place in self.places:
             decisions = overrides.get(place.id, ())
             yield Task(
@@ -71,7 +71,7 @@ class ClassList:
 
 
 def _handed_in(source: Source, place: Place) -> str:
-    """Return when somebody handed in: the worksheet's time, else what Canvas says; "" for in time or nothing."""
+    """Return the worksheet's time, or LATE by Canvas, or UNKNOWN; "" if Canvas does not say late or nothing was handed in."""
     if place.row and place.row.modified:
         return place.row.modified.isoformat()
     if any(file_list.late for file_list in place.file_lists):
@@ -89,7 +89,7 @@ def _collected(source: Source, place: Place) -> Submission:
 
 
 def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> ClassList:
-    """Return a class in which everybody has the same variant; ids come from SOURCE."""
+    """Return a class in which all students have the same variant; their ids come from SOURCE."""
     chosen = read_source(variant, Path())
     rows = {row.number: row for row in worksheet.rows if row.number} if worksheet else {}
     places = []
@@ -101,7 +101,7 @@ def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> C
 
 
 def class_of_roster(source: Source, roster: Sequence[Student], file: Path, worksheet: Worksheet | None) -> ClassList:
-    """Return the class of a roster, each student with the variant that stands there.  Raises `InputError` with every fault."""
+    """Return the class of a roster, each student with the variant given there.  Raises `InputError` with every fault."""
     faults: list[Fault] = []
     read: dict[str, tuple[Variant, VariantSource]] = {}
     for student in roster:
@@ -135,11 +135,11 @@ def class_of_roster(source: Source, roster: Sequence[Student], file: Path, works
 
 
 def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
-    """Return a variant and its bytes, by a name of the catalogue or a path (from `folder`).  Raises `InputError`."""
+    """Return a variant and its bytes, from a name in the catalogue or a path relative to `folder`.  Raises `InputError`."""
     path = folder / name
     is_file = path.is_file()
     if is_file and not _is_variant(path):
-        raise InputError([Fault(say("fault.G066"), str(path))])  # and nothing of it is quoted
+        raise InputError([Fault(say("fault.G066"), str(path))])  # the message quotes nothing of the file
     variant = read_variant(path if is_file else find(name))
     assert variant.path is not None
     content = variant.path.read_bytes()
@@ -150,7 +150,7 @@ def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
 
 
 def _is_variant(path: Path) -> bool:
-    """Return whether a file is meant as a variant; of one that is too large or cannot be opened its reader says why."""
+    """Return whether a file looks like a variant; also True if it is too large or unreadable, as its reader then says why."""
     try:
         with path.open("rb") as file:
             content = file.read(MAX_BYTES + 1)
@@ -163,11 +163,11 @@ def _by_id(places: Sequence[Place]) -> tuple[Place, ...]:
     return tuple(sorted(places, key=lambda place: place.id))
 
 
-MOST = 500  # variants; beyond these a class is a university, and looking through all of them helps nobody
+MOST = 500  # variants: with more the class is a whole university, and to compare a table with all of them helps nobody
 
 
 def class_tables(variants: Mapping[str, Variant]) -> dict[str, list[list[float]]]:
-    """Return the tables, nothing where everybody has the same variant."""
+    """Return Euler's table of each variant by name; empty if there is only one variant or more than MOST."""
     if not 1 < len(variants) <= MOST:
         return {}
     from coursework.grading.marking.key.key import tables_of

@@ -1,7 +1,7 @@
-"""What the instructor decided instead of the marks: read from a file, put into a grade after marking on every run.
+"""Decisions of the instructor that replace marks: read from a file, put into the grades after marking on every run.
 
 Enters: `overrides.csv` (id,check,points,reason and further columns), grades.  Leaves: `Override`s by id, changed grades.
-Raises `InputError` for what cannot be meant: nothing is graded by half-understood decisions.
+Raises `InputError` for a decision that makes no sense: nothing is graded by half-understood decisions.
 Used by `grading/batch/` and `commands/`.
 """
 
@@ -32,7 +32,7 @@ _SHARE = re.compile(r"([^%％]*?)\s*[%％]")
 
 @frozen
 class Override:
-    """What the instructor decided instead: `points` for a part ("table", "equations", "answers") or for the "total".
+    """A decision of the instructor: `points` for a part ("table", "equations", "answers") or for the "total".
 
     `say` is a sentence to the student; `appeal`, `by`, `at` and `marker` are kept as they stand.
     """
@@ -47,12 +47,12 @@ class Override:
     marker: str = ""
 
     def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it: of the further columns those that say something."""
+        """Return the record as grades.json writes it, without further columns that are empty."""
         return {key: value for key, value in asdict(self).items() if value or key not in FURTHER}
 
 
 def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Rubric) -> dict[str, tuple[Override, ...]]:
-    """Return the decisions by id of `known` students.  Raises `InputError` with every fault."""
+    """Return the decisions of each student in `known`, by id.  Raises `InputError` with every fault."""
     cells = read_cells(content, file)
     if missing := [name for name in COLUMNS[:3] if name not in cells.columns]:
         raise InputError([Fault(say("fault.G028", missing=missing[0], columns=",".join(COLUMNS)), file, 1)])
@@ -85,7 +85,7 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
 
 
 def _points(text: str, most: float) -> float | None:
-    """Return the points that a cell means, itself or as a share of `most`, None where it means none from 0 to `most`."""
+    """Return the points in a cell, written as points or as a percentage of `most`; None if they are not from 0 to `most`."""
     share = _SHARE.fullmatch(text)
     number = filled_in(share[1] if share else text, "," if "," in text else ".")
     if not number.is_number or not 0 <= number.value <= (100 if share else most):
@@ -94,9 +94,9 @@ def _points(text: str, most: float) -> float | None:
 
 
 def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: Rubric, handed_in: str = "") -> dict[str, Any]:
-    """Return a grade with the decisions in it, and what it loses for being late unless the total was decided.
+    """Return a grade with the decisions put in, and with what it loses for being late unless the total was decided.
 
-    One about the total gives a number to what had none, and so do those about the parts that had no points, once none is left.
+    A decision about the total gives a number to a grade without one; so do decisions about all parts that had no points.
     """
     overrides = tuple(overrides)
     changed = {**grade, "overrides": [override.plain() for override in overrides]}
@@ -124,7 +124,7 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
 
 
 def _after_deadline(grade: dict[str, Any], rubric: Rubric, handed_in: str) -> dict[str, Any]:
-    """Return a grade without the points lost by being late; a decision about the total is the last word."""
+    """Return a grade less the points lost for being late; a decision about the total is final and loses none."""
     changed = {**grade, "late": None}
     if rubric.late is None or not changed["files"]:
         return changed
@@ -147,7 +147,7 @@ def _after_deadline(grade: dict[str, Any], rubric: Rubric, handed_in: str) -> di
 
 
 def _unmarked(part: str, rubric: Rubric) -> dict[str, Any]:
-    """Return a part that nobody counted anything in, with the keys that it has in grades.json."""
+    """Return a part that was not marked, with the keys that it has in grades.json."""
     counts = {"independent": 0, "needed": 0} if part == "equations" else {}
     return {"score": None, "max": rounded_points(rubric.most(part)), **counts, "items": []}
 

@@ -1,4 +1,4 @@
-"""Grading a class: what is new goes to the workers, everything goes into the gradebook; nothing already done is lost.
+"""Grading a class: new submissions go to the workers, all grades into the gradebook; what is done already is kept.
 
 Enters: a `ClassList`, `Setup`, OUT.  Leaves: `journal.jsonl`, pages, then the files of `written.py`.  Used by the command.
 """
@@ -29,7 +29,7 @@ PAGES = "feedback"
 
 @frozen
 class Options:
-    """How a batch is run; none of it changes a mark."""
+    """How a batch is run; no option changes a mark."""
 
     jobs: int
     scheduler: str | None = None
@@ -37,13 +37,13 @@ class Options:
 
     @property
     def processes(self) -> int:
-        """Return how many processes work at once."""
+        """Return how many processes work at the same time."""
         return self.jobs or min(MOST_JOBS, os.cpu_count() or 1)
 
 
 @frozen
 class Change:
-    """A grade that is not what it was in the last run; `after` is "" where the submission is there no more."""
+    """A grade that differs from the last run's; `after` is "" if the submission is gone."""
 
     id: str
     before: str
@@ -53,7 +53,7 @@ class Change:
 
 @dataclass
 class Graded:
-    """What a run leaves: the place of each id's grade in the journal, how many were new, what changed."""
+    """The result of a run: the place of each student's grade in the journal, how many are new, and what changed."""
 
     journal: Journal
     places: dict[str, int] = field(default_factory=dict)
@@ -61,13 +61,13 @@ class Graded:
     changes: list[Change] = field(default_factory=list)
 
     def entries(self) -> Iterator[Entry]:
-        """Yield every grade, by id."""
+        """Yield all grades, sorted by id."""
         for student in sorted(self.places):
             yield self.journal.read(self.places[student])
 
 
 def page_name(student: str) -> str:
-    """Return where in OUT the page of a student stands."""
+    """Return the path of a student's page in OUT."""
     return f"{PAGES}/{file_stem(student)}.html"
 
 
@@ -75,9 +75,9 @@ def grade_class(
     listed: ClassList, source: Source, setup: Setup, journal: Journal, out: Path, options: Options,
     overrides: Mapping[str, tuple[Override, ...]], progress: Callable[[], None],
 ) -> Graded:  # fmt: skip
-    """Return the grades of a class; `progress` is called once a student.  The journal must be open.
+    """Return the grades of a class; `progress` is called once for each student.  The journal must be open.
 
-    A submission whose files, variant, rubric, decisions and version are those of an earlier run is not graded again.
+    A submission is not graded again if its files, variant, rubric, decisions and version are those of an earlier run.
     """
     by_key, by_id = journal.places()
     timed = bool(setup.rubric) and read_rubric(setup.rubric).late is not None
@@ -111,7 +111,7 @@ def grade_class(
             progress()
     for student in by_id.keys() - graded.places.keys():
         before = journal.read(by_id[student])
-        if _page_stands(out, before, wanted=True):  # of a submission that is there no more
+        if _page_stands(out, before, wanted=True):  # the submission is gone
             (out / page_name(student)).unlink()
         graded.changes.append(Change(student, _mark(before), "", "withdrawn"))
     graded.changes.sort(key=lambda change: change.id)
@@ -119,7 +119,7 @@ def grade_class(
 
 
 def _page_written(out: Path, outcome: Outcome) -> str:
-    """Write the page of an outcome; return its hash, "" where there is none."""
+    """Write the page of an outcome; return its hash, "" if there is no page."""
     if not outcome.page:
         return ""
     content = outcome.page.encode("utf-8")
@@ -128,7 +128,7 @@ def _page_written(out: Path, outcome: Outcome) -> str:
 
 
 def _page_stands(out: Path, entry: Entry, wanted: bool) -> bool:
-    """Return whether an entry's page is where it was written, unchanged, or none is wanted."""
+    """Return whether an entry's page is in its place and unchanged, or is not wanted."""
     if not wanted:
         return True
     page = out / page_name(entry.id)
@@ -140,7 +140,7 @@ def _change(entry: Entry, before: Entry | None) -> Change | None:
         return None
     parts = zip(REASONS, before.key.split(), entry.key.split(), strict=False)
     reason = next((name for name, old, new in parts if old != new), "again")
-    if _mark(before) == _mark(entry) and reason != "overrides":  # a decision is listed whatever came of it
+    if _mark(before) == _mark(entry) and reason != "overrides":  # a decision is listed even if it changed nothing
         return None
     return Change(entry.id, _mark(before), _mark(entry), reason)
 

@@ -1,7 +1,7 @@
-"""What has been graded already, by content: the next run continues here, whatever ended the last one.
+"""What has been graded already, by content: the next run continues here, however the last one ended.
 
 Enters: outcomes as they come.  Leaves: `journal.jsonl` in OUT, one flushed line each.  Used by the batch only.
-Memory holds places in the file, not grades: a university's journal is larger than a laptop's memory.
+Memory holds places in the file, not grades: a university's journal is larger than the memory of a laptop.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from coursework.words.sentences import say
 
 NAME = "journal.jsonl"
 _DIGITS = 32
-AGAIN = ("timeout", "crashed-grader")  # a fault of ours or of the machine may be gone by the next run
+AGAIN = ("timeout", "crashed-grader")  # graded again in the next run: a fault of ours or of the machine may be gone by then
 
 
 @frozen
 class Entry:
-    """One graded submission: the content it is known by, its grade as grades.json says it, the hash of its page or ""."""
+    """One graded submission: the key to its content, its grade as grades.json writes it, the hash of its page or ""."""
 
     key: str
     id: str
@@ -35,7 +35,7 @@ class Entry:
 
 @frozen
 class _Line:
-    """One line: the entry as text, and the check sum by which it is believed."""
+    """One line of the file: the entry as text, and its checksum."""
 
     sum: str
     entry: str
@@ -51,7 +51,7 @@ def _sum_of(text: str) -> str:
 
 
 def _read(line: bytes) -> Entry | None:
-    """Return the entry of a line, None for one that is torn, damaged, or was written by somebody else."""
+    """Return the entry of a line; None if the line is torn, damaged, or not written by this program."""
     try:
         found = read_line(_Line, line)
         return read_line(Entry, found.entry.encode()) if found.sum == _sum_of(found.entry) else None
@@ -67,7 +67,7 @@ class Journal:
         self._file: IO[bytes] | None = None
 
     def __enter__(self) -> Journal:
-        """Open the file.  Raises `OutputError` for what is no file of its own in OUT: a link, a folder, a pipe."""
+        """Open the file.  Raises `OutputError` if the name belongs to a link, a folder or a pipe instead of a file."""
         if self.path.is_symlink() or (self.path.exists() and not self.path.is_file()):
             raise OutputError([Fault(say("fault.W016"), str(self.path))])
         with refused(self.path):
@@ -84,7 +84,7 @@ class Journal:
             self._file.close()
 
     def places(self) -> tuple[dict[str, int], dict[str, int]]:
-        """Return where each work (by key) and the last grade of each id stand; torn lines are dropped."""
+        """Return the places of finished work by key, and of the last grade by id; torn lines are skipped."""
         file = self._open()
         by_key: dict[str, int] = {}
         by_id: dict[str, int] = {}
@@ -99,7 +99,7 @@ class Journal:
         return by_key, by_id
 
     def read(self, place: int) -> Entry:
-        """Return the entry that stands at a place."""
+        """Return the entry at a place.  Raises `RuntimeError` if its line was changed meanwhile."""
         file = self._open()
         file.seek(place)
         entry = _read(file.readline())
@@ -108,15 +108,15 @@ class Journal:
         return entry
 
     def add(self, entry: Entry) -> int:
-        """Write one entry so that it is there even if the power goes now; return its place."""
+        """Append one entry without buffering, so that it is there even if the program ends now; return its place."""
         file = self._open()
         line = _written(entry)
         with refused(self.path):
-            file.write(line)  # at the end of the file, wherever that is now, in one piece
+            file.write(line)  # in one piece at the end of the file, wherever that is now
         return file.tell() - len(line)
 
     def rewrite(self, places: Iterable[int]) -> None:
-        """Keep the entries of this run only, in the order given, so that the file does not grow from run to run."""
+        """Keep only the entries at `places`, in that order, so that the file does not grow from run to run."""
         part = self.path.with_name(f".{NAME}.part")
         with part.open("wb") as file:
             for place in places:

@@ -1,6 +1,6 @@
 """One graded submission -> the results file of an autograder.
 
-Enters: a grade as grades.json says it.  Leaves: `results.json` for Gradescope or PrairieLearn.  Used by the command.
+Enters: a grade as grades.json writes it.  Leaves: `results.json` for Gradescope or PrairieLearn.  Used by the command.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ PLATFORMS = {"gradescope": gradescope, "prairielearn": prairielearn}
 
 
 def autograder_results(grade: Mapping[str, Any], platform: str, path: Path, language: str) -> None:
-    """Write the results of one submission for a platform, in a language."""
+    """Write the results of one submission for a platform, in the given language."""
     words = load_phrases(language)
     parts = [
         PartOutcome(part, found.get("score"), float(found.get("max") or 0.0), _told(grade, part, words))
@@ -35,10 +35,10 @@ def autograder_results(grade: Mapping[str, Any], platform: str, path: Path, lang
 
 
 def _told(grade: Mapping[str, Any], part: str, words: Phrases) -> str:
-    """Return what a student reads about a part: why it has the points it has, then line by line what each is."""
+    """Return what a student reads about a part: why it has its points, then the verdict on each line or answer."""
     lines = [told(grade, words, part)]
     if part == "equations":
-        asked = {"unreadable": "asked"} if grade["status"] == "needs-review" else {}  # a line nobody could read is a question
+        asked = {"unreadable": "asked"} if grade["status"] == "needs-review" else {}  # an unreadable line is a question then
         verdicts = [(item["line"], asked.get(item["verdict"], item["verdict"])) for item in grade[part]["items"]]
         lines += [f"{line}: {words.said(f'feedback.equation.{verdict}')}" for line, verdict in verdicts]
     if part == "answers":

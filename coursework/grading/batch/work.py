@@ -1,4 +1,4 @@
-"""What a child needs to grade one submission, as plain data that crosses to another process or machine.
+"""What a child process needs to grade one submission, as plain data that can go to another process or machine.
 
 Enters: variants, rubric, options.  Leaves: `Setup`, `Task`, `Outcome`.  Used by `workshop.py` in the processes that mark,
 by `workers.py` beside them, by the class list and the command.
@@ -25,13 +25,13 @@ from coursework.system.version import VERSION
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
 
-# Raised whenever marks may come out otherwise: a second run then grades everything anew.
+# Increased whenever marks may change: the next run then grades everything again.
 GRADING_VERSION = 15
 
 
 @dataclass(frozen=True)
 class VariantSource:
-    """A variant as bytes: its file, its side tables, its name; a child never looks at the disk for it."""
+    """A variant as bytes: its name, its file and its side tables; a child never reads them from the disk."""
 
     name: str
     content: bytes
@@ -39,7 +39,7 @@ class VariantSource:
 
     @cached_property
     def sha256(self) -> str:
-        """Return the hash of all bytes."""
+        """Return the hash of the file and all side tables."""
         digest = hashlib.sha256(self.content)
         for name in sorted(self.tables):
             digest.update(name.encode() + b"\0" + self.tables[name])
@@ -48,9 +48,9 @@ class VariantSource:
 
 @dataclass(frozen=True)
 class Setup:
-    """What holds for a whole batch: the rubric's text, whether pages are wanted, Euler's tables of the class's variants.
+    """What is the same for a whole batch: the rubric's text, whether pages are wanted, Euler's tables of the class's variants.
 
-    `pieces` are the instructor's own pieces of pages, by name; `language` is that of pages and sentences.
+    `pieces` are the instructor's own page templates, by name; `language` is that of pages and sentences.
     """
 
     rubric: str = ""
@@ -63,9 +63,9 @@ class Setup:
 
 @frozen
 class Task:
-    """One submission, the variant it is graded by, what the instructor decided about it, the decimals accepted of its class.
+    """One submission, its variant, the instructor's decisions about it, and the decimals accepted from its class.
 
-    `handed_in` is when, in ISO 8601, or one of the words of `late.py`; "" where it does not matter.
+    `handed_in` is the time in ISO 8601, or one of the words of `late.py`; "" if it does not matter.
     """
 
     submission: Submission
@@ -75,9 +75,9 @@ class Task:
     handed_in: str = ""
 
     def key(self, setup: Setup) -> str:
-        """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
+        """Return the key of this work in the journal: one hash for each reason to grade again, never of a path or a clock."""
         looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
-        missing = () if pdf.is_readable() else (pdf.EXTRA,)  # with another extra a file may be read that could not be
+        missing = () if pdf.is_readable() else (pdf.EXTRA,)  # with this extra a file may become readable
         parts = {
             "files": json.dumps(plain_of(self.submission), sort_keys=True) + self.handed_in,
             "variant": " ".join(str(part) for part in (self.variant.sha256, self.accepted_decimals) if part is not None),
@@ -88,14 +88,14 @@ class Task:
         return " ".join(hashlib.sha256(text.encode()).hexdigest()[:_DIGITS] for text in parts.values())
 
 
-# Why a submission is graded anew, in the order of the hashes in a key.
+# Reasons to grade a submission again, in the order of the hashes in a key.
 REASONS = ("files", "variant", "rubric", "overrides", "version")
 _DIGITS = 32
 
 
 @frozen
 class Outcome:
-    """What came of one submission: `grade` as grades.json says it, and its page ("" where none was asked for)."""
+    """The result for one submission: its `grade` as grades.json writes it, and its page ("" if no page was asked for)."""
 
     id: str
     grade: dict[str, Any]
@@ -103,7 +103,7 @@ class Outcome:
 
 
 def failed(task: Task, setup: Setup, status: str, reason: Sentence) -> Outcome:
-    """Return the outcome of a submission that could not be graded; it has no number, and is no zero."""
+    """Return the outcome of a submission that could not be graded: it has no number, which is not a zero."""
     rubric = read_rubric(setup.rubric)
     words = load_phrases(setup.language)
     why = {"reasons": [state_reason(reason).plain()], "hidden": []}

@@ -1,7 +1,7 @@
-"""Many tasks at once: a pool of processes here, or the workers of a Dask cluster that each watch one.
+"""Many tasks at once: in a pool of processes here, or on a Dask cluster, each of whose workers supervises one process.
 
 Enters: tasks by the key of their work, lazily.  Leaves: (key, `Outcome`) pairs as they come, each key once.
-Used by `gradebook.py` and the command; both ways give the same outcomes in another order.
+Used by `gradebook.py` and the command; both ways give the same outcomes, in different orders.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
 Keyed = tuple[str, Task]
-CHUNK = 100  # submissions a cluster task: far longer than its way there and back
-PATIENCE = 10  # s to reach a scheduler
-AHEAD = 2  # chunks a worker thread has waiting
-LIMIT = 10.0  # s a submission may take
+CHUNK = 100  # submissions in a cluster task: they take far longer than their transport
+PATIENCE = 10  # s to wait for a scheduler
+AHEAD = 2  # chunks waiting for each worker thread
+LIMIT = 10.0  # s that a submission may take
 OPENED = "coursework.grading.batch.workshop:opened"
 
 
 def trade_of(setup: Setup, limit: float = LIMIT) -> Trade[Task, Outcome]:
-    """Return what the processes that mark do: a submission may take `limit` seconds, and as much memory as `setup` says."""
+    """Return the work of the marking processes: each submission may take `limit` seconds and the memory that `setup` allows."""
 
     def unanswered(task: Task, late: bool) -> Outcome:
         if late:
@@ -39,7 +39,7 @@ def trade_of(setup: Setup, limit: float = LIMIT) -> Trade[Task, Outcome]:
 def in_processes(
     tasks: Iterable[Keyed], setup: Setup, jobs: int, limit: float = LIMIT
 ) -> Generator[tuple[str, Outcome], None, None]:
-    """Yield the outcome of each task from `jobs` processes; tasks are drawn as they are needed."""
+    """Yield the outcome of each task from `jobs` processes; tasks are drawn only as they are needed."""
     with Pool(trade_of(setup, limit), jobs) as pool:
         yield from pool.answers(tasks)
 
@@ -47,9 +47,9 @@ def in_processes(
 def on_cluster(
     tasks: Iterable[Keyed], setup: Setup, address: str, limit: float = LIMIT
 ) -> Generator[tuple[str, Outcome], None, None]:
-    """Yield the outcome of each task from the workers of a Dask cluster.  Raises `InputError` where there is none.
+    """Yield the outcome of each task from the workers of a Dask cluster.  Raises `InputError` if there is no cluster.
 
-    A killed worker's chunks are computed anew elsewhere; a chunk's result is taken once, so nothing is lost or doubled.
+    The chunks of a killed worker are computed again elsewhere; each chunk's result is taken once, so none is lost or doubled.
     """
     try:
         import distributed
@@ -92,7 +92,7 @@ _keeping = threading.local()
 
 
 def grade_chunk(setup: dict[str, Any], lines: list[bytes], limit: float) -> list[bytes]:
-    """Return the outcome lines of some task lines; runs on a worker, whose process stays warm from chunk to chunk."""
+    """Return the outcomes of some tasks, both as lines; runs on a worker, whose process is kept from chunk to chunk."""
     if getattr(_keeping, "wanted", None) != (setup, limit):
         if kept := getattr(_keeping, "worker", None):
             kept.close()

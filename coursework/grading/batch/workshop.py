@@ -1,6 +1,6 @@
-"""Inside a process that marks: a task -> an outcome.  Keys of variants are made once and kept.
+"""Inside a process that marks: a task -> an outcome.  The keys of variants are made once and kept.
 
-Enters: `Setup`, tasks.  Leaves: `Outcome`s.  Every process of `workers.py` opens one, by name; nobody imports it.
+Enters: `Setup`, tasks.  Leaves: `Outcome`s.  Every process of `workers.py` opens a workshop by its name; no module imports it.
 """
 
 from __future__ import annotations
@@ -28,19 +28,19 @@ from coursework.words.custom_templates import templates_standing_in
 from coursework.words.errors import InputError
 from coursework.words.sentences import joined, load_phrases, say
 
-KEPT = 8  # keys at once: a class shares one, or each student has an own one
+KEPT = 8  # keys kept at once: a class shares one key, or every student has another
 
 
 @contextmanager
 def opened(plain_setup: Any) -> Iterator[Callable[[Any], Outcome]]:
-    """Yield what marks one submission after the other, with the instructor's own pieces of pages standing in."""
+    """Yield a function that marks one submission after the other; meanwhile the instructor's page templates are in use."""
     setup = record_of(Setup, plain_setup)
     with templates_standing_in(setup.pieces):
         yield Workshop(setup).answer
 
 
 class Workshop:
-    """What a child keeps between submissions."""
+    """What a child process keeps between submissions."""
 
     def __init__(self, setup: Setup) -> None:
         self.setup, self.words = setup, load_phrases(setup.language)
@@ -49,14 +49,14 @@ class Workshop:
         self._marker = lru_cache(KEPT)(self._made)
 
     def answer(self, plain_task: Any) -> Outcome:
-        """Return the outcome of one task, which has come as plain data."""
+        """Return the outcome of one task, which arrives as plain data."""
         task = record_of(Task, plain_task)
         submission, source = task.submission, task.variant
         try:
             grade = self.grade(submission, source, task.accepted_decimals)
         except MemoryError:
             return failed(task, self.setup, "unreadable", say("grading.memory"))
-        except InputError as error:  # of the instructor's file: nobody's work is at fault, nor this program
+        except InputError as error:  # in the instructor's file: neither the student nor this program is at fault
             why_not = joined([fault.message for fault in error.faults])
             return failed(task, self.setup, "needs-review", say("grading.unusable", reason=why_not))
         why = [reason.plain() for reason in reasons(grade)]
@@ -67,7 +67,7 @@ class Workshop:
         return Outcome(submission.id, plain, page)
 
     def grade(self, submission: Submission, source: VariantSource, accepted_decimals: int | None = None) -> Grade:
-        """Return the grade of a submission.  Raises `InputError` where the variant itself cannot be used."""
+        """Return the grade of a submission.  Raises `InputError` if the variant itself cannot be used."""
         marker, expected = self._marker(source, accepted_decimals)
         return marker.grade(read_submission(submission, expected))
 

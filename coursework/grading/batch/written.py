@@ -1,4 +1,4 @@
-"""The gradebook's files: grades.csv, grades.json, changes.csv, class.html, and what goes back to the platforms.
+"""The gradebook's files: grades.csv, grades.json, changes.csv, class.html, and the files for the platforms.
 
 Enters: finished grades from the journal.  Leaves: files in OUT, each written whole, the same bytes for the same grades.
 Used by the command only.
@@ -34,11 +34,11 @@ _NOT_IN_JSON = {"reason", "reasons", "hidden"}
 
 
 def submission_record(place: Place, grade: Mapping[str, Any], page: str, words: Phrases) -> dict[str, Any]:
-    """Return one submission as grades.json says it."""
+    """Return one submission as grades.json writes it."""
     kept = {key: value for key, value in grade.items() if key not in _NOT_IN_JSON}
     head = {"id": place.id, "name": place.name, "variant": place.variant}
     notes = [*grade["notes"]]
-    if codes := ", ".join(grade.get("hidden") or ()):  # for who reads grades.json, not for the page
+    if codes := ", ".join(grade.get("hidden") or ()):  # for readers of grades.json; the page leaves it out
         notes.append({"code": "too_coarse", "text": words.said("reading.note.not_looked_for", codes=codes)})
     if place.row and place.row.locked:
         notes.append({"code": "locked", "text": words.said("reading.note.locked")})
@@ -50,7 +50,7 @@ def write_gradebook(
     out: Path, listed: ClassList, graded: Graded, rubric: Rubric, *, worksheet: Worksheet | None = None,
     canvas: Gradebook | None = None, moodle: bool = False, language: str = ENGLISH,
 ) -> list[str]:  # fmt: skip
-    """Write every file but pages and journal; return their names."""
+    """Write all files except pages and journal; return their names."""
     words = load_phrases(language)
     places = {place.id: place for place in listed.places}
     facts = ClassFacts()
@@ -104,7 +104,7 @@ def _csv(head: Sequence[str], lines: Iterable[Sequence[str]]) -> bytes:
 
 
 def _json(rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[str, Any]], facts: ClassFacts) -> Iterator[bytes]:
-    """Yield the pieces of grades.json, a line a submission."""
+    """Yield grades.json in pieces, with one line for each submission."""
     yield f'{{"format": {FORMAT}, "rubric": {json.dumps(rubric.plain(), ensure_ascii=False)},\n"submissions": [\n'.encode()
     yield ",\n".join(records).encode()
     tail = {"not_on_roster": strangers, "class": facts.plain()}
@@ -112,7 +112,7 @@ def _json(rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[st
 
 
 def _marks(places: Mapping[str, Place], graded: Graded, words: Phrases) -> dict[int, tuple[float | None, str]]:
-    """Return points and comment by the record of the worksheet."""
+    """Return points and comment of each student, by the number of the worksheet's record."""
     marks: dict[int, tuple[float | None, str]] = {}
     for entry in graded.entries():
         if (row := places[entry.id].row) is not None:
@@ -140,6 +140,6 @@ def _pages(out: Path, places: Mapping[str, Place], graded: Graded) -> Iterator[t
 
 
 def _why(grade: Mapping[str, Any]) -> str:
-    """Return all reasons for which a person has to look, not the first alone."""
+    """Return all reasons why a person has to look at a grade, not only the first."""
     states = dict.fromkeys(str(one["text"]) for one in grade.get("reasons", ()) if one["kind"] == "state")
     return " ".join(states) or str(grade["reason"])

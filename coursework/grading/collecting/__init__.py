@@ -1,1 +1,1 @@
-"""A folder or zip of submissions: whose files are whose."""
+"""A folder or zip of submissions: which files belong to which student."""

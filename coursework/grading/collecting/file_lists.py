@@ -1,4 +1,4 @@
-"""Names in a folder or zip -> one file list a student.
+"""Names in a folder or zip -> one file list for each student.
 
 Enters: names of folders and files.  Leaves: `FileList`s; nothing is opened.
 Used by `sources.py`.
@@ -20,16 +20,16 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-_COPY = re.compile(r"(.+?) ?\([0-9]{1,2}\)")  # what browsers and systems add to the second of two equal names
+_COPY = re.compile(r"(.+?) ?\([0-9]{1,2}\)")  # browsers and systems add such a number to the second of two equal names
 
 
 @frozen
 class FileList:
-    """The files of one student, not yet read: (name, where it is found) of each.
+    """The files of one student, not yet read: the name of each and the place where it is found.
 
-    `id` verbatim (NFC), `name` as the platform gives it, `number` the platform's own; `folder` is what Moodle wants
-    feedback to be returned under; `review` is why a person must look.  Two that would have one id have ids of their own;
-    `shared` is the one they would have, "" for all others; `late` is what the platform says.
+    `id` is verbatim (NFC), `name` as the platform gives it, `number` the platform's own; `folder` is the name under which
+    Moodle wants feedback returned; `review` is why a person must look at it.  File lists with equal ids get different ones, and
+    `shared` is then the id they had in common, "" for all others; `late`: the platform says that it is late.
     """
 
     id: str
@@ -45,7 +45,7 @@ class FileList:
 
 @frozen
 class Names:
-    """Top folders, files as (name, place), and notes by the first part of the name they speak of."""
+    """Top folders, files as (name, place), and notes by the first part of the name that they are about."""
 
     folders: set[str]
     files: list[tuple[str, str]]
@@ -53,12 +53,12 @@ class Names:
 
     @property
     def tops(self) -> set[str]:
-        """Return the first parts of all names."""
+        """Return the first parts of all names in the paths."""
         return {name.partition("/")[0] for name in (*self.folders, *(name for name, _ in self.files))}
 
 
 def unwrapped(names: Names) -> Names:
-    """Return names without the one folder that holds all folders, which some systems put around a zip."""
+    """Return names without the single top folder that some systems put around everything in a zip."""
     tops = names.tops
     deep = any("/" in name.partition("/")[2] for name, _ in names.files)
     if len(tops) != 1 or not deep or moodle_owner(next(iter(tops))):
@@ -69,7 +69,7 @@ def unwrapped(names: Names) -> Names:
 
 
 def sorted_out(names: Names) -> tuple[str, tuple[FileList, ...]]:
-    """Return which platform's download it is, and its file lists."""
+    """Return the platform from which the download comes, and its file lists."""
     if any(moodle_owner(top) for top in names.tops):
         return "moodle", _with_doubts(_by_owner(names, moodle_owner))
     if names.folders or any("/" in name for name, _ in names.files):
@@ -80,14 +80,14 @@ def sorted_out(names: Names) -> tuple[str, tuple[FileList, ...]]:
 
 
 def of_nobody(platform: str, names: Names) -> list[str]:
-    """Return what belongs to no student: what bears no name of the platform, files that lie beside the folders of students."""
+    """Return what belongs to no student: names that the platform does not give, or files beside the students' folders."""
     if platform == "moodle":
         return sorted(top for top in names.tops if not moodle_owner(top))
     return sorted(name for name, _ in names.files if "/" not in name) if platform == "folder" else []
 
 
 def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[FileList]:
-    """Return one file list for each owner that a platform's names tell; other names belong to nobody."""
+    """Return one file list for each owner that a platform's names give; other names belong to nobody."""
     owners: dict[str, list[Owner]] = {}
     files: dict[str, list[tuple[str, str]]] = {}
     notes: dict[str, list[Note]] = {}
@@ -139,7 +139,7 @@ def _flat_id(name: str) -> str:
 
 
 def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
-    """Return the file lists by id; ids that some system takes for one, and copies beside an original, need a person."""
+    """Return the file lists by id; ids that some systems cannot tell apart, and copies beside an original, need a person."""
     ordered = sorted(_with_ids(file_lists), key=lambda file_list: file_list.id)
     same: dict[str, list[str]] = {}
     alike: dict[str, list[str]] = {}
@@ -159,7 +159,7 @@ def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
 
 
 def _with_ids(file_lists: Iterable[FileList]) -> Iterator[FileList]:
-    """Give the file lists with ids and names that can be written; of names that look alike each keeps an id of its own."""
+    """Yield the file lists with ids and names that can be written; lists whose ids look alike get different ids."""
     same: dict[str, list[FileList]] = {}
     for file_list in file_lists:
         same.setdefault(unicodedata.normalize("NFC", legible(file_list.id)), []).append(file_list)
@@ -180,6 +180,6 @@ def _with_ids(file_lists: Iterable[FileList]) -> Iterator[FileList]:
 
 
 def _original(student: str) -> str:
-    """Return a name without what is added to that of a copy."""
+    """Return a name without the number that is added to a copy."""
     copy = _COPY.fullmatch(student)
     return copy[1] if copy else student

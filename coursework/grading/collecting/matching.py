@@ -1,7 +1,7 @@
-"""File lists, a roster, perhaps Moodle's worksheet -> whose file list is whose.
+"""File lists, a roster, Moodle's worksheet if there is one -> which file list belongs to which student.
 
 Enters: `Student`s, `FileList`s, `Worksheet`.  Leaves: `Matched`.
-Used by whoever grades a class.
+Used by the code that grades a class.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Matched:
-    """Whose file lists are whose: by the id of the roster; those nobody on it handed in; the worksheet's row of each student."""
+    """File lists by the student's id on the roster; those of nobody on the roster; the worksheet's row of each student."""
 
     file_lists: Mapping[str, tuple[FileList, ...]]
     not_on_roster: tuple[FileList, ...]
@@ -29,10 +29,10 @@ class Matched:
 def match(
     roster: Sequence[Student], file_lists: Iterable[FileList], platform: str, worksheet: Worksheet | None = None
 ) -> Matched:
-    """Return whose file list is whose.  Several file lists of one student, or one that fits several, are the caller's to review.
+    """Return which file lists belong to which student.  Several lists of one student are left to the caller to review.
 
     Moodle: number of the folder -> row of the worksheet -> e-mail, ID number or full name on the roster; without a worksheet
-    the full name.  Canvas: user number or name.  Folders: the id.  What fits nobody, or two alike, is not on the roster.
+    the full name.  Canvas: user number or name.  Folders: the id.  A list that fits nobody, or several, is not on the roster.
     """
     people = _People(roster)
     rows = {row.number: row for row in worksheet.rows if row.number} if worksheet else {}
@@ -54,7 +54,7 @@ def match(
 
 
 class _People:
-    """The roster, looked up in the ways that platforms know a student."""
+    """The roster, with an index for each way in which platforms identify a student."""
 
     def __init__(self, students: Sequence[Student]) -> None:
         self.by_id = {same_key(student.id): student for student in students}
@@ -63,7 +63,7 @@ class _People:
         self.by_letters = _unique((letters, student) for student in students for letters in _run_together(student.name))
 
     def of_row(self, row: WorksheetRow) -> Student | None:
-        """Return whose row of the worksheet it is: by e-mail, else ID number, else a full name that is unique on both sides."""
+        """Return the student of a worksheet's row: by e-mail, else ID number, else a full name that is unique on both sides."""
         return (
             self.by_email.get(row.email.casefold())
             or (self.by_id.get(same_key(row.id_number)) if row.id_number else None)
@@ -72,7 +72,7 @@ class _People:
 
 
 def _unique(pairs: Iterable[tuple[str, Student]]) -> dict[str, Student]:
-    """Return what belongs to one student only."""
+    """Return the pairs whose key belongs to only one student."""
     found: dict[str, list[Student]] = {}
     for key, student in pairs:
         found.setdefault(key, []).append(student)
@@ -80,6 +80,6 @@ def _unique(pairs: Iterable[tuple[str, Student]]) -> dict[str, Student]:
 
 
 def _run_together(name: str) -> set[str]:
-    """Return a name as Canvas writes it in file names: last name first, letters only; both orders, for either habit."""
+    """Return a name as Canvas writes it in file names: letters only, in the given order and with the last word first."""
     words = [re.sub(r"[\W_]", "", word) for word in unicodedata.normalize("NFC", name).casefold().replace(",", " ").split()]
     return {"".join(words), "".join([*words[-1:], *words[:-1]])} if words else set()

@@ -1,7 +1,7 @@
-"""A folder or zip of submissions -> one file list a student, and the files of a file list when they are wanted.
+"""A folder or zip of submissions -> one file list for each student, and the files of a list when they are needed.
 
-Enters: SOURCE.  Leaves: `FileList`s (names only) and, one at a time, `Submission`s (bytes), so that memory stays flat.
-Raises `InputError` where SOURCE itself cannot be used.  Used by whoever grades a class, or one submission.
+Enters: SOURCE.  Leaves: `FileList`s (names only) and, one at a time, `Submission`s (bytes), so that memory does not grow.
+Raises `InputError` if SOURCE itself cannot be used.  Used by the code that grades a class or one submission.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _MOST_PARTS = 200_000
-_ENTRY, _UTF8 = b"PK\x01\x02", 0x08  # an entry of the list of parts, and the mark (in its ninth byte) that its name is UTF-8
-HEAD = 4096  # bytes kept of a file that is too large, enough to tell what it is
+_ENTRY, _UTF8 = b"PK\x01\x02", 0x08  # an entry in a zip's directory, and the bit of its ninth byte that says: name in UTF-8
+HEAD = 4096  # bytes kept of a file that is too large: enough to tell its kind
 _DEPTH = 6
-_SHOWN = 8  # names of what belongs to nobody
+_SHOWN = 8  # names told of files that belong to nobody
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"))
 
 
@@ -39,11 +39,11 @@ class Source:
     """An opened folder or zip; `platform` is "folder", "flat", "moodle" or "canvas"."""
 
     def __init__(self, path: Path) -> None:
-        """Find the file lists.  Raises `InputError` where there is no such folder or zip."""
+        """Find the file lists.  Raises `InputError` if there is no such folder or zip."""
         self.path = path
         self._zip = _open_zip(path) if path.is_file() else None
         self._parts: dict[str, zipfile.ZipInfo] = {}
-        self.remarks: list[Sentence] = []  # about what belongs to nobody
+        self.remarks: list[Sentence] = []  # about files that belong to nobody
         if self._zip is None and not path.is_dir():
             raise InputError([Fault(say("fault.G001"), str(path))])
         names = self._names_in_zip() if self._zip else self._names_in_folder()
@@ -62,7 +62,7 @@ class Source:
             self._zip.close()
 
     def collect(self, file_list: FileList) -> Submission:
-        """Return a file list with its files read, each once; at most 50 files and 20 MB."""
+        """Return the submission of a file list, with each file read once; at most 50 files and 20 MB."""
         files, notes = _gathered((name, partial(self._read, place, name)) for name, place in file_list.files)
         return Submission(file_list.id, file_list.name, files, file_list.notes + notes, file_list.review)
 
@@ -121,7 +121,7 @@ def _open_zip(path: Path) -> zipfile.ZipFile:
 
 
 def _zip_of(path: Path) -> zipfile.ZipFile:
-    """Open a zip; a name in it that is said to be UTF-8 and is not would cost all others, so its mark is taken off."""
+    """Open a zip; a name that is falsely marked as UTF-8 would make the zip unreadable, so that mark is removed."""
     try:
         return zipfile.ZipFile(path)
     except UnicodeDecodeError:
@@ -139,14 +139,14 @@ def _zip_of(path: Path) -> zipfile.ZipFile:
 
 
 def collect_one(place: Path) -> Submission:
-    """Return the one submission whose files stand in a folder (or are one file), as autograders hand them over."""
+    """Return the one submission whose files are in a folder (or are one file), as autograders provide it."""
     if not place.exists():
         raise InputError([Fault(say("fault.G004"), str(place))])
     return _alone(files_below(place) if place.is_dir() else [(place.name, place)])
 
 
 def collect_files(paths: Iterable[Path]) -> Submission:
-    """Return a submission of some files.  Raises `InputError` for a file that is not there."""
+    """Return a submission of some files.  Raises `InputError` if a file is not there."""
     listed = list(paths)
     if missing := [path for path in listed if not path.is_file()]:
         raise InputError([Fault(say("fault.G005"), str(missing[0]))])
@@ -154,7 +154,7 @@ def collect_files(paths: Iterable[Path]) -> Submission:
 
 
 def _alone(found: Iterable[tuple[str, Path | Note]]) -> Submission:
-    """Return the submission of somebody who is not told."""
+    """Return the submission of an unnamed student."""
     entries = list(found)
     notes = [entry for _, entry in entries if isinstance(entry, Note)]
     paths = [(legible(name), path) for name, path in entries if isinstance(path, Path)]
@@ -165,7 +165,7 @@ def _alone(found: Iterable[tuple[str, Path | Note]]) -> Submission:
 def _gathered(
     entries: Iterable[tuple[str, Callable[[int], SubmittedFile | Note]]],
 ) -> tuple[tuple[SubmittedFile, ...], tuple[Note, ...]]:
-    """Return files and notes: at most 50 files and 20 MB; each entry is a name and what reads it, given the bytes left."""
+    """Return files and notes, at most 50 files and 20 MB; an entry is a name and a reader, called with the bytes left."""
     files: list[SubmittedFile] = []
     notes: list[Note] = []
     left = INFLATED_BYTES
@@ -183,7 +183,7 @@ def _gathered(
 
 
 def files_below(folder: Path) -> Iterator[tuple[str, Path | Note]]:
-    """Give what stands in a folder, in the order of names: paths of what may be a file, notes for what is left aside."""
+    """Yield the contents of a folder in the order of names: paths of possible files, notes on what is left aside."""
     yield from _walk(folder, "", _DEPTH)
 
 
@@ -194,7 +194,7 @@ def _walk(folder: Path, before: str, depth: int) -> Iterator[tuple[str, Path | N
         yield before, note("ignored_file", name=legible(before or folder.name), why=reason_of(error))
         return
     for entry in entries:
-        name = before + entry.name  # as the disk has it, which may be no text
+        name = before + entry.name  # as on the disk, where it may be no valid text
         if is_ignored(entry.name):
             continue
         if entry.is_symlink():
@@ -209,7 +209,7 @@ def _walk(folder: Path, before: str, depth: int) -> Iterator[tuple[str, Path | N
 
 
 def read_regular(path: Path, name: str, left: int) -> SubmittedFile | Note:
-    """Return a file's bytes, at most 4 MB and `left`; a note for what is no regular file of its own."""
+    """Return a file's bytes, at most 4 MB and `left`; a note if it is not a regular file with a single name."""
     try:
         handle = os.open(path, _FLAGS)
     except OSError as error:
@@ -227,9 +227,9 @@ def read_regular(path: Path, name: str, left: int) -> SubmittedFile | Note:
 
 
 def _bounded(file: IO[bytes], name: str, size: int, left: int) -> SubmittedFile:
-    """Return a file of so many bytes, of one that is larger than allowed its beginning."""
+    """Return a file of `size` bytes, or its beginning if it is larger than allowed."""
     most = min(FILE_BYTES, left)
-    # A file may grow while it is read; one byte more than allowed is enough to know.
+    # A file may grow while it is read; one byte more than allowed shows that.
     content = file.read(HEAD if size > FILE_BYTES else most + 1)
     if size > FILE_BYTES or len(content) > most:
         return too_large(name, content[:HEAD], max(size, len(content)))
@@ -237,5 +237,5 @@ def _bounded(file: IO[bytes], name: str, size: int, left: int) -> SubmittedFile:
 
 
 def too_large(name: str, head: bytes, size: int) -> SubmittedFile:
-    """Return the record of a file of which only the beginning was kept."""
+    """Return the record of a file of which only the beginning, `head`, was kept."""
     return submitted_file(name, head, say("reading.trouble.too_large", limit=FILE_BYTES // 2**20), size)

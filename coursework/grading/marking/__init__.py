@@ -1,1 +1,1 @@
-"""Marks for what was understood of a submission: cells, equations, answers, misconceptions; numbers only, no text is run."""
+"""Marks for a submission that was read: cells, equations, answers, misconceptions; works on numbers only and runs no text."""

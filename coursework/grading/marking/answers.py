@@ -1,4 +1,4 @@
-"""Measured answers of the graph-analytical check, marked with the tolerance of a drawing.
+"""Marks of the answers measured in the graph-analytical check, with the tolerance of a drawing.
 
 Enters: answer lines, a `Key`, the rubric.  Leaves: `AnswerMarks`.  Used by `grade.py`.
 """
@@ -18,22 +18,22 @@ from coursework.grading.marking.rubric import Answer
 from coursework.grading.reading.student_work import AnswerLine
 from coursework.system.frozen import frozen
 
-# Twice the tolerance earns half: the construction was made, and read badly.
+# An answer off by up to this many tolerances earns half: the construction was made, but read badly.
 HALF_CREDIT = 2.0
-CLEARLY = 5.0  # so much nearer than a right answer has to be, a wrong force is to what a slip gives
-_DIFFERENCE = 1e-5  # of a step: a central difference of a position is then right to ten digits
+CLEARLY = 5.0  # a wrong force is named after a slip if it agrees with the slip's value within tolerance / CLEARLY
+_DIFFERENCE = 1e-5  # of a step: with it a central difference of a position is right to ten digits
 
 
 @frozen
 class AnswerMark:
-    """One answer: what was found and expected (SI), how far off it may be, and the verdict."""
+    """One answer: the value found and the one expected (SI), the tolerance, and the verdict."""
 
     name: str
     found: float | None
     expected: float
     tolerance: float
     verdict: Literal["right", "half", "wrong", "blank", "unreadable"]
-    slip: str = ""  # of a force: the one thing that is wrong in it
+    slip: str = ""  # of a wrong force: the code of the slip that gives this value
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
@@ -42,21 +42,21 @@ class AnswerMark:
 
 @frozen
 class AnswerMarks:
-    """All answers the rubric asks for; `share` of the points."""
+    """The marks of all answers that the rubric asks for."""
 
     marks: tuple[AnswerMark, ...]
 
     @property
     def share(self) -> float:
-        """Return the part of the points earned, all of them where nothing can be asked."""
+        """Return the share of the points earned; 1 if no answer can be asked for."""
         worth = {"right": 1.0, "half": 0.5}
         return sum(worth.get(mark.verdict, 0.0) for mark in self.marks) / len(self.marks) if self.marks else 1.0
 
 
 def mark_answers(key: Key, asked: Sequence[Answer], lines: Sequence[AnswerLine]) -> AnswerMarks:
-    """Return the marks of every answer asked for; the last line of a name counts.
+    """Return the marks of every answer in `asked`; if a name stands in several lines, the last one counts.
 
-    Nobody is asked for what has no value in its row: one that the motion does not reach, a reaction that is not unique.
+    An answer that has no value in its row is left out: the motion stops before that row, or the reaction is not unique.
     """
     handed_in = {line.name: line for line in lines}
     rows = [(answer.row or key.variant.time.row_of_check) - 1 for answer in asked]
@@ -72,7 +72,7 @@ def _mark(key: Key, answer: Answer, row: int, line: AnswerLine | None) -> Answer
         return AnswerMark(answer.name, None, expected, tolerance, "blank")
     if line.value is None:
         return AnswerMark(answer.name, None, expected, tolerance, "unreadable")
-    # A drawing gives sizes: a size without a sign is not wrong, a wrong sign is.
+    # A drawing gives sizes: a size without its sign is accepted, a wrong sign is not.
     off = min(abs(line.value - right) for one in (expected, table) for right in (one, abs(one)))
     verdict: Literal["right", "half", "wrong"] = "wrong"
     if off <= tolerance * (1 + 1e-12):
@@ -84,7 +84,7 @@ def _mark(key: Key, answer: Answer, row: int, line: AnswerLine | None) -> Answer
 
 
 def _slip(key: Key, answer: Answer, row: int, value: float, tolerance: float) -> str:
-    """Return the slip that gives a wrong force, "" where none does or the answer is none; the nearest of several."""
+    """Return the code of the slip whose force is nearest to `value`; "" if none is near or the answer is no force."""
     if key.forces is None or answer.of not in key.forces.names:
         return ""
     slips = {code: float(rows[row]) for code, rows in key.forces.columns(answer.of)[2].items()}
@@ -94,7 +94,10 @@ def _slip(key: Key, answer: Answer, row: int, value: float, tolerance: float) ->
 
 
 def _expected(key: Key, of: str, row: int) -> tuple[float, float, float]:
-    """Return a quantity of the exact motion in a row (from 0), for a force that of the table too, the largest of its kind."""
+    """Return the exact value in `row` (from 0), the table's value, and the largest of its kind in that row.
+
+    Only for a force are the first two different.
+    """
     if key.forces is not None and of in key.forces.names:
         return key.forces.right(of, row)
     if of in key.names:

@@ -1,6 +1,6 @@
-"""How many decimals a table needs before its digits show by which scheme and step it was made.
+"""How many decimals a table needs so that its digits show by which scheme and step it was made.
 
-Enters: the one-step gap of Euler's table.  Leaves: decimals asked for on a task sheet, and accepted in a class.
+Enters: the one-step gap of Euler's table.  Leaves: the decimals that a task sheet asks for, and those accepted from a class.
 Used by `key.py` and `assigning/`.
 """
 
@@ -12,20 +12,20 @@ import numpy as np
 
 from coursework.system.arrays import Array
 
-# A table that Euler makes without error shows no gap; its digits are then judged by this part of its largest range.
+# If Euler makes a table without error, there is no gap; this part of the largest range of a coordinate then stands in for it.
 SMALLEST_GAP = 1e-3
 NO_GAP = 1e-9
-# Digits that decide: a cell counts as shown up to this part of the gap; the task sheet asks for a fifth of it.
+# A cell counts as shown if the unit of its last place is at most SHOWN times the gap; the task sheet asks for gap / ASKED.
 SHOWN, ASKED = 0.6, 5.0
-# One number of decimals holds for a class; the gap of a student's own data may be so much smaller than the template's.
+# A class shares one number of decimals; the gap of a student's own data may be smaller than the template's by up to this factor.
 SHARED = 2.0
-SOLVED = 2  # decimals of a start that the geometry gives, beyond those that the table needs, on a task sheet
+SOLVED = 2  # on a task sheet, starts that follow from the geometry get so many decimals more than the table needs
 
 
 def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:
-    """Return the one-step gap (…) from rates (…, n, m) in the rows and after a step of Euler; `ranges` (…, m) of coordinates.
+    """Return the one-step gap (…) from the rates (…, n, m) in the rows (`slopes`) and one Euler step later (`ahead`).
 
-    Where nothing but round-off lies between, it is a thousandth of the largest range.
+    If the two differ by round-off only, return a thousandth of the largest of the coordinates' `ranges` (…, m).
 
     >>> still = np.zeros((1, 2, 1))
     >>> [gap_of(still, still + ahead, 2.0, np.array([[10.0]])).tolist() for ahead in (2e-8, 5e-9)]
@@ -39,12 +39,12 @@ def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:
 
 
 def decimals_asked(gap: float) -> int:
-    """Return how many decimals a task sheet asks for where the one-step gap is this."""
+    """Return how many decimals a task sheet asks for, from the one-step gap."""
     return max(1, math.ceil(math.log10(ASKED / gap)))
 
 
 def decimals_accepted(gap: float) -> int:
-    """Return with how many decimals, at the least, a table is still marked where the one-step gap is this.
+    """Return the least number of decimals with which a table is still marked, from the one-step gap.
 
     >>> decimals_asked(0.0199), decimals_accepted(0.0199)
     (3, 2)

@@ -1,6 +1,6 @@
-"""Columns of forces in a table: right by the exact motion or by the assigned table, a wrong one told by the slip that makes it.
+"""Columns of forces in a table: right by the exact motion or by the assigned table; a wrong column is named after its slip.
 
-Enters: a `Key`, a table as it was read, the names asked for.  Leaves: `ForceColumns`.  Imported where they are asked for only.
+Enters: a `Key`, a table as it was read, the names of the forces.  Leaves: `ForceColumns`.  Imported only if forces are asked for.
 Used by `grade.py`.
 """
 
@@ -19,14 +19,14 @@ from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
-# Of the largest force of a column: forces are worked out of printed rows and differ by more than these do.
+# Tolerance, as a part of the largest force of a column: forces are computed from printed rows, whose digits they magnify.
 CLOSE = 0.01
-EXPLAINS = 0.8  # of the cells that are there
+EXPLAINS = 0.8  # a slip is named if it gives this part of the cells that are filled in
 
 
 @frozen
 class ForceColumn:
-    """One column: how many of its `count` cells are `right`, how many `missing`; `slip` explains most, "" for none."""
+    """One column of `count` cells: how many are right or missing, and how many its `slip` explains ("" if no slip does)."""
 
     name: str
     count: int
@@ -38,19 +38,19 @@ class ForceColumn:
 
 @frozen
 class ForceColumns:
-    """All that were asked for; `worth` of a cell that a slip explains."""
+    """All columns of forces that were asked for; `worth` is what a cell earns that a slip explains."""
 
     columns: tuple[ForceColumn, ...]
     worth: float
 
     @property
     def count(self) -> int:
-        """Return how many cells there are."""
+        """Return the number of cells in all columns."""
         return sum(one.count for one in self.columns)
 
     @property
     def earned(self) -> float:
-        """Return what they earn, in cells."""
+        """Return what the columns earn, counted in cells."""
         return sum(max(float(one.right), self.worth * one.explained) for one in self.columns)
 
     def plain(self) -> list[dict[str, Any]]:
@@ -61,7 +61,7 @@ class ForceColumns:
         ]
 
     def notes(self) -> list[Note]:
-        """Return what is told of the columns that are not all right."""
+        """Return a note for each column that is not all right."""
         return [_told(one) for one in self.columns if one.right < one.count]
 
 
@@ -73,7 +73,7 @@ def _told(one: ForceColumn) -> Note:
 
 
 def mark_forces(key: Key, table: Table, names: Sequence[str], worth: float) -> ForceColumns:
-    """Return the marks of the columns of forces."""
+    """Return the marks of the columns of forces called `names`; `worth` is what a cell earns that a slip explains."""
     return ForceColumns(tuple(_column(key, table, name) for name in names), worth)
 
 

@@ -1,7 +1,7 @@
-"""One submission -> its grade: every part marked, one state, one number or none.
+"""One submission -> its grade: all parts marked, one state, and a number or none.
 
 Enters: `StudentWork`, a `Key`, the rubric.  Leaves: `Grade`.  Used by the children that grade a batch, and by `precheck`'s tests.
-Only "graded" and "graded-with-notes" carry a number: a format error is no wrong answer, a fault of ours no zero.
+Only "graded" and "graded-with-notes" carry a number: a format error is not a wrong answer, and a fault of ours is not a zero.
 """
 
 from __future__ import annotations
@@ -39,16 +39,16 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     from coursework.grading.marking.force_columns import ForceColumns
 
-# Decimals beyond these differ between two programs that compute the same table in another order.
+# Two programs that compute the same table in another order differ in the decimals beyond this place (SI).
 _COPIED = 1e-13
-# One decimal of degrees is nearly the third of radians, and as good.
+# A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
 _FEWER = 2.0
 GRADED = ("graded", "graded-with-notes")
 
 
 @dataclass(frozen=True)
 class Grade:
-    """What one submission earns, and why; `reason` says why there is no number."""
+    """What one submission earns, and why; `reason` says why there is no number, None if there is one."""
 
     status: str
     parts: Mapping[str, float | None]
@@ -64,11 +64,11 @@ class Grade:
 
     @property
     def total(self) -> float:
-        """Return the points of all parts, a missing one as 0."""
+        """Return the sum of the points of all parts; a part that is missing counts 0."""
         return rounded_points(sum(self.rubric.most(part) * (share or 0.0) for part, share in self.parts.items()))
 
     def plain(self) -> dict[str, Any]:
-        """Return what grades.json says of the submission, without what the batch knows (id, name, overrides, page)."""
+        """Return the submission as grades.json writes it, without what only the batch knows (id, name, overrides, page)."""
         graded = self.status in GRADED
         proposed = self.total if self.status == "needs-review" and any(s is not None for s in self.parts.values()) else None
         return {
@@ -90,11 +90,11 @@ class Grade:
 
     @property
     def waits(self) -> bool:
-        """Return whether the equations are not marked before a person has looked at a line that could not be read."""
+        """Return whether the marks for equations wait until a person has looked at a line that could not be read."""
         return self.equations is not None and self.equations.unread is not None and bool(self.rubric.weights["equations"])
 
     def part(self, name: str) -> tuple[float | None, float]:
-        """Return points and most points of a part; None where it cannot be marked."""
+        """Return the points of a part (None if it cannot be marked) and the most it can earn."""
         share = None if name == "equations" and self.waits else self.parts.get(name)
         return (None if share is None else rounded_points(self.rubric.most(name) * share)), rounded_points(self.rubric.most(name))
 
@@ -135,7 +135,7 @@ class Grade:
 
 @dataclass
 class Marker:
-    """What marks submissions of one variant; keeps what does not depend on a submission."""
+    """Marks all submissions of one variant; keeps what does not depend on a submission."""
 
     key: Key
     rubric: Rubric
@@ -143,7 +143,7 @@ class Marker:
 
     def __post_init__(self) -> None:
         self.by_forces = self.key.free is not None
-        if self.by_forces:  # equations of motion are marked by a person, beside this
+        if self.by_forces:  # a person marks the equations of motion
             self.rubric = replace(self.rubric, weights={**self.rubric.weights, "equations": 0.0})
         self.judge = Judge(self.key)
         self.confusions = self.rubric.confused(self.key.variant)
@@ -161,7 +161,7 @@ class Marker:
         equations = equations if equations and equations.marks else None
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
         table = self._table(work.table, with_given(self.key, back or student), equations) if work.table and student else None
-        # Beside other work nothing is missing where nothing can be asked.
+        # The rubric may ask for answers of which none has a value: if other work was handed in, the answers are not missing.
         is_answered = work.answers or ((table or equations) and answers and not answers.marks)
         shares: dict[str, float | None] = {
             "table": table.share if table else None,
@@ -203,7 +203,7 @@ class Marker:
         return explanations(self.key, cells, self.confusions, self.others, hidden, equations)
 
     def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:
-        """Return the table that a cause makes, where too few digits were printed to see it in each cell."""
+        """Return the table as the student's cause made it, if too few digits were printed to see the cause in each cell."""
         if self.by_forces or not fewer_decimals(self.key, cells):
             return None
         printed = TableUnderTest(self.key, cells.student)
@@ -217,7 +217,7 @@ class Marker:
         return mark_forces(self.key, table, self.rubric.forces, self.rubric.misconception_floor)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
-        """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
+        """Return the misconceptions that columns with these digits cannot show; kept, as few sorts of digits occur in a class."""
         units = np.fmax.reduce(student.units)
         digits = units.tobytes()
         if digits not in self._kept:
@@ -225,7 +225,7 @@ class Marker:
         return self._kept[digits]
 
     def _status(self, work: StudentWork, shares: dict[str, float | None]) -> tuple[str, Sentence | None, tuple[Note, ...]]:
-        """Return the state, why there is no number, and notes about parts without a file; those may become 0 here."""
+        """Return the state, why there is no number, and notes on missing parts, whose `shares` the rubric may set to 0."""
         if work.review is not None:
             return "needs-review", work.review, ()
         trouble = work.trouble
@@ -260,7 +260,7 @@ class Marker:
 
 
 def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
-    """Return what grades.json says of a submission that nobody could look into."""
+    """Return the entry of grades.json for a submission that could not be graded."""
     return {
         "status": status, "score": None, "max": rubric.points, "proposed": None, "reason": reason, "files": [], "reading": None,
         "table": _empty_table(rounded_points(rubric.most("table"))),
@@ -270,7 +270,7 @@ def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
 
 
 def _empty_table(most: float) -> dict[str, Any]:
-    """Return what grades.json says of a table that is not there."""
+    """Return the entry of grades.json for a table that is not there."""
     return {
         "state": "missing", "score": None, "max": most, "rows": 0, "rows_needed": 0, "first_wrong": None, "wrong_cells": 0,
         "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
@@ -278,13 +278,13 @@ def _empty_table(most: float) -> dict[str, Any]:
 
 
 def fewer_decimals(key: Key, cells: Cells) -> int:
-    """Return how many cells that count have fewer decimals than the task sheet asks for."""
+    """Return how many cells are shown, but with fewer decimals than the task sheet asks for."""
     with np.errstate(invalid="ignore"):
         return int((~cells.missing & (cells.student.units > _FEWER * 10.0**-key.least_decimals)).sum())
 
 
 def _is_the_key(student: StudentTable, key: Key) -> bool:
-    """Return whether a table is the key to the last digit, of which it shows more than two programs have in common."""
+    """Return whether a table equals the key in every digit and has more digits than two programs would share."""
     if np.array_equal(student.values, key.table):
         return True
     if np.isnan(student.units).any() or np.max(student.units) > _COPIED:
@@ -293,5 +293,5 @@ def _is_the_key(student: StudentTable, key: Key) -> bool:
 
 
 def rounded_points(value: float) -> float:
-    """Return points with two decimals, halves rounded up."""
+    """Return points rounded to two decimals, halves up."""
     return float(Decimal(repr(value)).quantize(Decimal("0.01"), ROUND_HALF_UP))

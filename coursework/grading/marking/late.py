@@ -1,6 +1,6 @@
-"""What a late submission loses, by the rubric.
+"""What a late submission loses according to the rubric.
 
-Enters: the section `[late]` of the rubric, when a submission was handed in.  Leaves: `Late`, minutes, shares.
+Enters: the section `[late]` of the rubric, the time a submission was handed in.  Leaves: `Late`, minutes, shares.
 Used by `rubric.py`, `class_list.py`, `decisions.py`.
 """
 
@@ -15,14 +15,14 @@ from typing import Any
 from coursework.system.frozen import frozen
 
 DAY = 24 * 60 * 60
-UNKNOWN, LATE = "unknown", "late"  # in place of a time: none is known; the platform says no more than that it was late
+UNKNOWN, LATE = "unknown", "late"  # written instead of a time: it is not known, or the platform says only "late"
 _SPAN = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(s|min|h|d)")
 _SECONDS = {"s": 1, "min": 60, "h": 3600, "d": DAY}
 
 
 @frozen
 class Late:
-    """The `deadline` with its offset, `grace` as written; shares of the points lost with each begun day, and at most."""
+    """The `deadline` (with its time zone), `grace` as written, the share of the points lost per day begun, and the most lost."""
 
     deadline: datetime
     grace: str = "0 min"
@@ -30,9 +30,9 @@ class Late:
     at_most: float = 1.0
 
     def share(self, handed_in: str) -> tuple[int | None, float] | None:
-        """Return by how many minutes a submission is late (None: not known) and the share it loses; None for one in time.
+        """Return the minutes of delay (None if unknown) and the share lost; None if in time or if the time is not known.
 
-        Days begin at the deadline; within `grace` after it nothing is lost.  A time without an offset has the deadline's.
+        Days begin at the deadline; within `grace` after it nothing is lost.  A time without a zone has the deadline's.
         """
         if handed_in == LATE:
             return None, min(self.at_most, self.lost_per_day)
@@ -51,7 +51,7 @@ class Late:
 
 
 def span(text: str) -> float | None:
-    """Return the seconds of a span such as "15 min", None where it is none.
+    """Return the seconds in a text such as "15 min", None if it is no such text.
 
     >>> span("15 min"), span("1.5 h"), span("soon")
     (900.0, 5400.0, None)

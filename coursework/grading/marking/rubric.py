@@ -1,4 +1,4 @@
-"""The instructor's rubric: what each part is worth, how mild the marks are, which answers are asked for.
+"""The instructor's rubric: what each part is worth, how mildly it is marked, which answers are asked for.
 
 Enters: the text of a TOML file, or nothing.  Leaves: `Rubric`.  Raises `InputError` for unknown keys and impossible values.
 Used by the commands, before anything is graded.
@@ -23,12 +23,12 @@ KEYS = ("points", "missing_part", "parts", "table", "answers", "conventions", "c
 PARTS = ("table", "equations", "answers")
 CONVENTIONS = ("accept", "misconception")
 FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor", "own_equations_floor")
-READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: what a drawing of this size allows
+READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: as well as a drawing can be read
 
 
 @frozen
 class Answer:
-    """One measured answer: the quantity `of` the variant in `row` (from 1; None: the variant's check row), its tolerance."""
+    """One measured answer: quantity `of` in `row` (from 1; None for the variant's check row), with its relative tolerance."""
 
     name: str
     of: str
@@ -38,7 +38,7 @@ class Answer:
 
 @frozen
 class Confusion:
-    """A datum that is often taken for another value, and why."""
+    """A datum that is often taken with another value, and the reason."""
 
     datum: str
     value: str
@@ -47,10 +47,10 @@ class Confusion:
 
 @frozen
 class Rubric:
-    """`points` in all; `weights` of the parts; floors and the worth of carried cells as parts of one.
+    """`points` for the whole; `weights` of the parts; floors and `carried` (the worth of a carried cell) are shares of 1.
 
-    `clockwise` says how work is taken that counts turning clockwise: one of `CONVENTIONS`; `forces` are the
-    columns of forces that a table has, too.
+    `clockwise` says how work is taken in which angles count clockwise: one of `CONVENTIONS`. `forces` names the columns
+    of forces that a table must have besides the others.
     """
 
     points: float = 100.0
@@ -69,16 +69,16 @@ class Rubric:
 
     @property
     def is_scaled(self) -> bool:
-        """Return whether the weights of the parts are not the points themselves."""
+        """Return whether the weights of the parts are scaled to `points` because their sum differs from it."""
         return abs(sum(self.weights.values()) - self.points) > 1e-9 * self.points
 
     def most(self, part: str) -> float:
-        """Return the points of a part."""
+        """Return the most points that a part can earn."""
         total = sum(self.weights.values())
         return self.points * self.weights[part] / total
 
     def confused(self, variant: Variant) -> dict[str, float]:
-        """Return the confusions that speak of data of a variant, values in SI."""
+        """Return the wrong values (SI) by datum, for those confusions whose datum the variant has."""
         units = {given.name: given.si for given in variant.given}
         return {entry.datum: read(entry.value, units[entry.datum]).value for entry in self.confusions if entry.datum in units}
 
@@ -95,7 +95,7 @@ class Rubric:
 
 
 def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
-    """Return the rubric of a file's text.  Raises `InputError` with every fault."""
+    """Return the rubric that a file's text describes.  Raises `InputError` with every fault."""
     try:
         found = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -135,7 +135,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
 
 
 def _forces(variant: Variant) -> tuple[str, ...]:
-    """Return the forces that can be asked for of a variant, nothing of one that names none."""
+    """Return the names of the forces that can be asked for; empty if the variant has no forces."""
     if variant.forces is None:
         return ()
     from coursework.grading.marking.key.forces import force_names
@@ -144,7 +144,7 @@ def _forces(variant: Variant) -> tuple[str, ...]:
 
 
 def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") -> None:
-    """Raise `InputError` where the rubric asks for what a variant does not have."""
+    """Raise `InputError` if the rubric asks for something that the variant does not have."""
     faults = []
     points = [point for point, _ in variant.points]
     known = [*variant.columns, *(f"v_{point}" for point in points)]

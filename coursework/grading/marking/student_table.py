@@ -1,6 +1,6 @@
-"""A table as it was read, on the grid and in the columns of the key.
+"""A table as it was read, put on the key's grid and into its columns.
 
-Enters: a `Key`, a `Table`.  Leaves: `StudentTable`, the columns it lacks.
+Enters: a `Key`, a `Table`.  Leaves: `StudentTable`, the names of the columns that it lacks.
 Used by `grade.py`, the reasons and `precheck.py`.
 """
 
@@ -18,7 +18,7 @@ from coursework.system.arrays import Array
 
 
 def student_of(key: Key, table: Table) -> StudentTable:
-    """Return a table as it was read, with a column of its own for everything the key has."""
+    """Return a table with all columns of the key, in its order; NaN where the student's table has none."""
     count = len(key.table)
     columns = {column.name: (column.values[:count], column.last_place[:count]) for column in table.columns}
     turns = np.zeros((count, len(key.names)))
@@ -33,12 +33,12 @@ def student_of(key: Key, table: Table) -> StudentTable:
 
 
 def lacking(key: Key, table: Table) -> tuple[str, ...]:
-    """Return the columns of the task that a table does not have, but for those that the task gives."""
+    """Return the names of the columns that a table lacks, except those whose values the task gives."""
     return tuple(name for name in key.names if table.column(name) is None and name not in key.given)
 
 
 def with_given(key: Key, student: StudentTable) -> StudentTable:
-    """Return a table with the columns that it leaves out because the task gives them, in the rows that it has."""
+    """Return a table completed, in the rows it has, with the columns it may leave out because the task gives them."""
     there = np.isfinite(student.values)
     left_out = [place for place, name in enumerate(key.names) if name in key.given and not there[:, place].any()]
     if not left_out or not there.any():
@@ -52,7 +52,7 @@ def with_given(key: Key, student: StudentTable) -> StudentTable:
 
 
 def _filled(key: Key, columns: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]], rows: int) -> tuple[Array, Array]:
-    """Return values and units of the last place (rows, m + r), NaN in columns that are not there."""
+    """Return values and units of the last place, each (rows, m + r); NaN in columns that are not there."""
     values, units = np.full((rows, len(key.names)), np.nan), np.full((rows, len(key.names)), np.nan)
     for place, name in enumerate(key.names):
         if name in columns:

@@ -23,16 +23,16 @@ if TYPE_CHECKING:
     from coursework.grading.marking.force_columns import ForceColumns
 
 
-# The part of a column's numbers that must be right to show that it is the one it was taken for.
+# If this part of a column's shown cells is right, its numbers confirm that it was taken for the right column.
 _SHOWS = 0.9
 
 
 @dataclass(frozen=True)
 class TableMarks:
-    """Everything about a marked table; `earned` says which share of its points it has and how they came about.
+    """Everything about a marked table; `earned` says what share of the points it gets and how.
 
-    `hidden` are the misconceptions that its digits cannot tell, None where none was looked for; `own_line` is the line of the
-    student's own equations, not right, that what is wrong follows from, "" where it does not.
+    `hidden` are the misconceptions that its digits are too few to show, None if none was looked for. `own_line` is a wrong
+    line of the student's own equations from which the wrong cells follow, "" if there is none.
     """
 
     table: Table
@@ -47,14 +47,14 @@ class TableMarks:
 
     @property
     def share(self) -> float:
-        """Return the share of the table's points; columns of forces count by their cells."""
+        """Return the share of the table's points; columns of forces weigh as much as they have cells."""
         own = self.earned.share
         if self.forces is None:
             return own
         return (own * self.points.cells + self.forces.earned) / max(self.points.cells + self.forces.count, 1)
 
     def open_question(self, names: Sequence[str]) -> Sentence | None:
-        """Return what a person is asked about heads that say none of the task's `names`, None where their numbers tell it."""
+        """Return the question about columns whose heads name none of `names`, None if their numbers answer it."""
         asked = [names.index(column.name) for column in self.table.columns if column.by == "position"]
         shown = (self.cells.counted & ~self.cells.missing)[:, asked]
         right = shown & ~self.cells.wrong[:, asked]

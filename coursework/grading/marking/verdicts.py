@@ -1,6 +1,6 @@
-"""Equations, integration, arithmetic: what was understood and what was only slipped, told apart.
+"""Verdicts on equations, integration and arithmetic: they tell a misunderstanding from a slip.
 
-Enters: marks.  Leaves: `Verdicts`.  Used by `grade.py`, and by what says how many steps are Euler's.
+Enters: marks.  Leaves: `Verdicts`.  Used by `grade.py`, and by the sentence that says how many steps are Euler's.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from coursework.grading.marking.table_marks import TableMarks
 from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
-# Steps that follow from the row before, from which on the integration is right; rows below which nobody can tell.
+# The integration is right from this part of the steps on; with fewer rows than LEAST_ROWS it cannot be judged.
 FOLLOWED, LEAST_ROWS = 0.93, 3
 
 
 @frozen
 class Verdicts:
-    """Three verdicts that do not depend on each other."""
+    """Three independent verdicts."""
 
     equations: Literal["right", "wrong", "none"]
     integration: Literal["right", "wrong", "unknown"]
@@ -32,7 +32,7 @@ class Verdicts:
 
 
 def verdicts(key: Key, table: TableMarks | None, equations: EquationMarks | None) -> Verdicts:
-    """Return the verdicts of a submission; a table that is not there leaves two of them unknown."""
+    """Return the verdicts on a submission; without a table, those on integration and arithmetic are unknown."""
     first: Literal["right", "wrong", "none"] = "none"
     if equations is not None:
         complete = equations.independent == equations.needed and not equations.wrong
@@ -43,14 +43,14 @@ def verdicts(key: Key, table: TableMarks | None, equations: EquationMarks | None
 
 
 def telling_steps(key: Key, cells: Cells) -> Flags:
-    """Return which steps of the coordinates (n - 1, m) can be told: of those that Euler's rule makes."""
+    """Return which steps (n - 1, m) can be judged: Euler's rule makes the coordinate, and the cells that it needs are there."""
     m = len(key.coordinates)
     there = np.isfinite(cells.student.values)
     return np.asarray(there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m] & key.stepped)
 
 
 def euler_steps(key: Key, cells: Cells) -> tuple[int, int]:
-    """Return how many steps of the coordinates are Euler's from the printed row before, and of how many that can be told."""
+    """Return how many steps follow by Euler's rule from the printed row before, and how many can be judged."""
     speaks = telling_steps(key, cells)
     return int((true_steps(key, cells) & speaks).sum()), int(speaks.sum())
 

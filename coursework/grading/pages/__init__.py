@@ -1,1 +1,1 @@
-"""What a student and an instructor read about graded work: one small page each, without scripts."""
+"""The pages on graded work, for a student and for the instructor: small, and without scripts."""

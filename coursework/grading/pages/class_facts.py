@@ -1,7 +1,7 @@
-"""What a whole class shows: states, points, the first wrong row, misconceptions, files that are the same.
+"""Facts about a whole class: states, points, first wrong rows, misconceptions, and files that are the same.
 
 Enters: finished submissions one by one.  Leaves: `ClassFacts`.  Used by grades.json and the class page.
-Only a few numbers of each submission are kept, so that a university's class fits into memory.
+Only a few numbers are kept of each submission, so that the class of a university fits into memory.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ SAME_FILE_KINDS = ("table", "equations", "answers", "variant", "attachment")
 
 @dataclass
 class ClassFacts:
-    """Counts over the class; `names` and `pages` by id; `everyone` (id, state, points, points of the parts, first wrong
+    """Counts over the class; `names` and `pages` by id; `everyone` lists (id, state, points, points of the parts, first wrong
     cell).
     """
 
@@ -40,7 +40,7 @@ class ClassFacts:
     file_names: dict[str, str] = field(default_factory=dict)
 
     def add(self, entry: Mapping[str, Any], reason: str = "") -> None:
-        """Count one submission as grades.json says it."""
+        """Count one submission, given as grades.json writes it; `reason` says why it has no number."""
         self.states[entry["status"]] += 1
         if entry["variant"]:
             self.variants[entry["variant"]] = None
@@ -69,12 +69,12 @@ class ClassFacts:
 
     @property
     def same_files(self) -> list[list[str]]:
-        """Return the ids that handed in the same bytes, each group once."""
+        """Return groups of ids that handed in the same bytes, each group once."""
         return [list(group) for group in sorted(self.shared)]
 
     @property
     def shared(self) -> dict[tuple[str, ...], list[str]]:
-        """Return the names of the files that some ids share, by those ids."""
+        """Return for each group of ids the names of the files that they share."""
         groups: dict[tuple[str, ...], list[str]] = {}
         for sha256, ids in self.files.items():
             if len(set(ids)) > 1:
@@ -83,11 +83,11 @@ class ClassFacts:
 
     @property
     def hardest_column(self) -> str | None:
-        """Return the column in which the first wrong cell stands most often."""
+        """Return the column with the most first wrong cells, by name if several have as many; None if no cell is wrong."""
         return min(self.first_columns, key=lambda name: (-self.first_columns[name], name)) if self.first_columns else None
 
     def plain(self) -> dict[str, Any]:
-        """Return the facts as `class` of grades.json."""
+        """Return the facts as grades.json writes them under `class`."""
         return {
             "graded": len(self.scores),
             "mean": round(statistics.fmean(self.scores), 2) if self.scores else None,

@@ -1,4 +1,4 @@
-"""The page of a whole class: what to look at first, then how it went, in pictures where these say more.
+"""The page of a whole class: first what needs a look, then how the class did, in pictures where these say more.
 
 Enters: `ClassFacts`, changes since the last run, the words of a language.  Leaves: HTML without script.  Used by `written.py`.
 """
@@ -21,10 +21,10 @@ from coursework.words.sentences import Phrases, joined, say
 from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
-TENTHS = 10  # parts of the distribution
-MANY = 30  # from so many on bars say more than marks
+TENTHS = 10  # parts of the distribution of points
+MANY = 30  # from so many values on, bars are clearer than single marks
 MOST_LISTED = 200
-# A file that more than this part of a class shares was given to it, so those who have it are counted, not listed.
+# A file shared by more than this part of the class (and by more than FEW) was handed out: its owners are counted, not listed.
 GIVEN, FEW = 0.25, 6
 
 
@@ -75,7 +75,7 @@ def class_page(
         "variants": [
             (clean(name), len(scores), shown_points(statistics.fmean(scores), words)) for name, scores in variants[:MOST_LISTED]
         ]
-        if 1 < len(variants) < len(facts.scores)  # of individual variants each has one
+        if 1 < len(variants) < len(facts.scores)  # not if every student has another variant
         else [],
         "changes": [
             (called.get(who, clean(who)), _mark(before, words), _mark(after, words), say(f"class.reason.{why}"))
@@ -91,34 +91,34 @@ def _state(state: str) -> Sentence:
 
 
 def _mark(mark: str, words: Phrases) -> str:
-    """Return a grade of changes.csv as a person reads it: points, or a state."""
+    """Return a grade from changes.csv as a person reads it: points, a state, or "–" for none."""
     if not mark:
         return "–"
     return shown_points(float(mark), words) if mark[:1].isdigit() else _state(mark)
 
 
 def _cell(first: str, words: Phrases) -> str:
-    """Return "row 11 w2" of grades.csv as the page says it."""
+    """Return a cell of grades.json such as "row 11 w2" as the page names it."""
     _, row, column = first.split(" ", 2) if first else ("", "", "")
     return f"{words.said('gate.row', row=row)} {_symbol(column)}" if row else ""
 
 
 def _heading(facts: ClassFacts, words: Phrases) -> str:
-    """Return of which variant how many submissions there are, and how many need a person."""
+    """Return the heading: the variant, the number of submissions, and how many of them need a person."""
     names = [clean(name) for name in facts.variants]
     key = "class.heading" if len(names) == 1 else "class.heading_several"
     return words.said(key, variant=names[0] if names else "", count=sum(facts.states.values()), look=len(facts.to_look_at))
 
 
 def _hardest(facts: ClassFacts, words: Phrases) -> list[Run]:
-    """Return in which column the first wrong cell stands most often, all of them where several are alike."""
+    """Return a sentence on the column with the most first wrong cells, or on all of them if several are equal."""
     most = max(facts.first_columns.values(), default=0)
     names = [_symbol(name) for name, number in sorted(facts.first_columns.items()) if number == most]
     return runs(words.said("class.hardest" if len(names) == 1 else "class.hardest_alike", name=words.listing(names)))
 
 
 def _strip(values: Sequence[float], low: float, high: float, ends: Sequence[str], words: Phrases) -> Strip | None:
-    """Return a mark for each of a class that is small enough, with the median."""
+    """Return a strip with one mark for each value and the median; None if there are no values or MANY."""
     if not values or len(values) >= MANY:
         return None
     median = statistics.median(values)
@@ -130,13 +130,13 @@ def _symbol(name: str) -> str:
 
 
 def _called(facts: ClassFacts) -> dict[str, str]:
-    """Return what each id is called: by name, by id where there is none or two have the same."""
+    """Return how the page calls each id: by name, or by the id if the name is missing or not unique."""
     times = Counter(facts.names.values())
     return {who: clean(name if times[name] == 1 else who, 80) for who, name in facts.names.items()}
 
 
 def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -> Sentence:
-    """Return who shares files; of one that much of the class has only how many."""
+    """Return who shares some files, or only how many if a large part of the class does."""
     named = joined([clean(name, 80) for name in sorted(set(files))], "join.comma")
     if len(ids) > max(FEW, GIVEN * len(called)):
         return say("class.same_given", files=named, number=len(ids))
@@ -144,7 +144,7 @@ def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -
 
 
 def _tenths(facts: ClassFacts, words: Phrases) -> list[tuple[str, int]]:
-    """Return how many scores lie in each tenth of the points; full points belong to the last."""
+    """Return how many scores lie in each tenth of the points; full points are in the last one."""
     counts = Counter(min(int(TENTHS * score / (facts.most or 1.0)), TENTHS - 1) for score in facts.scores)
     edges = [shown_points(facts.most * part / TENTHS, words) for part in range(TENTHS + 1)]
     return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(TENTHS)]

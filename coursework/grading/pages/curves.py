@@ -1,6 +1,6 @@
-"""The student's velocities against the key, on the small graphs of the report: dots, crosses and a line, read without colour.
+"""The student's velocities and the key's on small graphs as in the report: dots, crosses and a line, told apart without colour.
 
-Enters: rows of a table and of the key.  Leaves: what stands inside an SVG of `SIZE`.  Used by `feedback.py`.
+Enters: rows of a table and of the key.  Leaves: the contents of an SVG of `SIZE`.  Used by `feedback.py`.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from coursework.words.sentences import Phrases
 
 SIZE = (82.0, 34.0)  # mm
 MOST_POINTS = 80
-BEYOND = 0.25  # of the key's range: what lies further out stands at the edge
+BEYOND = 0.25  # of the key's range: a point farther outside it is drawn at the edge
 _DOTS = 'stroke="#0072b2" stroke-width="1.24" stroke-linecap="round"'
 _DOTTED = EXACT_PEN.replace('"exact"', '"exact dotted"')
-_CROSSES = 'class="crossed" fill="none"'  # the corners of this line are the crosses
+_CROSSES = 'class="crossed" fill="none"'  # the crosses stand at the corners of this line
 
 
 def panel(name: Symbol, unit: str, t: Array, key: Array, found: Array, is_wrong: Flags, words: Phrases) -> str:
-    """Return the graph of one column; what lies far outside the key's range stands at the edge."""
+    """Return the graph of one column; points far outside the key's range are drawn at the edge."""
     numbers = Numbers(words.template("decimal"))
     room = BEYOND * (float(np.ptp(key)) or max(float(abs(key).max()), 1e-9))
     low, high = float(key.min()) - room, float(key.max()) + room
@@ -35,7 +35,7 @@ def panel(name: Symbol, unit: str, t: Array, key: Array, found: Array, is_wrong:
     inside = axes(field, numbers, letters(name) + escape(behind(unit)), letters(symbol("t")) + escape(behind(words.unit("s"))))
     line = field.path(sparse(t, MOST_POINTS), sparse(key, MOST_POINTS))
     is_right = ~is_wrong & np.isfinite(held)
-    if is_right.all() and len(t) <= MOST_DOTS and line == field.path(t, held):  # the corners of the key are the dots
+    if is_right.all() and len(t) <= MOST_DOTS and line == field.path(t, held):  # one line shows both: its corners are the dots
         return f'{inside}<path {_DOTTED} d="{line}"/>'
     inside += f'<path {EXACT_PEN} d="{line}"/>'
     if is_right.any():

@@ -1,6 +1,6 @@
-"""The page a student gets: points and why, the table, the equations, the curves, how the file was read.
+"""The page for a student: points and why, the table, the equations, the graphs, how the file was read.
 
-Enters: a `Grade`, the words of a language.  Leaves: HTML without script, all that came from the student escaped.
+Enters: a `Grade`, the words of a language.  Leaves: HTML without script, in which all text from the student is escaped.
 Used by the children of a batch.
 """
 
@@ -31,14 +31,14 @@ from coursework.words.sentences import Phrases, say
 from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
-# Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
+# A longer table shows its first rows and those with wrong cells, so that a person can still read the page.
 FIRST_ROWS, MOST_ROWS = 25, 60
 LONGEST_TEXT = 300
 _NEGATIVE = re.compile(r"(?<![\w.-])-(?=\d)")
-# So many columns fit a sheet of paper; more stand in tables one below the other.
+# So many columns fit on a sheet of paper; more columns are split into tables one below the other.
 MOST_COLUMNS = 10
 LONGEST_CELL = 80
-# Notes about how a file was read that ask nothing of the student; repairs of spelling stand beside each line.
+# Notes on how a file was read that ask nothing of the student; repairs of spelling are shown beside each line.
 _QUIET = {
     "repaired",
     "encoding",
@@ -52,7 +52,7 @@ _QUIET = {
     "from_pdf",
 }
 _BESIDE_LINES = {"repaired"}
-# The sign of a mark and the class of its cell; that of a right cell that does not count.
+# The sign of each mark and the class of its cell; _SHUT is for a right cell that does not count.
 _SHUT = ("○", "carried")
 _SIGNS = {
     WRONG: ("✗", "wrong"), MISSING: ("–", ""), KEY: ("", ""), GIVEN: ("", ""),
@@ -62,7 +62,7 @@ _VERDICT_SIGNS = {"right": "✓", "rounded": "✓", "closure": "✓", "half": "�
 
 
 def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
-    """Return the page of a grade; `final` is the grade as grades.json says it after the instructor's decisions, with reasons."""
+    """Return the page of a grade; `final` is the grade as grades.json writes it after all decisions, with the reasons."""
     decided = {entry["check"] for entry in final.get("overrides", ())}
     open_parts = {"equations"} if grade.equations and grade.equations.unread and not decided & {"equations", "total"} else set()
     parts = [
@@ -112,7 +112,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
 
 
 def short_page(student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
-    """Return the page of a submission that nobody could look into."""
+    """Return the page of a submission that could not be graded."""
     nothing = {"variant": "", "parts": [], "so_far": [], "summary": [], "notes": []}
     return _page(final, student, name, words, typeset, **nothing, table=None, equations=None, answers=None)
 
@@ -140,7 +140,7 @@ def _page(
 
 
 def _status(final: Mapping[str, Any]) -> str:
-    """Return the state as its student is told it: notes that ask nothing are none."""
+    """Return the state as the student is told it: "graded" if the notes ask nothing of the student."""
     status = str(final["status"]).replace("-", "_")
     told = {entry["text"] for entry in final["reasons"]}
     asks = any(note["code"] not in _QUIET and note["text"] not in told for note in final["notes"])
@@ -148,7 +148,7 @@ def _status(final: Mapping[str, Any]) -> str:
 
 
 def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], words: Phrases) -> list[dict[str, Any]]:
-    """Return why there are not all points, part by part."""
+    """Return why points are missing, part by part."""
     of_parts = [entry for entry in reasons if entry["kind"] != "state"]
     return [
         {
@@ -163,12 +163,12 @@ def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], w
 
 
 def shown_points(value: float | None, words: Phrases) -> str:
-    """Return points as a person writes them, "–" for none."""
+    """Return points as a person writes them, "–" for None."""
     return "–" if value is None else words.number(round(value, 2), ".10g")
 
 
 def _lettered(key: Key, text: str) -> str:
-    """Return a sentence with the names of columns and data as the pages of the report print them."""
+    """Return a sentence with the names of columns and data printed as in the report."""
     return spelt(text, (*key.names, *(given.name for given in key.variant.given)))
 
 
@@ -201,7 +201,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
             for place in places.tolist():
                 text, column = shown[place][at], columns[place]
                 is_first = [row, place] == first
-                # Six digits show what is wrong with a wrong cell; the one from which all else follows is said in full.
+                # Six digits show what is wrong with a cell; the first wrong cell has its whole text as title.
                 whole = clean(column.texts[row], LONGEST_CELL) if column and is_first else ""
                 sign, mark = _SHUT if uncounted[row, place] else _SIGNS[cells.marks[row, place]]
                 title = whole if whole.replace("-", "−") != text.rstrip() else ""
@@ -243,7 +243,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
 
 
 def typeset(text: str) -> str:
-    """Return a sentence with a minus where a hyphen stands before a number.
+    """Return a sentence with a minus sign instead of a hyphen before a number.
 
     >>> typeset("1.5 + 0.02·(-1.92); x-2 and 1e-5 stay")
     '1.5 + 0.02·(−1.92); x-2 and 1e-5 stay'

@@ -1,4 +1,4 @@
-"""The cells of a student's table as they are shown: digits below each other, few of them, the whole text kept beside.
+"""The cells of a student's table as they are shown: aligned, with few digits; the whole text is kept elsewhere.
 
 Enters: texts as handed in.  Leaves: columns of texts of one width.  Used by `feedback.py`.
 """
@@ -11,14 +11,14 @@ from collections.abc import Sequence
 from coursework.report.text.numbers import FIGURE, POINT_WIDE
 from coursework.words.templates import clean
 
-DIGITS = 6  # of the largest number of a column; what a mark depends on is said in sentences, in full
-FEW = 1e-3  # of a number below which fixed decimals would show mostly zeros
-LONGEST_CELL = 16  # characters of what is no number
+DIGITS = 6  # of the largest number in a column; the sentences tell a number that matters for a mark in full
+FEW = 1e-3  # below this size fixed decimals would show mostly zeros
+LONGEST_CELL = 16  # characters shown of a text that is no number
 _DECIMAL = re.compile(r"[-+−]?\d+([.,]\d*)?(?:[eE][-+−]?\d+)?")
 
 
 def shown_column(texts: Sequence[str]) -> list[str]:
-    """Return the texts of a column with as many decimals as they have, at most so many that the largest has `DIGITS` digits.
+    """Return the texts of a column with their own decimals, but so few that the largest number has at most `DIGITS` digits.
 
     >>> shown_column(["-0.5123", "12,180000000000012", "3.5", "1.23456789012345E-17", "#VALUE!", ""])
     ['−0.5123', '12,1800', '3.5\u2007\u2007\u2007', '1.23457e−17', '#VALUE!', '']
@@ -35,7 +35,7 @@ def _value(text: str) -> float:
 
 
 def _decimals(text: str) -> int:
-    """Return the decimals that a number has as it was written, those of a power of ten counted too."""
+    """Return the decimals of a number as it was written; a power of ten shifts them."""
     head, _, power = text.lower().partition("e")
     written = len(head.replace(",", ".").partition(".")[2])
     return max(written - int(power.replace("−", "-")), 0) if power else written

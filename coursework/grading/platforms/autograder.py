@@ -1,4 +1,4 @@
-"""One submission's outcome -> `results.json` as Gradescope and PrairieLearn read it.
+"""The outcome of one submission -> `results.json` for Gradescope and PrairieLearn.
 
 Enters: `Outcome`.  Leaves: plain data for JSON.  Used with `--results`.
 """
@@ -15,14 +15,14 @@ from coursework.grading.platforms.escapes import shown
 from coursework.system.frozen import frozen
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
-_MOST_TEXT = 60_000  # characters of one output: both platforms take a megabyte in all
+_MOST_TEXT = 60_000  # characters of one output: both platforms accept a megabyte in all
 _NOT_GRADABLE = {"unreadable", "missing"}
 _METADATA, _MOST_METADATA = "submission_metadata.json", 4_000_000
 
 
 @frozen
 class PartOutcome:
-    """One part of the rubric: its points (None where it could not be marked) and what a student reads about it."""
+    """One part of the rubric: its points (None if it could not be marked) and what the student reads about it."""
 
     name: str
     score: float | None
@@ -32,7 +32,7 @@ class PartOutcome:
 
 @frozen
 class Outcome:
-    """One submission: its state, points (None where there is no number), and its parts; `problems` say what to hand in again."""
+    """One submission: its state, points (None if it has no number) and parts; `problems` say what to hand in again."""
 
     status: str
     score: float | None
@@ -43,7 +43,7 @@ class Outcome:
 
 
 def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
-    """Return `results.json` of Gradescope: one test a part, which sum to the score; without a number it is 0 and says so."""
+    """Return `results.json` of Gradescope: one test for each part; without a number the score is 0 and the text says so."""
     unmarked = outcome.score is None
     tests = [
         {
@@ -65,7 +65,7 @@ def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
 
 
 def created_at(source: Path) -> str:
-    """Return when Gradescope got the submission in a folder, ISO 8601: it says so in a file beside that; "" where none does."""
+    """Return when Gradescope received a submission (ISO 8601), from the metadata file beside its folder; "" if unknown."""
     try:
         with (source.resolve().parent / _METADATA).open("rb") as file:
             text = json.loads(file.read(_MOST_METADATA)).get("created_at")
@@ -76,7 +76,7 @@ def created_at(source: Path) -> str:
 
 
 def prairielearn(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
-    """Return `results.json` of PrairieLearn: score from 0 to 1; what cannot be read is not gradable, and no attempt is lost."""
+    """Return `results.json` of PrairieLearn: score from 0 to 1; an unreadable submission is not gradable and costs no attempt."""
     gradable = outcome.status not in _NOT_GRADABLE
     share = (outcome.score or 0.0) / outcome.max_score if outcome.max_score > 0 else 0.0
     message = "" if outcome.score is not None else _not_marked(outcome, language)
@@ -106,7 +106,7 @@ def results_json(results: dict[str, Any]) -> bytes:
 
 
 def _not_marked(outcome: Outcome, language: str) -> str:
-    """Return what a state without a number means: what nobody could mark is handed in again, anything else looked at."""
+    """Return what a state without a number means: unreadable or missing work is handed in again, other work is looked at."""
     status = outcome.status.replace("-", "_")
     if outcome.status in _NOT_GRADABLE:
         return load_phrases(language).said("platform.not_marked", status=say(f"feedback.state.{status}"))
@@ -114,13 +114,13 @@ def _not_marked(outcome: Outcome, language: str) -> str:
 
 
 def _parts(outcome: Outcome) -> Iterator[tuple[PartOutcome, float, float]]:
-    """Return the parts with their points and most points, which sum to those of the whole."""
+    """Return the parts with their points and most points, which add up to those of the whole submission."""
     scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
     return zip(outcome.parts, scores, _summing([part.max_score for part in outcome.parts], outcome.max_score), strict=True)
 
 
 def _summing(values: Sequence[float], total: float) -> list[float]:
-    """Return values with two decimals that sum to `total` with two decimals; the largest takes what rounding left over."""
+    """Return values rounded to two decimals that add up to `total`; the largest one takes the remainder of rounding."""
     rounded = [round(value, 2) for value in values]
     if rounded:
         largest = max(range(len(values)), key=lambda place: values[place])

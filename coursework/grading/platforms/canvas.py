@@ -1,7 +1,7 @@
-"""Canvas's gradebook export: one column of one assignment filled in, every other byte kept.
+"""Canvas's gradebook export with the column of one assignment filled in; every other byte is kept.
 
-Enters: the bytes of the export, points by student.  Leaves: `Gradebook`, the filled bytes.  Raises `InputError`.
-Used by whoever grades a class.
+Enters: the bytes of the export, points by record.  Leaves: `Gradebook`, the filled bytes.  Raises `InputError`.
+Used by the code that grades a class.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ _KEYS = ("id", "sis user id", "sis login id")
 
 @frozen
 class Gradebook:
-    """An export: its cells, the column to fill, the records of students."""
+    """An export: its cells, the column to fill in, and the records that are students."""
 
     cells: CellText
     column: int
     students: tuple[int, ...]
 
     def record_of(self, keys: tuple[str, ...], name: str | None) -> int | None:
-        """Return the record of a student: by Canvas's ID, SIS user ID, SIS login ID (any of `keys`), else by the exact name."""
+        """Return a student's record: by ID, SIS user ID or SIS login ID (any of `keys`), else by a unique name; or None."""
         columns = self.cells.columns
         wanted = {same_key(key) for key in keys if key}
         for title in _KEYS:
@@ -45,7 +45,7 @@ class Gradebook:
         return fitting[0] if len(fitting) == 1 and named[name_key(name)] == 1 else None
 
     def filled(self, points: Mapping[int, float]) -> bytes:
-        """Return the export with points in its column, by record; excused students and equal grades stay as they are."""
+        """Return the export with points (by record) in its column; excused students and equal grades are left as they are."""
         changes = {}
         for record, value in points.items():
             before = self.cells.value(record, self.column)
@@ -56,7 +56,7 @@ class Gradebook:
         return self.cells.replaced(changes)
 
     def _names(self, record: int) -> set[str]:
-        """Return a student's name as it stands, and turned where it is "Last, First" or stands in two columns."""
+        """Return the spellings of a student's name: as it stands, and in other orders if last and first name are known."""
         columns = self.cells.columns
         if "lastname" in columns and "firstname" in columns:
             last, first = (self.cells.value(record, columns[title]) for title in ("lastname", "firstname"))
@@ -67,9 +67,9 @@ class Gradebook:
 
 
 def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
-    """Return an export and the assignment in it whose points are `points`.
+    """Return an export with the assignment in it that is worth `points`.
 
-    Raises `InputError` where no assignment fits, or several: a head that Canvas does not know would become a new assignment.
+    Raises `InputError` if no assignment fits, or several: a title that Canvas does not know would create a new assignment.
     """
     cells = read_cells(content, file)
     if len(cells.records) < 2:
@@ -92,7 +92,7 @@ def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
 
 
 def _is_student(cells: CellText, record: int) -> bool:
-    """Return whether a record is a student and not Canvas's own test student or a line of settings."""
+    """Return whether a record is a student, and not Canvas's own test student or a line of settings."""
     has_id = bool(cells.value(record, cells.columns.get("id", 0)))
     return has_id and not cells.records[record][0].value.startswith("    ") and cells.value(record, 0) != "Student, Test"
 

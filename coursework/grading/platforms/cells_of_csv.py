@@ -1,4 +1,4 @@
-"""A platform's CSV with the place of every cell, so that some cells change and every other byte stays.
+"""A platform's CSV with the place of every cell, so that some cells can be changed and every other byte kept.
 
 Enters: the bytes of a worksheet or gradebook.  Leaves: `CellText`, and the bytes with chosen cells replaced.
 Used by `worksheet.py`, `canvas.py`, `roster.py` and `decisions.py`.
@@ -20,7 +20,7 @@ MOST_BYTES = 64 * 1024 * 1024
 
 @frozen
 class CsvCell:
-    """One cell: its value, and where its text (quotation marks included) stands."""
+    """One cell: its value, the range of its text (with quotation marks), and its line."""
 
     value: str
     start: int
@@ -30,7 +30,7 @@ class CsvCell:
 
 @frozen
 class CellText:
-    """A CSV file: its text as it stands, separator, encoding, and the cells of each record (blank lines left out)."""
+    """A CSV file: its text, separator and encoding, and the cells of each record (blank lines are left out)."""
 
     file: str
     text: str
@@ -41,27 +41,27 @@ class CellText:
 
     @property
     def titles(self) -> list[str]:
-        """Return what stands in the cells of the first record."""
+        """Return the contents of the first record."""
         return [cell.value.strip() for cell in self.records[0]] if self.records else []
 
     @property
     def columns(self) -> dict[str, int]:
-        """Return which column (from 0) has a title, in small letters; of two alike the first."""
+        """Return the column (from 0) of each title, case folded; of equal titles the first column."""
         return {title.casefold(): place for place, title in reversed([*enumerate(self.titles)])}
 
     def value(self, record: int, column: int | None) -> str:
-        """Return what stands in one column of a record; "" where the record ends before it, or there is no such column."""
+        """Return the content of one column in a record; "" if the record is shorter or there is no such column."""
         cells = self.records[record]
         return cells[column].value.strip() if column is not None and column < len(cells) else ""
 
     def named(self, names: Iterable[str]) -> Iterator[tuple[int, dict[str, str]]]:
-        """Yield (record, what stands under each of `names`) of every record but the head."""
+        """Yield the number of each record below the head, and its contents by title, for the titles in `names`."""
         places = {name: self.columns.get(name) for name in names}
         for record in range(1, len(self.records)):
             yield record, {name: self.value(record, place) for name, place in places.items()}
 
     def replaced(self, changes: Mapping[tuple[int, int], str]) -> bytes:
-        """Return the file with some cells changed: (record, cell) to its new text, written out with its quotation marks."""
+        """Return the file with some cells changed; `changes` maps (record, cell) to the new text, quoted if it must be."""
         pieces = []
         last = 0
         for (record, place), text in sorted(changes.items()):
@@ -76,14 +76,14 @@ class CellText:
             raise InputError([Fault(message, self.file)]) from error
 
     def quoted(self, value: str) -> str:
-        """Return a value as a cell of this file: in quotation marks where it needs them."""
+        """Return a value as it is written into a cell of this file, in quotation marks if necessary."""
         if any(sign in value for sign in (self.separator, '"', "\n", "\r")) or value != value.strip():
             return '"' + value.replace('"', '""') + '"'
         return value
 
 
 def read_cells(content: bytes, file: str) -> CellText:
-    """Return the cells of a CSV file.  Raises `InputError` where its letters cannot be read back the same, or it is too large."""
+    """Return the cells of a CSV file.  Raises `InputError` if it is too large or its bytes cannot be decoded."""
     if len(content) > MOST_BYTES:
         raise InputError([Fault(say("fault.G014", count=len(content), most_bytes=MOST_BYTES), file)])
     name = decode(content).encoding.removesuffix("-sig")
@@ -97,13 +97,13 @@ def read_cells(content: bytes, file: str) -> CellText:
 
 
 def _separator(text: str) -> str:
-    """Return the sign that stands most often outside quotation marks in the first line."""
+    """Return the separator that occurs most often outside quotation marks in the first line."""
     outside = "".join(text.partition("\n")[0].split('"')[::2])
     return max(_SEPARATORS, key=outside.count)
 
 
 def _records(text: str, separator: str) -> Iterator[tuple[CsvCell, ...]]:
-    """Give the records; a quotation mark encloses separators and ends of lines, two are one."""
+    """Yield the records; within quotation marks separators and line ends are text, and a doubled mark is one."""
     sign = re.escape(separator)
     pattern = re.compile(rf'(?:"((?:[^"]++|"")*+)"?)?([^{sign}\r\n]*+)({sign}|\r\n|[\r\n]|\Z)')
     cells: list[CsvCell] = []

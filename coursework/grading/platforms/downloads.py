@@ -1,7 +1,7 @@
-"""Names in a platform's download -> whose work it is; and feedback packed under them as Moodle gives it back to students.
+"""Names in a platform's download -> the student they belong to; and feedback packed under them, as Moodle wants it.
 
-Enters: the name of a folder or file.  Leaves: `Owner`, None where the name is not the platform's.
-Used by `file_lists.py` and by whoever grades a class.
+Enters: the name of a folder or file.  Leaves: `Owner`, None if the name is not the platform's.
+Used by `file_lists.py` and by the code that grades a class.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from coursework.grading.platforms.names import file_stem
 from coursework.system.frozen import frozen
 from coursework.system.zipped import zipped
 
-# Moodle's importer takes "fullname_uniqueid_assignsubmission_plugin", then a blank end, or in flat mode the file's own name.
+# Moodle's importer reads "fullname_uniqueid_assignsubmission_plugin", then nothing, or in flat mode the file's own name.
 _MOODLE = re.compile(
     r"(?P<owner>(?P<name>.*?)_(?P<number>[0-9]+)_assignsubmission_(?P<plugin>[a-z]+))(?:_(?P<rest>.*))?", re.DOTALL
 )
@@ -25,10 +25,10 @@ _CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<user>[0-9]+)_(?P<subm
 
 @frozen
 class Owner:
-    """Whose a folder or file is: what is equal for all of one student, the platform's number, the name as it stands there.
+    """The owner of a folder or file: a `key` equal for all work of one student, the platform's number, the name given there.
 
-    `attempt` tells two submissions of one student apart, `folder` is the name that feedback is returned under, `file` the
-    name a file had before the platform changed it ("" for a folder); `late` says that the platform calls it so.
+    `attempt` tells two submissions of one student apart; `folder` is the name under which feedback is returned; `file` is the
+    name a file had before the platform changed it ("" for a folder); `late`: the platform marks it as late.
     """
 
     key: str
@@ -41,7 +41,7 @@ class Owner:
 
 
 def moodle_owner(name: str) -> Owner | None:
-    """Return the owner of a folder or file of Moodle's download.
+    """Return the owner of a folder or file in Moodle's download, None if the name is not Moodle's.
 
     >>> moodle_owner("Ann Lee_7000_assignsubmission_file_table.csv").number
     '7000'
@@ -58,7 +58,7 @@ def moodle_owner(name: str) -> Owner | None:
 
 
 def canvas_owner(name: str) -> Owner | None:
-    """Return the owner of a file of Canvas's download.
+    """Return the owner of a file in Canvas's download, None if the name is not Canvas's.
 
     >>> canvas_owner("leeann_LATE_101_20777_table-1.csv").file
     'table-1.csv'
@@ -70,6 +70,6 @@ def canvas_owner(name: str) -> Owner | None:
 
 
 def feedback_zip(pages: Iterable[tuple[str, str, bytes]]) -> bytes:
-    """Return a zip of (folder of the download, id, page), the page named `feedback-ID.html`; sorted, without a clock."""
+    """Return a zip of pages (folder of the download, id, page), each named `feedback-ID.html`; sorted, without times."""
     tops = ((PurePosixPath(folder.replace("\\", "/")).name, student, page) for folder, student, page in sorted(pages))
     return zipped(((f"{top}/feedback-{file_stem(student)}.html", page) for top, student, page in tops), 0o644)

@@ -1,6 +1,6 @@
-"""Text from a submission as others may see it: no formula in a spreadsheet, no letter that hides another.
+"""Text from a submission made safe for others: no formula in a spreadsheet, no invisible or reversing characters.
 
-Enters: any text.  Leaves: the text for a CSV cell, or for a page.  Used by everything that writes.
+Enters: any text.  Leaves: the text for a CSV cell or a page.  Used by all code that writes such files.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ _PARTED = re.compile(
 
 
 def text_cell(text: str) -> str:
-    r"""Return a text cell that no spreadsheet takes for a formula: where it might be one, a `'` stands first.
+    r"""Return a text cell that no spreadsheet takes for a formula: a `'` is put before what might be one.
 
-    So it is, but for a plain number, behind a semicolon, a tab or the end of a line, where a spreadsheet may part the cell.
+    This is also done after a semicolon, a tab or a line end, where a spreadsheet may split the cell, except for a plain number.
 
     >>> text_cell("=HYPERLINK(1)"), text_cell("Ann"), text_cell('a;=HYPERLINK("x")')
     ("'=HYPERLINK(1)", 'Ann', 'a;\'=HYPERLINK("x")')
@@ -29,9 +29,9 @@ def text_cell(text: str) -> str:
 
 
 def shown(text: str) -> str:
-    """Return a text with each letter that does not print, or that turns the direction of writing, as ⟨U+202E⟩.
+    """Return a text in which characters that do not print, or that reverse the direction of writing, appear as ⟨U+202E⟩.
 
-    Lines and tabs stay; escaping for HTML is left to whoever writes HTML.
+    Line ends and tabs are kept; escaping for HTML is left to the caller.
     """
     return "".join(letter if _is_visible(letter) else f"⟨U+{ord(letter):04X}⟩" for letter in text)
 

@@ -1,6 +1,6 @@
-"""When a submission was last changed, as Moodle writes it in the language of the teacher; its words are in `moodle.toml`.
+"""When a submission was last changed, as Moodle writes it in the teacher's language; its words are in `moodle.toml`.
 
-Enters: a cell of the worksheet.  Leaves: a time without a zone, as the teacher's clock shows it.
+Enters: a cell of the worksheet.  Leaves: a time without a zone, by the teacher's clock.
 Used by `worksheet.py` and `downloads.py`.
 """
 
@@ -18,13 +18,13 @@ _CLOCK = re.compile(r"(?<![0-9])([0-9]{1,2})[:.]([0-9]{2})(?::([0-9]{2}))?(?![0-
 _CHINESE = re.compile(r"([0-9]{4}) ?年 ?([0-9]{1,2}) ?月 ?([0-9]{1,2}) ?日")
 _ISO = re.compile(r"([0-9]{4})-([0-9]{1,2})-([0-9]{1,2})")
 _DAY_MONTH = re.compile(r"(?<![0-9])([0-9]{1,2})\.?\s+(?:de\s+)?([^\W\d_]{3,})\.?,?\s+(?:de\s+)?([0-9]{4})(?![0-9])")
-# Behind or before a clock of 12 hours.
+# Signs of a 12-hour clock, before or after the time.
 _AFTERNOON = re.compile(r"[0-9] ?p\.? ?m\b|下午|晚上|[0-9] ?пп\b")
 _MORNING = re.compile(r"[0-9] ?a\.? ?m\b|上午|凌晨|早上|[0-9] ?дп\b")
 
 
 def moodle_time(text: str) -> datetime | None:
-    """Return the time that a cell tells, None where it tells none.
+    """Return the time that a cell states, None if it states none.
 
     >>> moodle_time("Tuesday, 1 December 2026, 11:59 PM").isoformat()
     '2026-12-01T23:59:00'

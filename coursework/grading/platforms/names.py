@@ -1,7 +1,7 @@
 """Ids of students, and the names of files made from them.
 
-Enters: an id, as verbatim as a platform gave it.  Leaves: a name that no system misreads; what makes two ids one.
-Used by whoever writes a file or matches a student.
+Enters: an id, exactly as a platform gave it.  Leaves: a name that every system reads the same; keys to compare ids by.
+Used by all code that writes a file or matches a student.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ _DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{number}" for port in ("com", 
 
 
 def file_stem(student: str) -> str:
-    """Return the name of a student's files in OUT: the id itself where every system takes it, else `x-` and 16 hex digits.
+    """Return the name of a student's files in OUT: the id if every system accepts it, else `x-` and 16 hex digits.
 
     >>> file_stem("ivanov"), file_stem("../../x"), file_stem("CON")
     ('ivanov', 'x-9cdf6a50100a862e', 'x-a3dbc4b644a9a2c5')
@@ -27,7 +27,7 @@ def file_stem(student: str) -> str:
 
 
 def legible(name: str) -> str:
-    r"""Return a name from a disk as it can be written anywhere: bytes that are no UTF-8 as \xff.
+    r"""Return a name from a disk in a form that can be written anywhere: bytes that are not UTF-8 appear as \xff.
 
     >>> legible("caf\udce9.csv")
     'caf\\xe9.csv'
@@ -40,10 +40,10 @@ def _byte(half: str) -> str:
 
 
 def same_key(student: str) -> str:
-    """Return what two ids have in common that some file system or platform takes for one: NFC, case folded."""
+    """Return a key that is equal for ids which some file system or platform takes for the same: NFC, case folded."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", student).casefold())
 
 
 def name_key(name: str) -> str:
-    """Return a full name as names are compared: NFKC, case folded, blanks counted once."""
+    """Return a full name in the form in which names are compared: NFKC, case folded, single blanks."""
     return " ".join(unicodedata.normalize("NFKC", name).casefold().split())

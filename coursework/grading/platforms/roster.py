@@ -1,7 +1,7 @@
-"""ROSTER.csv -> who is in the class and which variant each was given.
+"""ROSTER.csv -> the students of the class and the variant of each.
 
 Enters: the bytes of a roster.  Leaves: `Student`s.  Raises `InputError`.
-Used by whoever grades a class.
+Used by the code that grades a class.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
 COLUMNS = ("id", "name", "email", "variant")
-ACCEPTED = "accepted_decimals"  # one of the further columns: the same for all that were drawn from one template
+ACCEPTED = "accepted_decimals"  # a further column, with the same number for all variants of one template
 
 
 @frozen
 class Student:
-    """One line of the roster; `variant` is a name of the catalogue or a path beside the roster; further columns are kept."""
+    """One line of the roster; `variant` is a name in the catalogue or a path beside the roster; further columns are kept."""
 
     id: str
     name: str
@@ -33,9 +33,9 @@ class Student:
 
 
 def read_roster(content: bytes, file: str) -> tuple[Student, ...]:
-    """Return everyone in the class, in the order of the CSV file.
+    """Return all students of the class, in the order of the file.
 
-    Raises `InputError` with every fault: no column id, an id missing or twice.
+    Raises `InputError` with every fault: no column "id", or an id that is missing or not unique.
     """
     cells = read_cells(content, file)
     if not cells.records:

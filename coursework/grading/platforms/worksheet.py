@@ -1,7 +1,7 @@
-"""Moodle's offline grading worksheet, in whatever language it was downloaded: grades and comments filled in, all else kept.
+"""Moodle's offline grading worksheet, in any language it was downloaded in: grades and comments filled in, the rest kept.
 
 Enters: the bytes of the worksheet, points and comments.  Leaves: `Worksheet`, the filled bytes.  Raises `InputError`.
-Used by whoever grades a class.
+Used by the code that grades a class.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from coursework.words.sentences import say
 
 _NO = {*MOODLE["no"]}
 _MOST_COMMENT = 5000
-_AFTER_MAXIMUM = 4  # whether it can be changed, two times, the comment
+_AFTER_MAXIMUM = 4  # columns after the maximum: whether the grade can be changed, two times, the comment
 
 
 @frozen
 class WorksheetRow:
-    """One student of the worksheet; `number` is what stands in the names of the downloaded folders.
+    """One student of the worksheet; `number` is the one in the names of the downloaded folders.
 
-    `locked`: Moodle says that the grade cannot be changed; `modified`: when the submission was, by the clock of
-    who downloaded the worksheet.
+    `locked`: Moodle says that the grade cannot be changed. `modified`: when the submission was last changed, by the clock of
+    the person who downloaded the worksheet.
     """
 
     record: int
@@ -46,7 +46,7 @@ class WorksheetRow:
 
 @frozen
 class Worksheet:
-    """A worksheet: its cells, which columns are which, its students, the greatest grade it takes."""
+    """A worksheet: its cells, its columns by meaning, its students, the maximum grade and the decimal mark."""
 
     cells: CellText
     columns: Mapping[str, int]
@@ -55,14 +55,14 @@ class Worksheet:
     mark: str
 
     def check_total(self, points: float, rubric: str) -> None:
-        """Raise `InputError` where the rubric's total is not the worksheet's greatest grade: Moodle would leave grades out."""
+        """Raise `InputError` if the rubric's total is not the worksheet's maximum grade: Moodle would skip grades."""
         if abs(points - self.maximum) > 1e-9:
             raise InputError([Fault(say("fault.G025", maximum=self.maximum, rubric=rubric, points=points), self.cells.file)])
 
     def filled(self, marks: Mapping[int, tuple[float | None, str]]) -> bytes:
-        """Return the worksheet with points and comments: by `record`, points (None leaves the grade) and text of the comment.
+        """Return the worksheet with `marks` filled in: by record, points (None keeps the grade) and the text of a comment.
 
-        The comment is plain text; it is escaped as the HTML that Moodle takes it for.  Locked rows stay as they are.
+        A comment is plain text, escaped here because Moodle takes it for HTML.  Locked rows are left as they are.
         """
         changes: dict[tuple[int, int], str] = {}
         for row in self.rows:
@@ -82,7 +82,7 @@ class Worksheet:
 
 
 def read_worksheet(content: bytes, file: str) -> Worksheet:
-    """Return a worksheet.  Columns are known by their titles, else by where they stand from the column of greatest grades."""
+    """Return a worksheet.  Its columns are found by their titles, else by their position from the column of maximum grades."""
     cells = read_cells(content, file)
     if len(cells.records) < 2:
         raise InputError([Fault(say("fault.G021"), file)])
@@ -102,14 +102,14 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
         places = _columns_where(cells, holds, first)
         if places:
             columns.setdefault(name, places[0])
-    if "changeable" in columns:  # the time of the submission stands behind it
+    if "changeable" in columns:  # the next column is the time of the submission
         columns.setdefault("modified", min(columns["changeable"] + 1, last))
     greatest, mark = _maximum(cells, maximum)
     return Worksheet(cells, columns, _rows(cells, columns), greatest, mark)
 
 
 def _columns_where(cells: CellText, holds: Callable[[list[str]], bool], first: int = 0) -> list[int]:
-    """Return the columns, from `first` on, in which everything below the head is such."""
+    """Return the columns, from `first` on, for whose values below the head `holds` is true."""
     width = min(len(record) for record in cells.records)
     rows = range(1, len(cells.records))
     return [place for place in range(first, width) if holds([cells.value(row, place) for row in rows])]
@@ -129,7 +129,7 @@ def _are_addresses(values: list[str]) -> bool:
 
 
 def _maximum(cells: CellText, place: int) -> tuple[float, str]:
-    """Return the greatest grade and the sheet's decimal mark."""
+    """Return the maximum grade and the sheet's decimal mark.  Raises `InputError` if the column is not one positive number."""
     values = [value for record in range(1, len(cells.records)) if (value := cells.value(record, place))]
     first = next(iter(values), "")
     mark = "," if "," in first and "." not in first else "."

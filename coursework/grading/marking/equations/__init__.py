@@ -1,1 +1,1 @@
-"""Velocity equations as students write them: right in any form, or wrong, the slip named."""
+"""Velocity equations as students write them: right in any form, or wrong, with the slip named."""

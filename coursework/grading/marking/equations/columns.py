@@ -1,6 +1,6 @@
-"""Where a sign or a name stands in a line as the student typed it, when it was found in the line as it was read.
+"""The column of a sign or name in a line as the student typed it, from its column in the line as it was read.
 
-Enters: both texts and a column of the second.  Leaves: a column of the first.  Used by `equations.py`.
+Enters: both texts and a column of the text as read.  Leaves: a column of the text as typed.  Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from difflib import SequenceMatcher
 
 _MINUS = "-−–—‐‑－"
 _ALIKE = str.maketrans(dict.fromkeys(_MINUS, "-") | {"·": "*", "⋅": "*", "×": "*", "＋": "+", "（": "(", "）": ")"})
-# What a line and its reading have one by one, in the same order: signs of terms, names and functions.
+# Tokens that a typed line and its reading share one by one, in the same order: signs of terms, names and functions.
 _SIGNS = re.compile(f"[{_MINUS}+＋]")
 _SIGN_BEFORE = re.compile(rf"[{_MINUS}+][\s(]*\Z")
 _WORDS = re.compile(r"\\?[^\W\d_][^\W_]*(?:_\{?\w+\}?)?")
@@ -19,7 +19,7 @@ _LABEL = 2  # words that a line may have before its equation
 
 
 def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = False) -> int:
-    r"""Return the column (from 1) in the line as typed; of a term whose sign is meant, that of the sign, where it has one.
+    r"""Return the column (from 1) in the line as typed; with `is_sign`, that of the sign before the term, if it has one.
 
     >>> column_as_handed_in("(16) 2r3 ω3 − 0,5 r3 ω4 = 0", "2 * r3 * w3 - 0.5 * r3 * w4 = 0", 15, is_sign=True)
     13
@@ -46,7 +46,7 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
 
 
 def has_sign(text: str, column: int) -> bool:
-    """Return whether a plus or minus stands before the term at a column, or there.
+    """Return whether a plus or minus stands at a column or before the term that begins there.
 
     >>> has_sign("w = -2*r", 5)
     True
@@ -59,7 +59,7 @@ def has_sign(text: str, column: int) -> bool:
 
 
 def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) -> int:
-    """Return where the sign or word at a column of the reading stands in the line as typed, 0 where they do not go one by one."""
+    """Return the typed column of the sign or word at a column of the reading, 0 if the tokens of the two lines do not match."""
     own = [found for found in pattern.finditer(typed) if found[0] not in _COMMANDS]
     others = list(pattern.finditer(read))
     at = next((place for place, found in enumerate(others) if found.start() + 1 == column), -1)
@@ -69,7 +69,7 @@ def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) ->
 
 
 def _sign_before(text: str, column: int) -> int:
-    """Return the column of the sign before a term, of the term itself where none stands there."""
-    # A line is read as text that may be shorter than what was typed.
+    """Return the column of the sign before a term, or the column of the term itself if it has none."""
+    # The text as read may be shorter than the line as typed.
     found = _SIGN_BEFORE.search(text, 0, max(column - 1, 0))
     return found.start() + 1 if found else column

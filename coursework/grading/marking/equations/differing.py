@@ -1,8 +1,8 @@
-"""Which term of a wrong line differs where no single slip of the pen is found: one too many, another factor, or one missing.
+"""Which term of a wrong line is wrong, if no single slip of the pen is found: one too many, another factor, or one missing.
 
 Enters: a wrong equation as a tree, a `Probe`.  Leaves: `Difference`.  Used by the desk.
-What a line leaves at the points of the probe is held against its own terms, then against what a term with one velocity could be:
-a number, or a sine and a cosine of one angle or of the difference of two, each times a length that moves or none.
+The residual of the line at the points of the probe is compared with the line's own terms, then with terms in one velocity. Their
+coefficient is a number, or a sine and cosine of an angle or of a difference of two; a length that varies may multiply either.
 """
 
 from __future__ import annotations
@@ -23,12 +23,15 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number, replaced
 from coursework.variant.record.variant import Variant
 
-_SAME = 1e-8  # two things that agree at all points of a probe but for their round-off
+_SAME = 1e-8  # relative difference up to which two quantities agree at all points of a probe
 
 
 @frozen
 class Difference:
-    """`kind` of what differs; `term` as written, of a term that is missing the velocity in it; `column` 0 where none stands."""
+    """How a line differs: `term` is the wrong term ("extra", "factor"), or the velocity whose term is missing or another one.
+
+    `column` is its place in the line, 0 if it has none.
+    """
 
     kind: Literal["extra", "factor", "missing", "other"]
     term: Formula
@@ -36,9 +39,9 @@ class Difference:
 
 
 def difference_of(tree: Formula, variant: Variant, probe: Probe, others: Sequence[Linear]) -> Difference | None:
-    """Return what alone would have to be another term in a line (`left - right`), None where no single one explains it.
+    """Return the one term that makes a line (`left - right`) wrong, None if no single term explains it.
 
-    A change that would make it one of the `others`, which are right, explains nothing.
+    A change that turns the line into one of the `others`, which are right already, does not count as an explanation.
     """
     try:
         values = Values(tree, probe.names)
@@ -52,7 +55,7 @@ def difference_of(tree: Formula, variant: Variant, probe: Probe, others: Sequenc
 
 
 def _own_term(tree: Formula, values: Values, left: Array, probe: Probe, others: Sequence[Linear]) -> Difference | None:
-    """Return the term of which a part is what the line leaves; all of it is one too many."""
+    """Return the term to which the residual `left` is proportional; it is one too many if the residual equals it."""
     found = []
     for path, node, is_term, _ in places(tree):
         if not is_term or not _is_linear(tree, path):
@@ -69,7 +72,7 @@ def _own_term(tree: Formula, values: Values, left: Array, probe: Probe, others: 
         other = number(0) if is_extra else Formula("*", (number(Fraction(1 - size)), node))
         mended = linear(replaced(tree, path, other), probe)
         if np.any(mended.directions) and not any(is_same(mended, one) for one in others):
-            found.append((not is_extra, -len(path), without.column, node))  # a part of a sum before all of it
+            found.append((not is_extra, -len(path), without.column, node))  # a part of a sum comes before the whole sum
     if not found:
         return None
     is_part, _, column, term = min(found, key=lambda one: one[:3])
@@ -77,7 +80,7 @@ def _own_term(tree: Formula, values: Values, left: Array, probe: Probe, others: 
 
 
 def _is_linear(tree: Formula, path: Sequence[int]) -> bool:
-    """Return whether a formula is linear in what stands where a path leads."""
+    """Return whether a formula is linear in the node that `path` leads to."""
     for place in path:
         if tree.op not in {"+", "-", "neg", "*", "/"} or (tree.op == "/" and place):
             return False
@@ -86,7 +89,7 @@ def _is_linear(tree: Formula, path: Sequence[int]) -> bool:
 
 
 def _lacking(tree: Formula, variant: Variant, left: Array, slopes: Array, probe: Probe) -> Difference | None:
-    """Return the velocity that lacks a term, one that the line does not name before others."""
+    """Return the missing term, by its velocity: the simplest coefficient first, then a velocity that the line does not name."""
     written = {node.name: column_of(node) for node in reversed([*tree.walk()]) if node.op == "name"}
     driven = [*(law.name for law in variant.drive), *variant.known_rates]
     found = []
@@ -102,19 +105,19 @@ def _lacking(tree: Formula, variant: Variant, left: Array, slopes: Array, probe:
     if not found:
         return None
     size, is_written, name = min(found)
-    is_other = is_written and size > 1  # b*cos - a*sin stands for the one in the place of the other
+    is_other = is_written and size > 1  # b*cos - a*sin makes up for one of the two written instead of the other
     return Difference("other" if is_other else "missing", named(name), written[name] if is_other else 0)
 
 
 def _nothing_left(slopes: Array, place: int, term: Array) -> bool:
-    """Return whether a line says nothing of any velocity with a term more: it would be 0 = 0."""
+    """Return whether the line with the new term would be 0 = 0: all its coefficients of velocities vanish."""
     after = slopes.copy()
     after[:, place] += term
     return bool(np.all(np.abs(after) <= _SAME * np.max(np.abs(slopes))))
 
 
 def _sizes(term: Array, variant: Variant, probe: Probe) -> int | None:
-    """Return how many simple coefficients are added up in one, None where it is no such sum."""
+    """Return how many functions of one simple basis add up to the coefficient `term`, None if no basis fits."""
     for basis in _simple(variant, probe):
         sizes = np.linalg.lstsq(basis, term, rcond=None)[0]
         if _are_same(basis @ sizes, term):

@@ -1,7 +1,7 @@
 """All single slips of the pen in a formula: a sign, a function, a name, a factor.
 
-Enters: a wrong equation as a tree.  Leaves: `Edit`s, each with the tree that would be right if it were the slip.
-Used by `equations.py`.  An edit changes one place; the value of everything else is computed once.
+Enters: a wrong equation as a tree.  Leaves: `Edit`s, each with the replacement for one node of the tree.
+Used by `equations.py`.  An edit changes one place; the values of all other nodes are computed once.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _OPPOSITE = {"+": "-", "-": "+"}
 
 @frozen
 class Edit:
-    """`replacement` in the place that `path` leads to (argument by argument), at `column` of the text."""
+    """`replacement` for the node that `path` leads to (an argument's index at each level), at `column` of the text."""
 
     kind: Kind
     path: tuple[int, ...]
@@ -32,7 +32,7 @@ class Edit:
 
 
 def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
-    """Yield every single edit of `left - right`; `kinds` says which names may stand for each other."""
+    """Yield every single edit of `left - right`; `kinds` maps names to kinds, and names of one kind are exchanged."""
     alike: dict[str, list[str]] = {}
     for name, kind in kinds.items():
         alike.setdefault(kind, []).append(name)
@@ -64,7 +64,7 @@ def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
 
 
 def _is_signed(node: Formula) -> bool:
-    """Return whether a term begins with a minus, which is turned where it stands: -r2*w2 is no -(-r2)*w2."""
+    """Return whether a term begins with a minus: its sign is turned there, as no student writes -(-r2)*w2 for -r2*w2."""
     while node.op in {"*", "/"}:
         node = node.args[0]
     return node.op == "neg"
@@ -84,20 +84,20 @@ def places(
 
 
 def _multiplied(factor: Formula, node: Formula) -> Formula:
-    """Return factor times node, with the factor in front of a product as one writes it."""
+    """Return factor times node; in a product the factor is put in front, as one writes it."""
     if node.op in {"*", "/"}:
         return Formula(node.op, (_multiplied(factor, node.args[0]), node.args[1]), column=node.column)
     return Formula("*", (factor, node), column=node.column)
 
 
 def column_of(node: Formula) -> int:
-    """Return where a part of a formula begins in its text."""
+    """Return the column where a part of a formula begins in its text, 0 if none is known."""
     return min((part.column for part in node.walk() if part.column), default=0)
 
 
 @dataclass
 class Values:
-    """The values of every node of a tree, so that an edit costs its own place and the way up only."""
+    """The values of all nodes of a tree; after an edit, only the changed node and those above it are computed again."""
 
     tree: Formula
     names: Mapping[str, Any]
@@ -113,7 +113,7 @@ class Values:
         return self.known[id(node)]
 
     def after(self, edit: Edit) -> Any:
-        """Return the value of the whole tree after an edit, None where it has none."""
+        """Return the value of the whole tree after an edit, None if it has none."""
         way = [self.tree]
         for place in edit.path:
             way.append(way[-1].args[place])

@@ -1,7 +1,7 @@
-"""Velocity equations as students write them: right in any form, rounded, true on the closure only, or wrong, the slip named.
+"""Velocity equations as students write them: right in any form, rounded, true only on the closure, or wrong, with the slip named.
 
 Enters: lines that were read, a `Key`.  Leaves: `EquationMarks`.  Used by `grade.py`.
-A line is judged by numbers at eight positions off the closure, so that only a velocity equation can hold there; scaling,
+A line is judged by its residual at eight positions off the closure, where only a velocity equation can hold; scaling,
 order, sides and solved forms need no care.
 """
 
@@ -34,7 +34,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
-# Residual over the sum of its terms: round-off; data printed with three or four digits; the exact motion's own accuracy.
+# Residual over the sum of the terms: for round-off; for data printed with three or four digits; for the exact motion's accuracy.
 RIGHT, ROUNDED, ON_CLOSURE = 1e-9, 2e-3, 1e-7
 COUNTED = ("right", "rounded", "closure")
 JUDGED = (*COUNTED, "wrong")
@@ -42,7 +42,7 @@ JUDGED = (*COUNTED, "wrong")
 
 @frozen
 class Hint:
-    """What would make a wrong line right: `text` is the line so mended; `others` single edits would do as well."""
+    """What would make a wrong line right: `text` is the corrected line; `others` counts further single edits that also do."""
 
     kind: Literal["sign", "function", "name", "factor", "repaired", "reader"]
     column: int
@@ -51,14 +51,14 @@ class Hint:
     fault: Fault | None = None
 
     def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it; that of a line nobody could read has the code of the fault too."""
+        """Return the record as grades.json writes it; for a line that could not be read, with the code of the fault."""
         told = {"kind": self.kind, "column": self.column, "text": self.text, "others": self.others}
         return told if self.fault is None else told | {"code": self.fault.code, "values": self.fault.message.plain()}
 
 
 @frozen
 class EquationMark:
-    """One line: its verdict, a hint where there is one, and what it lacks where it earns nothing and no slip is found."""
+    """One line: its verdict, a hint if there is one, and what it lacks if it earns nothing and no slip is found."""
 
     line: EquationLine
     verdict: Verdict
@@ -67,7 +67,7 @@ class EquationMark:
 
     @property
     def hint_of_slip(self) -> Hint | None:
-        """Return the hint of a wrong line."""
+        """Return the hint of a wrong line; None for any other line."""
         return self.hint if self.verdict == "wrong" else None
 
     def plain(self) -> dict[str, Any]:
@@ -78,10 +78,10 @@ class EquationMark:
 
 @frozen
 class EquationMarks:
-    """All lines; `independent` of `needed`; `dependent` line numbers that say nothing new; `share` of the points.
+    """The marks of all lines: `independent` of `needed` equations; `dependent` are numbers of lines that add nothing new.
 
-    `different` wrong ones: the same written twice is one fault.  `turned` says that lines hold with the other sign of all
-    angular velocities, and were marked so.
+    `different` counts the wrong lines; the same wrong line written twice is one fault. `turned` says that lines were marked
+    with the opposite sign of all angular velocities, because they hold so.
     """
 
     marks: tuple[EquationMark, ...]
@@ -98,18 +98,18 @@ class EquationMarks:
 
     @property
     def questions(self) -> tuple[EquationMark, ...]:
-        """Return the lines that nobody could read and that may earn points: while equations are missing they are questions."""
+        """Return the lines that could not be read and may earn points; empty if no equation is missing."""
         missing = self.independent < self.needed
         return tuple(mark for mark in self.marks if missing and mark.verdict == "unreadable" and mark.line.relates)
 
     @property
     def unread(self) -> EquationMark | None:
-        """Return the first such line."""
+        """Return the first line in `questions`, None if there is none."""
         return next(iter(self.questions), None)
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """Return what a person should know of lines that count: something was added to them, or their numbers are rounded."""
+        """Return notes for a person: how many lines were completed in order to read them, and which have rounded numbers."""
         guessed = sum(mark.line.guessed and mark.verdict != "unreadable" for mark in self.marks)
         rounded = [str(mark.line.line) for mark in self.marks if mark.verdict == "rounded"]
         return (
@@ -119,33 +119,33 @@ class EquationMarks:
 
     @property
     def share(self) -> float:
-        """Return independent / max(needed, independent + wrong): guessing every combination of signs does not pay."""
+        """Return independent / max(needed, independent + different): to guess every combination of signs does not pay."""
         return self.independent / max(self.needed, self.independent + self.different, 1)
 
 
 @dataclass(frozen=True)
 class Judge:
-    """What equations of one variant are tried against."""
+    """Marks the equations of one variant; holds the points at which they are tried."""
 
     key: Key
 
     @cached_property
     def off_closure(self) -> Probe:
-        """Return the random points."""
+        """Return the random points off the closure."""
         return random_probe(self.key)
 
     @cached_property
     def on_closure(self) -> Probe:
-        """Return rows of the exact motion."""
+        """Return points of the exact motion."""
         return exact_probe(self.key)
 
     @cached_property
     def kinds(self) -> dict[str, str]:
-        """Return which names may stand for each other."""
+        """Return the kind of each name; names of one kind may be mistaken for each other."""
         return kinds(self.key.variant)
 
     def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
-        """Return the marks of all lines; with `turning` all of them may count turning clockwise."""
+        """Return the marks of all lines; with `turning`, angular velocities may count clockwise in all of them."""
         alone = tuple(map(self._mark, lines))
         meant = as_others_of_their_kind(lines, alone, COUNTED)
         found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
@@ -154,7 +154,7 @@ class Judge:
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
-        if independent == len(self.key.variant.sought):  # what else stands in the text is no velocity equation
+        if independent == len(self.key.variant.sought):  # all equations are there: other lines of the text are no equations
             marks = tuple(mark for mark in marks if mark.verdict != "wrong" or self._names_any(mark.line))
         wrong = [mark for mark in marks if mark.verdict == "wrong" and self._names_any(mark.line)]
         different = differing(_trees(wrong), self.off_closure)
@@ -165,11 +165,11 @@ class Judge:
         return EquationMarks(marks, independent, len(self.key.variant.sought), numbers, different, turned=back is not None)
 
     def _names_any(self, line: EquationLine) -> bool:
-        """Return whether a line names a velocity that is sought: one without, T = 2*pi/p, is none of the equations needed."""
+        """Return whether a line names a sought velocity; one that does not, as T = 2*pi/p, is none of the equations needed."""
         return not {*self.key.variant.sought}.isdisjoint(line.difference.names())
 
     def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
-        """Return the marks with all angular velocities turned, None where that puts no line right or a right one wrong."""
+        """Return the marks with the sign of all angular velocities turned; None if that corrects no line or spoils one."""
         variant = self.key.variant
         angular = frozenset(name for name in self.key.velocities if variant.unit_of(name) == "rad/s")
         back = tuple(self._mark(with_other_sign(mark.line, angular)) if mark.verdict in JUDGED else mark for mark in marks)
@@ -180,7 +180,7 @@ class Judge:
         return tuple(after if after.verdict in COUNTED else before for before, after in zip(marks, back, strict=True))
 
     def _with_lack(self, mark: EquationMark, counted: Sequence[EquationMark], is_dependent: bool) -> EquationMark:
-        """Return a mark with what the line lacks, where it is right and adds nothing, or wrong by no single slip."""
+        """Return the mark with what the line lacks, if it is right and adds nothing, or is wrong by no single slip."""
         if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and not is_dependent):
             return mark
         others = [(other.line.where, other.line.difference) for other in counted if other is not mark]
@@ -188,9 +188,9 @@ class Judge:
         return replace(mark, lack=lack_of(mark.line.difference, mark.verdict, others, variant, self.off_closure))
 
     def _independent(self, counted: Sequence[EquationMark]) -> tuple[int, list[EquationMark]]:
-        """Return how many lines are independent, and those that follow from lines before them.
+        """Return how many lines are independent, and the lines that follow from those before them.
 
-        Lines that are true on the closure only must differ there too; of rounded ones near-copies count once.
+        If a line is true only on the closure, all must be independent there too; near-copies of rounded lines count once.
         """
         probes = [self.off_closure]
         if any(mark.verdict == "closure" for mark in counted):
@@ -210,7 +210,7 @@ class Judge:
         return len(taken[0]), dependent
 
     def _mark(self, line: EquationLine) -> EquationMark:
-        """Return the mark of a line in the way of reading it in which it is right, in the first way where it is in none."""
+        """Return the mark of a line in the first of its readings that is right; if none is, in the first one."""
         line = without_ratios(line, self.key.variant.sought)
         if line.others and (line.tree is None or not self._tells(line.tree)):
             for other in line.others:
@@ -228,7 +228,7 @@ class Judge:
         return EquationMark(line, verdict, repaired)
 
     def _tells(self, tree: Formula) -> bool:
-        """Return whether a line is right and says something of the velocities."""
+        """Return whether an equation is right and depends on the velocities."""
         return self._verdict(tree) in COUNTED and bool(np.any(linear(tree, self.off_closure).directions))
 
     def _verdict(self, tree: Formula) -> Verdict:
@@ -245,7 +245,7 @@ class Judge:
             return "wrong"
 
     def _slip(self, tree: Formula, line: EquationLine) -> Hint | None:
-        """Return the single edit that makes a line right, the likeliest, with how many others do as well."""
+        """Return the likeliest single edit that makes a line right as a hint, with the number of others; None if none does."""
         read = line.repaired or line.text
         found = self.slips(tree, read)
         if not found:
@@ -255,7 +255,7 @@ class Judge:
         return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
 
     def slips(self, tree: Formula, read: str) -> list[Edit]:
-        """Return each single edit that makes a wrong line right, the likeliest first; `read` is the text of the line."""
+        """Return all single edits that make a wrong line right, the likeliest first; `read` is the text of the line as read."""
         try:
             values = Values(tree, self.off_closure.names)
             scale = float(np.median(real(size_of(tree, self.off_closure.names), self.off_closure.count))) or 1.0
@@ -271,7 +271,7 @@ class Judge:
                 found.append(edit)
 
         def rank(edit: Edit) -> tuple[int, bool, int]:
-            is_new = edit.kind == "sign" and not has_sign(read, edit.column)  # one that stands there is likelier turned
+            is_new = edit.kind == "sign" and not has_sign(read, edit.column)  # likelier, a written sign is wrong
             return _PREFERRED.index(edit.kind), is_new, edit.column
 
         return sorted(found, key=rank)
@@ -285,7 +285,7 @@ _PREFERRED = ("sign", "function", "name", "factor")
 
 
 def _written(tree: Formula) -> str:
-    """Return `left - right` as an equation again."""
+    """Return `left - right` written as an equation."""
     if tree.op == "-" and len(tree.args) == 2:
         return f"{spelled(tree.args[0])} = {spelled(tree.args[1])}"
     return f"{spelled(tree)} = {spelled(number(0))}"

@@ -1,6 +1,6 @@
-"""What a line lacks that earns nothing although no slip of the pen is in it: it names no velocity, or says what others say.
+"""What a line lacks that earns nothing although it has no slip of the pen: it names no velocity, or repeats other lines.
 
-Enters: marked lines, a `Probe`.  Leaves: a `Sentence` a line.  Used by `equations.py`.
+Enters: marked lines, a `Probe`.  Leaves: a `Sentence` for each line.  Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from coursework.words.sentences import say
 
 ON_CLOSURE = "closure"
 _SAME = 1e-9
-Other = tuple[Sentence, Formula]  # where a line stands, and left - right
+Other = tuple[Sentence, Formula]  # the place of a line, and its left - right
 
 
 def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Variant, probe: Probe) -> Sentence | str:
-    """Return what a line (`left - right`) lacks, "" where nobody can tell; `others` are the lines that count."""
+    """Return what a line (`left - right`) lacks, "" if that cannot be told; `others` are the other lines that count."""
     named = {node.name for node in tree.walk() if node.op == "name"}
     driven = {"t", *variant.known_rates, *(law.name for law in variant.drive)}
     try:
@@ -48,7 +48,7 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
 
 
 def _lacks_term(tree: Formula, variant: Variant, probe: Probe) -> Sentence | str:
-    """Return which term of an equation of the task a line is short of, "" where no single one makes up for what is wrong."""
+    """Return the term of an equation of the task that a line leaves out, "" if no single term corrects the line."""
     left = real(value_of(tree, probe.names), probe.count)
     terms = (
         node for equation in variant.constraints for path, node, is_term, _ in places(equation.difference) if is_term and path

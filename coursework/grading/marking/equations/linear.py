@@ -1,7 +1,7 @@
-"""A line as A·u + b at the points of a probe: what it says of the velocities, and how far it is from true.
+"""A line as A·u + b at the points of a probe: what it says about the velocities u, and how far from true it is.
 
 Enters: `left - right` as a tree, a `Probe`.  Leaves: `Linear`.  Used by `equations.py`.
-A residual is held against what is left after terms are collected: 1.001·ω - ω is 0.001·ω, wrong by all of itself, and
+A residual is compared with the terms after they are collected: 1.001·ω - ω is 0.001·ω, and that is all wrong, while
 ω + 10⁶ - 10⁶ is ω.
 """
 
@@ -19,9 +19,9 @@ from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
 AFFINE = 1e-9
-# Less than this part of the terms as written is their round-off: such a line says nothing.
+# Collected terms smaller than this part of the terms as written are round-off: the line says nothing about the velocities.
 NOTHING = 1e-12
-# Rounding in the terms is so much larger in their sum, and a line that differs by less from another is that line.
+# Rounding errors of terms may be larger by up to this factor in their sum; lines that differ by less count as the same line.
 NEAR = 5.0
 RANK = 1e-8
 
@@ -30,8 +30,8 @@ RANK = 1e-8
 class Linear:
     """A line at the points of a probe.
 
-    `slopes` A (n, k), `rest` b (n,), `size` (n,) of the terms as written; NaN where there is no value, and in `slopes` where
-    the line is not affine in the velocities.
+    `slopes` are A (n, k), `rest` is b (n,), `size` (n,) the size of the terms as written; NaN where there is no value.
+    `slopes` are NaN throughout if the line is not affine in the velocities.
     """
 
     slopes: Array
@@ -41,37 +41,37 @@ class Linear:
 
     @cached_property
     def _kept(self) -> Array:
-        """Return A (n, k), 0 where nothing but round-off is left of it."""
+        """Return A (n, k), with 0 at points where it is only round-off."""
         left = np.sum(np.abs(self.slopes * self.probe.scale), axis=1, keepdims=True)
         return np.where(left > NOTHING * self.size[:, None], self.slopes, 0.0)
 
     @property
     def is_affine(self) -> bool:
-        """Return whether the line is affine in the velocities wherever it was tried."""
+        """Return whether the line is affine in the velocities at all points."""
         return not np.isnan(self.slopes).any()
 
     @cached_property
     def residuals(self) -> Array:
-        """Return the residual at each point (n,), as a part of its collected terms; inf where there is no value."""
+        """Return the residual at each point (n,), relative to the collected terms; inf where there is no value."""
         terms = self._kept * self.probe.velocities
         left = np.sum(np.abs(terms), axis=1)
         return _part(np.sum(terms, axis=1) + self.rest, np.where(left > 0, left + np.abs(self.rest), self.size))
 
     @property
     def residual(self) -> float:
-        """Return the largest residual over the points, as a part of its collected terms."""
+        """Return the largest residual over the points, relative to the collected terms."""
         return float(np.max(self.residuals, initial=0.0))
 
     def is_near(self, limit: float) -> bool:
-        """Return whether numbers rounded by a part `limit` explain the residual: of the terms as written at every point, of what
-        is collected from them, where a few points may nearly cancel, at most points by a few times that.
+        """Return whether numbers with relative rounding errors up to `limit` explain the residual: it is at most `limit` of the
+        terms as written at every point, and `NEAR * limit` of the collected terms, which may nearly cancel, at half the points.
         """
         written = _part(np.sum(self.slopes * self.probe.velocities, axis=1) + self.rest, self.size)
         return bool(np.all(written <= limit) and np.median(self.residuals) <= NEAR * limit)
 
     @cached_property
     def directions(self) -> Array:
-        """Return A (n, k) in the scale of the velocities, its largest 1; all 0 where the line says nothing of them."""
+        """Return A (n, k) in units of the velocities' `scale`, divided by its largest entry; 0 where A is round-off."""
         scaled = self._kept * self.probe.scale
         largest = np.max(np.abs(scaled), axis=1, keepdims=True)
         return np.asarray(scaled / np.where(largest > 0, largest, 1.0))
@@ -84,7 +84,7 @@ def _part(value: Array, whole: Array) -> Array:
 
 
 def linear(tree: Formula, probe: Probe) -> Linear:
-    """Return a line at the points of a probe.  Raises `NoValue` for a vector."""
+    """Return the line of `left - right` at the points of a probe.  Raises `NoValue` for a vector."""
     count, k = probe.velocities.shape
     with np.errstate(all="ignore"):
         found = real(value_of(tree, probe.tried), count * (k + 2)).reshape(k + 2, count)
@@ -97,14 +97,14 @@ def linear(tree: Formula, probe: Probe) -> Linear:
 
 
 def rank(lines: Sequence[Linear]) -> int:
-    """Return how many of the lines are independent, least over the points."""
+    """Return how many of the lines are independent at the point where they are fewest."""
     if not lines:
         return 0
     return int(np.min(np.linalg.matrix_rank(np.stack([line.directions for line in lines], axis=1), tol=RANK)))
 
 
 def is_same(one: Linear, other: Linear) -> bool:
-    """Return whether two lines say the same, right or wrong: each is the other times a number at every point."""
+    """Return whether two lines, right or wrong, say the same: at every point one is a multiple of the other."""
     both = np.stack([np.column_stack([line.slopes * line.probe.scale, line.rest]) for line in (one, other)], axis=1)
     if not np.isfinite(both).all():
         return False
@@ -113,7 +113,7 @@ def is_same(one: Linear, other: Linear) -> bool:
 
 
 def differing(trees: Sequence[Formula], probe: Probe) -> int:
-    """Return how many of some wrong lines are no other's once more; one without a value is none."""
+    """Return how many different lines are among the given ones; a line without a value counts as different from all."""
     found: list[Linear] = []
     nothing = 0
     for tree in trees:
@@ -128,7 +128,7 @@ def differing(trees: Sequence[Formula], probe: Probe) -> int:
 
 
 def says_more(line: Linear, than: Sequence[Linear], limit: float) -> bool:
-    """Return whether a line rounded by a part `limit` says what others do not: near-copies of a line are that line."""
+    """Return whether a line with relative rounding errors up to `limit` says something new; a near-copy of another does not."""
     own = line.directions / np.maximum(np.linalg.norm(line.directions, axis=1, keepdims=True), NOTHING)
     if than:
         others = np.stack([other.directions for other in than], axis=1)

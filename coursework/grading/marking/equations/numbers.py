@@ -1,7 +1,7 @@
-"""A checked formula with numbers for its names: values of rows at once, with no code made and no SymPy.
+"""The value of a checked formula from numbers for its names: many rows at once, without generated code or SymPy.
 
 Enters: `Formula` trees and arrays.  Leaves: arrays; vectors are complex numbers.  NaN where there is no value.
-Used by the marks of equations, where each line is new and looked at once: compiling it would cost a thousand times more.
+Used by the marks of equations, where each line is new and evaluated once: to compile it would cost a thousand times more.
 """
 
 from __future__ import annotations
@@ -29,33 +29,33 @@ _OF_NUMBERS: dict[str, Any] = {
 
 
 class NoValue(ValueError):
-    """A formula has no value at all: a vector where a number must stand, or the other way round."""
+    """A formula has no value at all: a vector stands where a number is needed, or the other way round."""
 
 
 def value_of(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any] | None = None) -> Any:
-    """Return the value of a formula; `names` holds floats, arrays (n,), or complex arrays for points.
+    """Return the value of a formula; `names` maps names to floats, arrays (n,), or complex arrays for points.
 
-    `known` gives values of nodes (by identity) that need not be computed again.  Raises `NoValue`.
+    `known` maps the id of nodes to values that need not be computed again.  Raises `NoValue`.
     """
     with np.errstate(all="ignore"):
         return computed(tree, names, known or {})
 
 
 def size_of(tree: Formula, names: Mapping[str, Any]) -> Any:
-    """Return the sum of the absolute values of the terms of a formula, (n,): what its value is to be compared with."""
+    """Return the sum (n,) of the absolute values of a formula's terms, with which its value is compared."""
     with np.errstate(all="ignore"):
         return _size(tree, names)
 
 
 def computed(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any]) -> Any:
-    """Return what `value_of` returns, for whoever keeps NumPy quiet already."""
+    """Return the same as `value_of`, for callers that have silenced NumPy's warnings themselves."""
     if id(tree) in known:
         return known[id(tree)]
     return combined(tree, [computed(arg, names, known) for arg in tree.args], names)
 
 
 def combined(tree: Formula, args: list[Any], names: Mapping[str, Any]) -> Any:
-    """Return the value of one node from those of its arguments.  Raises `NoValue`."""
+    """Return the value of one node from the values of its arguments.  Raises `NoValue`."""
     op = tree.op
     if op in _ARITHMETIC:
         return _ARITHMETIC[op](*args)

@@ -1,4 +1,4 @@
-"""Positions at which equations are tried: random ones off the closure, and rows of the exact motion, with all names' values.
+"""Positions at which equations are tried: random ones off the closure and rows of the exact motion, with values of all names.
 
 Enters: a `Key`.  Leaves: `Probe`.  Used by `equations.py` and `linear.py`; nothing here depends on a submission.
 """
@@ -19,7 +19,7 @@ from coursework.system.arrays import Array
 from coursework.variant.record.variant import Law, Variant
 
 POINTS = 8
-# Half of an angle's range on either side is added: off the closure, and still the same mechanism.
+# Each coordinate's range is widened by this part on either side: positions off the closure, but of the same mechanism.
 WIDER = 0.5
 _TRIES = 50
 _STRETCHED, _MOVED = 1.7, 0.3
@@ -28,7 +28,7 @@ _SEED = 20_000
 
 @dataclass(frozen=True)
 class Probe:
-    """`names` -> values at `count` points; `velocities` (count, k) of the unknown velocities `sought`, right ones."""
+    """`names` maps names to their values at `count` points; `velocities` (count, k) are the right values of those `sought`."""
 
     names: Mapping[str, Any]
     sought: tuple[str, ...]
@@ -41,18 +41,18 @@ class Probe:
 
     @cached_property
     def scale(self) -> Array:
-        """Return the largest size of each velocity (k,) over the points, 1 for one that is always zero."""
+        """Return the largest absolute value (k,) of each velocity over the points; 1 if it is always zero."""
         largest = np.max(np.abs(self.velocities), axis=0, initial=0.0)
         return np.asarray(np.where(largest > 0, largest, 1.0))
 
     @cached_property
     def elsewhere(self) -> Array:
-        """Return other velocities (n, k), at which an equation that is affine in them foretells its own value."""
+        """Return other velocities (n, k), at which the value of an affine equation is foretold by its coefficients."""
         return _STRETCHED * self.velocities + _MOVED
 
     @cached_property
     def tried(self) -> dict[str, Any]:
-        """Return the names at the points, once with each set of velocities that tells the coefficients apart."""
+        """Return the names at the points, repeated for each set of velocities from which the coefficients are computed."""
         k = len(self.sought)
         sets = [np.zeros_like(self.velocities), *(np.tile(row, (self.count, 1)) for row in np.eye(k)), self.elsewhere]
         copies = {name: np.tile(value, len(sets)) if np.ndim(value) else value for name, value in self.names.items()}
@@ -60,7 +60,7 @@ class Probe:
 
 
 def random_probe(key: Key) -> Probe:
-    """Return eight random points with the velocities that the equations give there; the same ones on every machine."""
+    """Return eight random points and the right velocities there; the same points on every machine."""
     m = len(key.coordinates)
     generator = np.random.Generator(np.random.PCG64(_SEED))
     low, high = key.table[:, :m].min(axis=0), key.table[:, :m].max(axis=0)
@@ -80,7 +80,7 @@ def random_probe(key: Key) -> Probe:
 
 
 def exact_probe(key: Key) -> Probe:
-    """Return rows of the exact motion, eight at most, spread over the table."""
+    """Return at most eight rows of the exact motion, spread over the table."""
     m = len(key.coordinates)
     rows = np.unique(np.linspace(0, len(key.exact) - 1, POINTS).round().astype(int))
     return _probe(key, key.t[rows], key.exact[rows, :m], key.exact[rows, m:])
@@ -94,7 +94,7 @@ def _probe(key: Key, t: Array, q: Array, u: Array) -> Probe:
 
 
 def names_at(key: Key, t: Array, q: Array) -> dict[str, Any]:
-    """Return the value of every name but the unknown velocities at times (n,) and positions (n, m); points are complex."""
+    """Return the values of all names except the unknown velocities at times (n,) and positions (n, m); points are complex."""
     names: dict[str, Any] = {"t": t, "pi": np.pi, **key.variant.values}
     names |= dict(zip(key.coordinates, q.T, strict=True))
     for law in (*key.variant.functions, *key.variant.drive):
@@ -120,7 +120,7 @@ def _law(law: Law, names: Mapping[str, Any]) -> Any:
 
 
 def kinds(variant: Variant) -> dict[str, str]:
-    """Return for every name what it may be mistaken for: names of one kind are exchanged in slips of the pen."""
+    """Return the kind of each name; a slip of the pen exchanges names of one kind."""
     found = {given.name: given.si for given in variant.given}
     found |= {law.name: "drive" for law in variant.drive}
     found |= {coordinate.name: coordinate.unit for coordinate in variant.coordinates}

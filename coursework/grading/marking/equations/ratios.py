@@ -1,6 +1,6 @@
-"""A line with velocities below a stroke, w4/w3 = 2*(…) as ratios are written -> the same with both sides times what is below.
+"""A line with velocities in a denominator, as in the ratio w4/w3 = 2*(…) -> the line multiplied by the denominators.
 
-Enters: a line, the velocities that are sought.  Leaves: the line so changed.  Used by `equations.py`.
+Enters: a line, the names of the sought velocities.  Leaves: the line so changed.  Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula
 
-_MOST = 4  # different velocities, or sums of them, below strokes
+_MOST = 4  # different denominators with velocities in a line
 
 
 def without_ratios(line: EquationLine, sought: Collection[str]) -> EquationLine:
-    """Return a line without velocities below strokes, in each way of reading it; its text stays."""
+    """Return a line with no sought velocity in a denominator, in each of its readings; its text does not change."""
     if not any("/" in text for text in (line.text, line.repaired, *(other.text for other in line.others))):
         return line
     others = tuple(replace(other, tree=multiplied_out(other.tree, sought)) for other in line.others)
@@ -26,7 +26,7 @@ def without_ratios(line: EquationLine, sought: Collection[str]) -> EquationLine:
 
 
 def multiplied_out(tree: Formula, sought: Collection[str]) -> Formula:
-    """Return a line times the velocities that stand below strokes in it, the very line where none do or it were too long then.
+    """Return a line times its denominators with velocities; unchanged if there is none or the result would be too long.
 
     >>> from coursework.variant.formula.reader import parse
     >>> from coursework.variant.formula.tree import spelled
@@ -41,7 +41,7 @@ def multiplied_out(tree: Formula, sought: Collection[str]) -> Formula:
 
 
 def _fraction(tree: Formula, below: Collection[Formula]) -> tuple[Formula, list[Formula]]:
-    """Return what stands above a stroke and what of `below` stands under it."""
+    """Return the numerator of a formula and the list of its denominators that are in `below`."""
     if tree.op not in {"neg", "+", "-", "*", "/"} or (tree.op == "/" and tree.args[1] not in below):
         return tree, []
     if tree.op == "/":
@@ -56,7 +56,7 @@ def _fraction(tree: Formula, below: Collection[Formula]) -> tuple[Formula, list[
 
 
 def _together(first: list[Formula], second: list[Formula]) -> list[Formula]:
-    """Return the first factors and those of the second that they lack."""
+    """Return the first list of factors, extended by those of the second that it lacks."""
     lacking, left = list[Formula](), list(first)
     for one in second:
         if one in left:

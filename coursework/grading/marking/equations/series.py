@@ -1,6 +1,6 @@
-"""Lines that a program has one after the other, F(1) = …, F(2) = …: where some are right as what is to vanish, all are meant so.
+"""Lines of a program in a series, F(1) = …, F(2) = …: if some are right when the right side is set to 0, all are read so.
 
-Enters: marks of lines, as each was read by itself.  Leaves: lines to be read so.  Used by `equations.py`.
+Enters: marks of lines, each read by itself.  Leaves: the lines as they are to be read.  Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Marked(Protocol):
 def as_others_of_their_kind(
     lines: Sequence[EquationLine], marks: Sequence[Marked], right: Sequence[str]
 ) -> Iterator[EquationLine]:
-    """Give each line, one that is not right as what is to vanish where lines of its kind are `right` so."""
+    """Yield each line; one that is not right is read as "… = 0" if lines of its series are `right` in that reading."""
     vanishing = {
         stem
         for line, mark in zip(lines, marks, strict=True)

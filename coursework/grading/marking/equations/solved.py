@@ -1,4 +1,4 @@
-"""Equations solved for velocities: two wrong ones may be one slip, made in an equation that both were made of.
+"""Equations solved for velocities: two wrong ones may come from one slip in an equation from which both were derived.
 
 Enters: lines (left - right), the variant, a `Probe`.  Leaves: whether it is one slip.  Used by `equations.py`.
 """
@@ -16,13 +16,13 @@ from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Variant
 
-_HOLDS = 1e-6  # of the sum of its terms
+_HOLDS = 1e-6  # residual up to which an equation holds, relative to the sum of the absolute values of its terms
 
 
 def is_one_slip(wrong: Sequence[Formula], counted: Sequence[Formula], variant: Variant, probe: Probe) -> bool:
-    """Return whether the velocities that two wrong lines are solved for, and the lines that count, fulfil all equations but one.
+    """Return whether wrong lines, each solved for a velocity, and the lines that count fulfil all equations of the task but one.
 
-    Lines that are not solved may be guesses at one equation, of which each wrong one is a fault.
+    Lines that are not solved do not qualify: they may be guesses at one equation, and then each wrong one is a fault.
     """
     needed = len(variant.sought)
     if len({side.name for tree in wrong for side in tree.args if side.op == "name" and side.name in variant.sought}) < len(wrong):

@@ -1,4 +1,4 @@
-"""A line of equations with the other sign of some velocities: what it says to one who counts turning clockwise.
+"""A line with the sign of some velocities turned: what it says if the student counts angles clockwise.
 
 Enters: a line, names.  Leaves: the line so changed.  Used by `equations.py`.
 """
@@ -13,7 +13,7 @@ from coursework.variant.formula.tree import Formula, with_names
 
 
 def with_other_sign(line: EquationLine, names: Collection[str]) -> EquationLine:
-    """Return a line that was read with each of the names replaced by its negative; its text stays."""
+    """Return a line in which each of the names is replaced by its negative; its text does not change."""
 
     def turned(name: Formula) -> Formula:
         return Formula("neg", (name,), column=name.column) if name.name in names else name

@@ -1,1 +1,1 @@
-"""What a right table is: the key of a variant, of the mechanism assembled or read otherwise, and of what forces move."""
+"""What a right table is: the key of a variant, tables of the mechanism assembled or misread otherwise, motion under forces."""

@@ -1,7 +1,7 @@
-"""Euler's tables of a mechanism put together in its other ways: the misconception "branch".
+"""Euler's tables of the mechanism in its other assemblies: the misconception "branch".
 
-Enters: a `Variant` and the key's table.  Leaves: tables (n, m + r).  Used by `key.py`, once a variant, when a table asks
-for it.  A chain of groups has a mode each; where position equations are written, their other solutions at t = 0 are looked for.
+Enters: a `Variant` and the key's table.  Leaves: tables (n, m + r).  Used by `key.py`, once a variant, when a table needs
+them.  In a chain of groups the modes are changed; with position equations, their other solutions at t = 0 are searched for.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
-MOST = 7  # assemblies: three groups turned in every way
-_GUESSES, _SEED = 64, 31  # positions that Newton sets out from; the same ones on every machine
-_SAME = 1e-6  # rad or m
+MOST = 7  # assemblies: as many as three groups have besides the given one
+_GUESSES, _SEED = 64, 31  # random positions from which Newton's method starts; the same ones on every machine
+_SAME = 1e-6  # rad or m: positions nearer than this are the same
 _TURN = 2 * np.pi
 
 
 def other_assemblies(variant: Variant, key: Array) -> list[Array]:
-    """Return the tables of the other assemblies, whole turns away from those of `key` (n, m + r) taken off."""
+    """Return the tables of the other assemblies; whole turns by which their angles differ from `key` (n, m + r) are taken off."""
     found = []
     for other in islice(_by_modes(variant) if variant.groups else _by_closures(variant), MOST):
         with suppress(CourseworkError):
@@ -45,7 +45,7 @@ def other_assemblies(variant: Variant, key: Array) -> list[Array]:
 
 
 def _by_modes(variant: Variant) -> Iterator[Variant]:
-    """Give the variant with one group turned, then with two, and so on."""
+    """Yield the variant with the mode of one group changed, then of two, and so on."""
     turnable = [place for place, group in enumerate(variant.groups) if group.mode]
     for count in range(1, len(turnable) + 1):
         for chosen in combinations(turnable, count):
@@ -58,7 +58,7 @@ def _by_modes(variant: Variant) -> Iterator[Variant]:
 
 
 def _by_closures(variant: Variant) -> Iterator[Variant]:
-    """Give the variant with the other starts that its position equations allow."""
+    """Yield the variant with each other start that its position equations allow."""
     with suppress(CourseworkError, ArithmeticError, ValueError):
         equations = differentiate(build(variant))
         closure = compile_closure(equations, start_values(equations))
@@ -68,7 +68,7 @@ def _by_closures(variant: Variant) -> Iterator[Variant]:
 
 
 def _roots(closure: Closure, variant: Variant) -> Iterator[Array]:
-    """Give positions (m,) at t = 0 that keep what the start keeps, without the start's own."""
+    """Yield the positions (m,) at t = 0 that fulfil the same position equations as the start, without the start itself."""
     turning = np.array([coordinate.unit == "rad" for coordinate in variant.coordinates])
     sizes = np.where(turning, np.pi, closure.scale)[list(closure.free)]
     own = closed_start(closure)[1]
@@ -88,7 +88,7 @@ def _roots(closure: Closure, variant: Variant) -> Iterator[Array]:
 
 
 def _apart(first: Array, second: Array, turning: Flags) -> float:
-    """Return the largest difference of two positions, angles apart by whole turns being one."""
+    """Return the largest difference of two positions; angles that differ by whole turns are equal."""
     difference = first - second
     difference[turning] = (difference[turning] + np.pi) % _TURN - np.pi
     return float(np.max(np.abs(difference)))

@@ -1,6 +1,6 @@
-"""Forces as answers: what is right on the exact rows and on the assigned table, and what each slip would give.
+"""Forces as answers: the right values on the exact rows and on the assigned table, and the value that each slip gives.
 
-Enters: a variant with masses.  Leaves: `ForceKey`.  Imported for a rubric that asks for forces only.
+Enters: a variant with masses.  Leaves: `ForceKey`.  Imported only if a rubric asks for forces.
 Used by `key.py`, `rubric.py` and `workshop.py`.
 """
 
@@ -25,7 +25,7 @@ from coursework.variant.record.variant import Variant
 
 
 def force_names(variant: Variant) -> tuple[str, ...]:
-    """Return the forces that can be asked for: components, couples, and sizes by the name without x and y."""
+    """Return the names of the forces that can be asked for: components and couples, and magnitudes (the name without x or y)."""
     names = names_of(read_scheme(build(variant)).unknowns)
     sizes = dict.fromkeys(name[:-1] for name in names if name[-1] in "xy" and name[0] in "RF")
     return (*names, *sizes)
@@ -33,7 +33,7 @@ def force_names(variant: Variant) -> tuple[str, ...]:
 
 @dataclass(frozen=True, eq=False)
 class ForceKey:
-    """The forces of a variant: `exact`, by the assigned scheme (`table`), and by each slip on the exact rows."""
+    """The forces of a variant: in the exact motion, on the rows of the assigned scheme, and with each slip on the exact rows."""
 
     variant: Variant
 
@@ -48,7 +48,7 @@ class ForceKey:
         return results.exact_forces or results.forces, results.forces
 
     def right(self, name: str, row: int) -> tuple[float, float, float]:
-        """Return a force in a row (from 0) of the exact motion and of the table, and the largest of its kind there."""
+        """Return a force in `row` (from 0) of the exact motion and of the table, and the largest of its kind in that row."""
         exact, table = self._both
         values = [float(_whole(found.reactions.names, found.reactions.rows, name)[row]) for found in (exact, table)]
         couple = name[0] in "MK"
@@ -59,7 +59,7 @@ class ForceKey:
         return values[0], values[1], max(alike, default=abs(values[0]))
 
     def columns(self, name: str) -> tuple[Array, Array, Mapping[str, Array]]:
-        """Return a force in all rows (n,): of the exact motion, of the table, and as each slip gives it."""
+        """Return a force in all rows (n,): in the exact motion, in the table, and, by code, as each slip gives it."""
         exact, table = self._both
         names = exact.reactions.names
         rows = [_whole(names, found.reactions.rows, name) for found in (exact, table)]
@@ -77,7 +77,7 @@ def _whole(names: tuple[str, ...], rows: Array, name: str) -> Array:
 
 
 def with_forces(grid: Grid, key: ForceKey, names: Sequence[str]) -> Grid:
-    """Return the grid of a table that has columns of forces, too; those of a couple measure N·m."""
+    """Return the grid of a table with the columns of forces `names` added; couples are in N·m, forces in N."""
     columns = [
         GridColumn(name, "N·m" if name[0] in "MK" else "N", tuple(key.columns(name)[1][: grid.rows].tolist())) for name in names
     ]

@@ -1,6 +1,6 @@
-"""The rows of what forces move by Euler, and what follows from a state of free coordinates and rates in any of them.
+"""The rows of a motion under forces by Euler, and all columns of any row from its free coordinates and rates.
 
-Enters: a variant with [motor].  Leaves: `FreeRows`.  Imported for such a variant only.
+Enters: a variant with [motor].  Leaves: `FreeRows`.  Imported only for such a variant.
 Used by `key.py`.
 """
 
@@ -23,25 +23,25 @@ from coursework.variant.record.variant import Variant
 
 @dataclass(frozen=True, eq=False)
 class FreeRows:
-    """Columns as in the table: coordinates, then velocities."""
+    """Rows of a motion under forces; columns as in the table: coordinates, then velocities."""
 
     variant: Variant
 
     @cached_property
     def scene(self) -> MotorScene:
-        """The scene of the rows."""
+        """The scene in which the motion was computed."""
         scene = make_run(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).scene
         assert isinstance(scene, MotorScene)
         return scene
 
     @cached_property
     def table(self) -> Array:
-        """The rows (n, m + r) by Euler."""
+        """The rows (n, m + r) computed by Euler's scheme."""
         return np.hstack([self.scene.motion.coordinates, self.scene.motion.velocities])
 
     @property
     def stopped(self) -> str:
-        """Return why they end early, "" where they do not."""
+        """Return why the rows end early, "" if they do not."""
         stop = self.scene.motion.stop
         return stop.sentence if stop else ""
 
@@ -57,7 +57,7 @@ class FreeRows:
         return (*free, *(m + place for place in free))
 
     def rows_of(self, state: Array) -> Array:
-        """Return all columns (n, m + r) and the free accelerations (n, f) of states (n, 2 f), the rows one after another."""
+        """Return all columns (n, m + r) and free accelerations (n, f) of states (n, 2 f): whole tables, one after another."""
         scene, count = self.scene, len(self.state) // 2
         dynamics, m = Dynamics(scene.free_equations, list(scene.start)), len(self.variant.coordinates)
         grid = self.scene.motion.t

@@ -1,7 +1,7 @@
-"""The key of one variant: its Euler table, and its velocities at any time, position and data.
+"""The key of one variant: its Euler table, and its velocities at any time and position and with other data.
 
 Enters: a `Variant`.  Leaves: `Key`.  Used by every part of this room; made once a variant and kept.
-Variants that differ in their data only share one compiled model.
+Variants that differ only in their data share one compiled model.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from coursework.grading.marking.key.forces import ForceKey
     from coursework.grading.marking.key.free_rows import FreeRows
 
-# Between these quantiles lie most rows; a column that spans more than so many times theirs has a pulse.
+# Most rows lie between the quantiles _MOST and 1 - _MOST; a column with a range of over _SUDDEN times theirs has a pulse.
 _MOST, _SUDDEN = 0.9, 20.0
 _LAST_BIT = 1 + 1e-9
 
@@ -47,10 +47,10 @@ _LAST_BIT = 1 + 1e-9
 class Key:
     """What a right table is.
 
-    `accepted_decimals` is how many decimals the whole class may hand in, None where this variant stands alone.
-    `table` (n, m + r) by `names`: m coordinates, then r velocities (rates first), SI; `stopped` why it is shorter than
-    assigned, "" where it is not; `free` the rows of what forces move.  What few submissions need is found when it is asked for.
-    Where a velocity has no value, functions give NaN.
+    `table` (n, m + r) has the columns `names`: m coordinates, then r velocities (rates first), SI. `stopped` says why it is
+    shorter than assigned, "" if it is not. `accepted_decimals` is how few decimals the whole class may hand in, None if the
+    variant stands alone. `free` has the rows of a motion under forces, None otherwise. Cached properties are found when first
+    needed. Methods return NaN where a velocity has no value.
     """
 
     variant: Variant
@@ -61,22 +61,22 @@ class Key:
     free: FreeRows | None = None
 
     def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
-        """Return every velocity (n, r) in the order of the table at times (n,) and positions (n, m); some data may be other."""
+        """Return all velocities (n, r), in the table's order, at times (n,) and positions (n, m); `data` replaces some data."""
         return self.model.rates(t, q, {**self.variant.values, **data} if data else self._assigned)
 
     def sets_at(self, t: Array, q: Array, sets: Sequence[Mapping[str, float]]) -> Array:
-        """Return the velocities (sets, n, r) of several sets of data at once."""
+        """Return the velocities (sets, n, r) with each of several `sets` of changed data."""
         if not sets:
             return np.empty((0, len(t), len(self.velocities)))
         given = self.variant.values
         return self.model.rates(t[None], q[None], {n: np.array([data.get(n, v) for data in sets]) for n, v in given.items()})
 
     def block_at(self, block: int, t: Array, q: Array, velocities: Array) -> Array:
-        """Return the velocities (n, size) of a block, those of earlier blocks read from `velocities` (n, r)."""
+        """Return the velocities (n, size) of a block; those of earlier blocks are taken from `velocities` (n, r)."""
         return self.model.block_velocities(block, t, q, velocities, self._assigned)
 
     def misread(self, code: str) -> Callable[[Array, Array], Array] | None:
-        """Return the velocities of the variant with one misconception in its formulas, None where that cannot be."""
+        """Return the velocities as a function of t and q with one misconception in the formulas, None if it cannot be there."""
         if code not in self._misread:
             changed = misread(self.variant, self.model.equations, code)
             self._misread[code] = None
@@ -91,7 +91,7 @@ class Key:
 
     @cached_property
     def points(self) -> Sequence[tuple[str, Formula]]:
-        """Return the points and where they are, those of groups too, in an order in which none is used before it is there."""
+        """Return the names of the points and their formulas, points of groups included; each comes after those it refers to."""
         return build(self.variant).points
 
     @cached_property
@@ -100,12 +100,12 @@ class Key:
 
     @cached_property
     def exact(self) -> Array:
-        """Return the rows (n, m + r) without the scheme's error; fewer where the motion stops."""
+        """Return the rows (n, m + r) of the exact motion; fewer than assigned if it stops."""
         return np.asarray(make_run(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
 
     @cached_property
     def forces(self) -> ForceKey | None:
-        """What is right of the forces, None where the variant names none."""
+        """The right values of the forces, None if the variant has no forces."""
         if self.variant.forces is None:
             return None
         from coursework.grading.marking.key.forces import ForceKey
@@ -114,7 +114,7 @@ class Key:
 
     @cached_property
     def branches(self) -> Sequence[Array]:
-        """Return Euler's tables of the mechanism assembled otherwise."""
+        """Return Euler's tables of the mechanism in its other assemblies."""
         return other_assemblies(self.variant, self.table)
 
     @property
@@ -124,13 +124,13 @@ class Key:
 
     @property
     def stepped(self) -> Flags:
-        """Return which coordinates (m,) go by Euler's rule."""
+        """Return which coordinates (m,) are integrated by Euler's rule."""
         places = np.arange(len(self.coordinates))
         return np.ones(len(places), dtype=bool) if self.free is None else np.isin(places, self.free.state)
 
     @property
     def stride(self) -> float:
-        """Return the step that coordinates are made with from row to row, s."""
+        """Return the step between two rows with which coordinates are integrated, s."""
         return self.step
 
     @cached_property
@@ -150,17 +150,17 @@ class Key:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Return the columns after t."""
+        """Return the names of all columns after t."""
         return self.variant.columns
 
     @cached_property
     def given(self) -> Mapping[str, float]:
-        """Return the velocities that the task gives for all rows: a table may leave their columns out, as the report does."""
+        """Return the velocities that the task gives as constants; a table may leave out their columns, as the report does."""
         return given_constants(self.variant, self.names, self.table)
 
     @property
     def grid(self) -> Grid:
-        """Return what a reader may know of the table."""
+        """Return what the reader of submissions may know of the table."""
         return grid_of(self.variant, dict(zip(self.names, map(tuple, self.table.T.tolist()), strict=True)), tuple(self.given))
 
     @cached_property
@@ -175,13 +175,13 @@ class Key:
 
     @cached_property
     def usual_ranges(self) -> Array:
-        """Return the ranges (m + r,) that tolerances are parts of: a sudden pulse in a few rows makes no other row's larger."""
+        """Return the ranges (m + r,) that tolerances are parts of: a short pulse does not widen the tolerance of other rows."""
         spread = np.subtract(*np.quantile(self.table, (_MOST, 1 - _MOST), axis=0))
         return np.asarray(np.minimum(self.ranges, _SUDDEN * spread))
 
     @cached_property
     def gap(self) -> float:
-        """Return the one-step gap G: the most by which a step of Heun leaves a step of Euler, over rows and coordinates."""
+        """Return the one-step gap G: the largest difference of a Heun step from an Euler step, over rows and coordinates."""
         m = len(self.coordinates)
         if self.free is not None:
             return float(gap_of(np.zeros((1, m)), self.free.accelerations[:, :m] * self.step, self.step, self.ranges[:m]))
@@ -192,7 +192,7 @@ class Key:
 
     @cached_property
     def off_euler(self) -> Array:
-        """Return how far steps (3, n - 1, m) by Heun, or with the velocities of the time after or before, lie off Euler's."""
+        """Return the differences (3, n - 1, m) from Euler's step: of Heun's, and with the velocities at t + h and at t - h."""
         m, h, t, q = len(self.coordinates), self.step, self.t[:-1], self.table[:-1, : len(self.coordinates)]
         rates = self.velocities_at(t, q)[:, :m]
         others = [self.velocities_at(at, q)[:, :m] for at in (t + h, t - h)]
@@ -206,13 +206,13 @@ class Key:
 
     @cached_property
     def told_to(self) -> Array:
-        """Return the last place (m,), SI, to which the task sheet tells each start that it solves, 0 for one that is given."""
+        """Return the last place (m,), SI, with which the task sheet prints each start that it computes; 0 for a given start."""
         solved = determined(self.variant)
         return np.where([name in solved for name in self.coordinates], 10.0 ** -(self.least_decimals + SOLVED), 0.0)
 
     @cached_property
     def coarsest(self) -> Array:
-        """Return the largest unit of the last place with which a cell of each column (m + r,) counts as shown, SI."""
+        """Return the largest unit of the last place (m + r,), SI, with which a cell of each column counts as shown."""
         found = np.full(len(self.names), SHOWN * self.gap)
         found[len(self.coordinates) :] /= self.step
         if self.accepted_decimals is None:
@@ -221,7 +221,7 @@ class Key:
 
     @cached_property
     def order(self) -> tuple[int, ...]:
-        """Return the places of the columns in the order of work: angles, then block by block, driven rates last."""
+        """Return the places of the columns in the order of work: angles, then velocities block by block, driven rates last."""
         m = len(self.coordinates)
         if self.free is not None:  # the state of a row, then what follows from it
             return (*self.free.state, *(place for place in range(len(self.names)) if place not in self.free.state))
@@ -231,7 +231,7 @@ class Key:
 
 
 def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
-    """Return the key of a variant; `accepted_decimals` are those of its class.  Raises `InputError` where it has no solution."""
+    """Return the key of a variant; `accepted_decimals` are those of its class.  Raises `InputError` if it has no solution."""
     if variant.motor is not None:
         from coursework.grading.marking.key.free_rows import FreeRows
 
@@ -244,7 +244,7 @@ def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
 
 
 def key_to_mark_by(variant: Variant, accepted_decimals: int | None = None) -> Key:
-    """Return the key of a variant.  Raises `InputError` where its motion stops at once, too: there is no table then."""
+    """Return the key of a variant.  Raises `InputError` also if its motion stops at once and the table is empty."""
     key = key_of(variant, accepted_decimals)
     if not len(key.table):
         raise InputError([Fault(say("fault.G006", stopped=key.stopped), variant.file)])
@@ -252,9 +252,9 @@ def key_to_mark_by(variant: Variant, accepted_decimals: int | None = None) -> Ke
 
 
 def tables_of(variants: Mapping[str, Variant]) -> dict[str, Array]:
-    """Return Euler's tables of variants by name, those of one template together; without any that cannot be computed."""
+    """Return Euler's tables by name, those of one template computed together; what cannot be computed is left out."""
     alike: dict[tuple[object, ...], dict[str, Variant]] = {}
-    driven = {name: one for name, one in variants.items() if one.motor is None}  # what forces move is marked by its own rows
+    driven = {name: one for name, one in variants.items() if one.motor is None}  # a motion under forces is marked by its own rows
     for name, variant in driven.items():
         key = (without_data(variant), breaks(variant), variant.time.step, variant.time.end)
         alike.setdefault(key, {})[name] = variant
@@ -267,7 +267,7 @@ def tables_of(variants: Mapping[str, Variant]) -> dict[str, Array]:
 
 
 def _solved(model: Model, variants: Sequence[Variant]) -> Solutions:
-    """Return Euler's tables of variants of one template with one step and end."""
+    """Return Euler's solutions of variants of one template with the same step and end."""
     columns: dict[str, Any] = {name: [variant.values[name] for variant in variants] for name in model.variant.values}
     for place, coordinate in enumerate(model.variant.coordinates):
         starts = [variant.coordinates[place].start for variant in variants]
@@ -278,5 +278,5 @@ def _solved(model: Model, variants: Sequence[Variant]) -> Solutions:
 
 
 def _complete(rows: Array) -> Array:
-    """Return the rows before a motion stopped."""
+    """Return the rows before the motion stopped."""
     return np.asarray(rows[~np.isnan(rows).any(axis=1)])

@@ -1,4 +1,4 @@
-"""A variant -> the same with one misconception written into its formulas.
+"""A variant -> the same variant with one misconception written into its formulas.
 
 Enters: a `Variant`.  Leaves: a `Variant`, or None where the misconception cannot be written into it.  Used by `key.py`.
 """
@@ -19,11 +19,12 @@ _PER_RADIAN = Formula("/", (number(180), named("pi")))
 
 
 def misread(variant: Variant, equations: VelocityEquations, code: str) -> Variant | None:
-    """Return the variant with the signs of its drive turned ("sign_drive"), sine and cosine exchanged in it ("cosine_drive"), or
-    with degrees taken for radians: in all ("degree_mode"), in what is a function of time ("degree_drive"), in what is one of
-    the position ("degree_geometry"); or positions in degrees put where radians are expected, as in a spreadsheet ("radian_mode").
+    """Return the variant with one misconception in its formulas, None if it cannot be written into them.
 
-    `equations` are those of the variant: whoever has them from its geometry puts positions into these, not into the geometry.
+    "sign_drive" turns the sign of the drive, "cosine_drive" exchanges sine and cosine in it.  Degrees are taken for radians in
+    all formulas ("degree_mode"), in functions of time ("degree_drive") or of position ("degree_geometry").  "radian_mode" puts
+    positions in degrees where radians are expected, as in a spreadsheet.  `equations` are the variant's velocity equations:
+    a student who derives them from the geometry puts positions into these, not into the geometry.
     """
     if code == "sign_drive":
         return _with_drive_turned(variant)
@@ -31,7 +32,7 @@ def misread(variant: Variant, equations: VelocityEquations, code: str) -> Varian
         changed = replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
         return None if changed == variant else changed
     if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
-        return None  # without a sine in the drive it is the same as all of them
+        return None  # without a sine in the drive this is the same as "degree_mode"
     if code != "degree_drive" and (variant.groups or any(one.is_closure for one in variant.constraints)):
         written = _written_out(variant, equations)
         return written and _misread(written, code)
@@ -40,17 +41,17 @@ def misread(variant: Variant, equations: VelocityEquations, code: str) -> Varian
 
 
 def _written_out(variant: Variant, equations: VelocityEquations) -> Variant | None:
-    """Return the variant with its velocity equations in place of the geometry, None where a term of them has no name."""
+    """Return the variant with its velocity equations instead of the geometry, None if a term in them has no name."""
     sides = [(one.name, one.shown(equations.order)) for one in equations.equations]
     if variant.functions or any(not {*tree.names()} <= {*variant.names, "pi"} for _, both in sides for tree in both):
         return None
-    begun = tuple(replace(one, start=one.start or 0.0) for one in variant.coordinates)  # where it begins changes no velocity
+    begun = tuple(replace(one, start=one.start or 0.0) for one in variant.coordinates)  # the start does not change velocities
     lines = tuple(Constraint(name, "", *both) for name, both in sides)
     return replace(variant, constraints=lines, coordinates=begun, groups=(), points=(), links=(), holds=(), driven=None)
 
 
 def _exchanged(tree: Formula) -> Formula:
-    """Return a formula with every sine for a cosine and every cosine for a sine."""
+    """Return a formula with sine and cosine exchanged everywhere."""
     return replace(mapped(tree, _exchanged), name=_OTHER.get(tree.name, tree.name) if tree.op == "call" else tree.name)
 
 
@@ -66,7 +67,7 @@ def _misread(variant: Variant, code: str) -> Variant:
 
 
 def _in_degrees(variant: Variant, *, drive: bool, geometry: bool, factor: Formula = _DEGREE) -> Variant:
-    """Return the variant as a calculator set to degrees sees it: every argument of a sine is taken for degrees."""
+    """Return the variant as a calculator in degrees computes it: the argument of every sine, cosine and tangent is scaled."""
 
     def degrees(tree: Formula) -> Formula:
         turned = mapped(tree, degrees)

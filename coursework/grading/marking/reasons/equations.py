@@ -1,4 +1,4 @@
-"""Why equations and measured values have the points they have: the lines that are not right, those nobody could read, the sum.
+"""Why equations and answers have the points they have: lines that are not right or could not be read, and the sum.
 
 Enters: marks, the points.  Leaves: `Reason`s, in order.  Used by `reasons.py`, and line by line by the page.
 """
@@ -18,7 +18,7 @@ MOST_LINES = 6
 
 
 def why_of_line(mark: EquationMark, *, asked: bool = False) -> Sentence:
-    """Return the verdict on a line with its reason; `asked` where lines that nobody could read are a question to the teacher."""
+    """Return the verdict on a line and its reason; with `asked`, a line that could not be read is a question to the teacher."""
     verdict = "asked" if asked and mark.verdict == "unreadable" and mark.line.relates else mark.verdict
     return joined([say(f"feedback.equation.{verdict}"), mark.lack, _hint(mark)])
 
@@ -31,7 +31,7 @@ def _hint(mark: EquationMark) -> Sentence | str:
 
 
 def equation_reasons(marked: EquationMarks, points: float | None, most: float) -> Iterator[Reason]:
-    """Give why equations have fewer points than there are; of lines that a person has to look at there is no sum yet."""
+    """Yield why equations have less than all points; no sum if `points` is None or lines wait for a person."""
     troubled = [mark for mark in marked.marks if mark.verdict == "wrong" or (mark.verdict in COUNTED and mark.lack)]
     for mark in (*troubled, *marked.questions)[:MOST_LINES]:
         yield Reason("equations", "finding", _line(mark))
@@ -56,7 +56,7 @@ def _line(mark: EquationMark) -> Sentence:
 
 
 def answer_reasons(marked: AnswerMarks, points: float, most: float) -> Iterator[Reason]:
-    """Give why measured values have fewer points than there are."""
+    """Yield why measured answers have less than all points."""
     for mark in marked.marks:
         if mark.verdict != "right":
             verdict = say(f"feedback.answer.{mark.verdict}")

@@ -1,4 +1,4 @@
-"""What the code of a misconception means, for whom it concerns and for the class.
+"""What the code of a misconception means, in a sentence for the student or for the class.
 
 Enters: a code.  Leaves: a sentence.  Used by `table.py` and the class page.
 """
@@ -10,7 +10,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import load_phrases, say
 from coursework.words.templates import clean
 
-# Codes that end in the name of what they are about.
+# Codes that begin with one of these end in the name of a datum, velocity, column …
 _NAMED = ("rounded_omega", "confusion", "equation", "variant", "origin", "start", "datum", "swap", "sign", "row_above")
 _WHOLE = ("sign_drive",)
 
@@ -18,7 +18,7 @@ _WHOLE = ("sign_drive",)
 def misconception_sentence(code: str, *, for_student: bool = False) -> Sentence | str:
     """Return what a code means, with the name it carries (datum, velocity, variant) filled in.
 
-    Whose table a student handed in instead of the own is told to the teacher only.
+    With `for_student`, the sentence does not say whose variant the table belongs to; only the teacher is told that.
     """
     for stem in _NAMED:
         if code.startswith(f"{stem}_") and code not in _WHOLE:
@@ -32,7 +32,7 @@ def misconception_sentence(code: str, *, for_student: bool = False) -> Sentence 
 
 
 def _two_names(both: str) -> tuple[str, str]:
-    """Return two names that stand joined: r1_r2, l_1_l_2."""
+    """Return the two names joined in a code such as r1_r2 or l_1_l_2."""
     parts = both.split("_")
     middle = (len(parts) + 1) // 2
     return "_".join(parts[:middle]), "_".join(parts[middle:])

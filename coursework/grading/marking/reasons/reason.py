@@ -1,4 +1,4 @@
-"""One sentence of why a grade is what it is.
+"""One sentence on why a grade is what it is.
 
 Enters: nothing.  Leaves: `Reason`, the numbers as sentences say them.  Used by `reasons.py`, `table.py`, `equations.py`.
 """
@@ -11,14 +11,14 @@ from typing import Literal
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
-# What a sentence is about: why there is no number, what was decided, what was found, the sum that the points come from.
+# Kinds of sentences: why there is no number, what a person decided, what was found, how the points are summed up.
 Kind = Literal["state", "decided", "first", "cause", "finding", "note", "rule"]
 LONGEST = 300  # characters of a text that came from a student
 
 
 @frozen
 class Reason:
-    """`text` about a `part` of the grade: one of the rubric's, "total", "late", "" about all of it."""
+    """`text` about a `part` of the grade: a part of the rubric, "total" or "late"; "" stands for the whole grade."""
 
     part: str
     kind: Kind
@@ -30,5 +30,5 @@ class Reason:
 
 
 def in_sum(value: float) -> float:
-    """Return a factor of a sum so that a student who works it out finds the points to two decimals."""
+    """Return a factor of a sum with enough digits that a student who works it out gets the points to two decimals."""
     return float(f"{value:.5g}")

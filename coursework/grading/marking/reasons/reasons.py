@@ -1,6 +1,6 @@
-"""Why a grade is what it is: the sentences, in order, that the page, grades.csv and every platform say.
+"""Why a grade is what it is: the sentences, in order, for the page, grades.csv and every platform.
 
-Enters: a `Grade`; the grade as grades.json says it, with what was decided.  Leaves: `Reason`s; sentences.
+Enters: a `Grade`; a grade as grades.json writes it, with what was decided.  Leaves: `Reason`s; sentences.
 Used by `workshop.py`, `work.py`, `decisions.py`, `written.py`, `single.py`, `feedback.py`.
 """
 
@@ -17,14 +17,14 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, say
 from coursework.words.templates import clean
 
-# Sentences that name another person are for the teacher; a student reads these in their place.
+# Sentences that name another person are for the teacher; for these codes the student gets another sentence.
 _FOR_STUDENTS = ("same_id",)
 # Notes about cells that are not there, which cost their points.
 _COSTS = ("rows_missing", "too_coarse", "date_cell", "error_cell")
 
 
 def reasons(grade: Grade) -> list[Reason]:
-    """Return why a submission has not all points: first why it has no number, then part by part; none where it has all."""
+    """Return why a submission has less than all points: why it has no number, then part by part; empty if it has all."""
     found = []
     if grade.status not in GRADED and grade.reason:
         found.append(state_reason(grade.reason))
@@ -36,7 +36,7 @@ def reasons(grade: Grade) -> list[Reason]:
 
 
 def state_reason(reason: Sentence | str) -> Reason:
-    """Return why there is no number, as its student reads it."""
+    """Return why there is no number, as the student is told."""
     key = reason.key.removeprefix("reading.review.") if isinstance(reason, Sentence) else ""
     return Reason("", "state", say(f"feedback.review.{key}") if key in _FOR_STUDENTS else reason)
 
@@ -49,12 +49,12 @@ def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iter
         yield from equation_reasons(grade.equations, points, most)
     elif part == "answers" and grade.answers and points is not None:
         yield from answer_reasons(grade.answers, points, most)
-    if points is not None and getattr(grade.work, part) in (None, ()):  # nothing of it was handed in
+    if points is not None and getattr(grade.work, part) in (None, ()):  # the part was not handed in
         yield Reason(part, "rule", say("reading.note.no_part", part=say(f"feedback.part.{part}")))
 
 
 def decided(entry: Mapping[str, Any], most: float) -> list[Reason]:
-    """Return what the instructor decided about a part, and says about it, in the place of all that was found in it."""
+    """Return what the instructor decided and says about a part; it replaces everything that was found there."""
     part = say(f"feedback.part.{entry['check']}")
     key = "feedback.override_why" if entry["reason"] else "feedback.override"
     reason = _closed(clean(str(entry["reason"]), LONGEST))
@@ -64,12 +64,12 @@ def decided(entry: Mapping[str, Any], most: float) -> list[Reason]:
 
 
 def _closed(text: str) -> str:
-    """Return what a person typed as a sentence: another one follows in a comment of the platform."""
+    """Return what a person typed with a full stop, as another sentence may follow it in a platform's comment."""
     return f"{text}." if text[-1:].isalnum() else text
 
 
 def lost_by_time(minutes: int | None, lost: float, most: float) -> Reason:
-    """Return what a submission loses for being late, by how much where that is known."""
+    """Return what a submission loses for being late; by how much it is late is told if `minutes` is known."""
     if minutes is None:
         return Reason("late", "rule", say("feedback.late_by_platform", lost=lost, most=most))
     hours, rest = divmod(minutes, 60)
@@ -78,7 +78,7 @@ def lost_by_time(minutes: int | None, lost: float, most: float) -> Reason:
 
 
 def after_decision(found: list[dict[str, str]], decision: list[Reason]) -> list[dict[str, str]]:
-    """Return the reasons of a grade after a decision: that about the total speaks for all."""
+    """Return the reasons of a grade after a decision; a decision about the total replaces them all."""
     part, said = decision[0].part, [reason.plain() for reason in decision]
     if part == "total":
         return said
@@ -102,6 +102,6 @@ def summary(grade: Grade) -> list[Sentence | str]:
 
 
 def told(grade: Mapping[str, Any], words: Phrases, part: str | None = None) -> str:
-    """Return why a grade as it stands after all decisions is what it is, of one `part` or of all, in one text."""
+    """Return the reasons of a grade after all decisions as one text, for one `part` or for all."""
     found = [entry["text"] for entry in grade["reasons"] if part is None or entry["part"] == part]
     return words.template("join.sentences").join(found)

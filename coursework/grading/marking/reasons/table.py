@@ -22,9 +22,9 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, ranges, say, say_count
 from coursework.words.templates import clean
 
-# Several cells wrong, for which nothing usual is the cause, are worth a word from this part of the table on.
+# From this part of wrong cells on, a table is told that no usual cause explains them.
 _MANY = 0.1
-# What says that the table is right once it is read otherwise: its steps are then not those of the columns as handed in.
+# With these causes the table is right if it is read otherwise; the columns as handed in then tell nothing about its steps.
 _READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
 _EXPLAINED = ("misconception", "start")
 _SEVERAL, _DATUM = ("start_", "equation_"), "datum_"
@@ -33,7 +33,7 @@ _MOST_RUNS = 6
 
 @frozen
 class Counts:
-    """The cells that count, which are all but the start values, by their marks; `start` start values that are not the task's."""
+    """How many cells count (all but the start values), and their marks; `start` counts start values other than the task's."""
 
     cells: int
     wrong: int
@@ -43,19 +43,19 @@ class Counts:
 
 
 def counts(key: Key, marked: TableMarks) -> Counts:
-    """Return the counts of a table, of which right, carried, wrong and missing cells make up all."""
+    """Return the counts of a table; right, carried, wrong and missing cells together are all that count."""
     m, cells = len(key.coordinates), marked.cells
     wrong, missing, carried = (int((found & cells.counted).sum()) for found in (cells.wrong, cells.missing, cells.carried))
     return Counts(marked.points.cells, wrong, missing, carried, int(cells.wrong[0, :m].sum()))
 
 
 def shut(marked: TableMarks) -> Mapping[str, int]:
-    """Return how many right cells do not count, by gate; none where the points come from something else than the cells."""
+    """Return by gate how many right cells do not count; empty if the points do not come from the cells."""
     return marked.earned.shut if marked.earned.rule == "cells" else {}
 
 
 def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, most: float) -> Iterator[Reason]:
-    """Give why a table has fewer points than there are; `carried` is the worth of a cell right from the student's own only."""
+    """Yield why a table has less than all points; `carried` is what a cell earns that follows only from the student's own."""
     if marked.first:
         yield Reason("table", "first", marked.first.sentence)
     found = counts(key, marked)
@@ -73,10 +73,10 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
 
 
 def _causes(found: Counts, marked: TableMarks) -> Iterator[Reason]:
-    """Give what seems to have happened, and what explains as much; that nothing usual does, where many cells are wrong."""
+    """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause explains them."""
     named, earned = marked.misconception, marked.earned
     if named:
-        share = str(int(100 * named.share + 1e-9))  # 100 only where it is all of the table
+        share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
         told = say("feedback.misconception.share", share=share)
         yield Reason("table", "cause", joined([told, _told(named.code, named.names)]))
         for code in named.ties:
@@ -92,12 +92,12 @@ def _causes(found: Counts, marked: TableMarks) -> Iterator[Reason]:
 
 
 def _is_told(cause: str, named: Misconception) -> bool:
-    """Return whether a cause is named; what begins elsewhere since it is counted from another axis was made from nowhere else."""
+    """Return whether a cause is already named; an angle counted from another axis ("origin_") names its start as well."""
     return cause in (named.code, *named.ties) or named.code == cause.replace("start_", "origin_", 1)
 
 
 def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
-    """Return what a code means, with the columns, starts or equations that it speaks of."""
+    """Return what a code means, with the columns, starts or equations in `names`."""
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
     if code.startswith(_DATUM) and names:
@@ -111,7 +111,7 @@ def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
 
 
 def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
-    """Give the rows that stand twice, and those that stand elsewhere than they belong."""
+    """Yield which rows stand twice, and which stand elsewhere than they belong."""
     if rows := repeated_rows(key, marked.cells):
         yield Reason("table", "finding", say_count("feedback.rows.repeated", len(rows), rows=ranges(rows)))
     for shift in displaced_rows(key, marked.cells)[:_MOST_RUNS]:
@@ -127,7 +127,7 @@ def _counted(found: Counts) -> Sentence:
 
 
 def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence:
-    """Return the sum that the points come from; beside columns of forces, what all others earn is one term."""
+    """Return the sum that gives the points; if there are columns of forces, all other columns are one term of it."""
     earned, forces = marked.earned, marked.forces
     if forces is not None:
         own, of_forces = in_sum(earned.share * cells), in_sum(forces.earned)
@@ -143,11 +143,11 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:
-    """Return how many steps of the angles are Euler's, "" where the columns mean something else than their heads say."""
+    """Return how many steps of the angles are Euler's; "" if a misconception says that the columns mean something else."""
     named = marked.misconception
     if named and named.code.startswith(_READ_OTHERWISE):
         return ""
-    if marked.cells.too_coarse[1:, : len(key.coordinates)].all():  # such cells count as not handed in: nothing is told of them
+    if marked.cells.too_coarse[1:, : len(key.coordinates)].all():  # such cells count as missing: nothing is said about them
         return say("marking.verdict.integration.unknown")
     held, spoken = euler_steps(key, marked.cells)
     verdict = "unknown" if not spoken else "right" if held == spoken else "wrong"

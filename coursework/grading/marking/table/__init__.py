@@ -1,1 +1,1 @@
-"""The cells of a table: right in any way or wrong, and what explains those that are wrong."""
+"""The cells of a table: each right in some way or wrong, and the causes that explain wrong ones."""

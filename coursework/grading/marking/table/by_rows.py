@@ -1,10 +1,10 @@
-"""Tables of what forces move, marked row by row: against the key's rows, or as Euler's step from the student's own row before.
+"""Tables of a motion under forces, marked row by row: against the key's rows, or by Euler's step from the student's row before.
 
-Enters: a `Key`, a student's table.  Leaves: `Cells`, `TablePoints`: as everywhere, of a mechanism that laws drive.
+Enters: a `Key`, a student's table.  Leaves: `Cells`, `TablePoints`, also for a mechanism driven by given laws.
 Used by `grade.py` and `precheck.py`.
 
-A row is a state, free coordinates and free rates, which steps to the next one with the accelerations that the forces give
-there; all other positions and velocities follow from the state of their own row.
+The state of a row is its free coordinates and free rates. Euler's step leads from it to the next state, with the accelerations
+that the forces give in that row; all other positions and velocities follow from the state of their own row.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ from coursework.system.arrays import Flags
 
 
 def marked(key: Key, student: StudentTable) -> Cells:
-    """Return the marks of every cell."""
+    """Return the marks of all cells."""
     return mark_cells(key, student) if key.free is None else _mark_rows(key, student)
 
 
 def points_of(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | None = None) -> TablePoints:
-    """Return the points of a table, without cells that are `untold` (`table_points`)."""
+    """Return the points of a table; `untold` cells do not count (see `table_points`)."""
     return table_points(key, cells, carried, untold) if key.free is None else _points(key, cells, carried)
 
 
@@ -52,7 +52,7 @@ def _mark_rows(key: Key, student: StudentTable) -> Cells:
 
 
 def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:
-    """Return the state by Euler's step from the row before, and what follows from the state of a row."""
+    """Return two ways to be right: the state by Euler's step from the row before, and the other cells from their row's state."""
     assert key.free is not None
     values, units, h = student.values, np.nan_to_num(student.units), key.step
     state, count = list(key.free.state), len(key.free.state) // 2
@@ -74,7 +74,7 @@ def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:
 
 
 def _points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
-    """Return the points of a table: what is right from own cells counts in rows whose whole state is right."""
+    """Return the points of a table; a cell that is right only from the student's own counts if the state of its row is right."""
     right = ~cells.wrong & ~cells.missing & cells.counted
     assert key.free is not None
     state = list(key.free.state)

@@ -1,4 +1,4 @@
-"""Each cell of a table, right in any way or wrong: against the key, or against the student's own cells it was made from.
+"""Each cell of a table marked right in some way or wrong: against the key, or against the student's cells it was made from.
 
 Enters: a `Key` and the student's table on its grid.  Leaves: `Cells`.  Used by the points, the first wrong cell, the pages.
 """
@@ -31,21 +31,21 @@ from coursework.system.arrays import Array, Flags
 
 Marks = NDArray[np.str_]
 
-_PART_OF_PLACE = 1e-3  # of a last place, for round-off
+_PART_OF_PLACE = 1e-3  # round-off, as a part of the unit of the last place
 _ROUND_OFF = 1e-12
 WRONG, MISSING, GIVEN = "wrong", "missing", "given"
-# Right from the student's own earlier cells only.
+# Ways in which a cell is right only from the student's own earlier cells.
 CARRIED = (ANGLES, EARLIER, STEP, STEP_TRUE)
 
 
 @dataclass(frozen=True)
 class Cells:
-    """The marks of a table: `marks` (n, m + r) is the name of the way that holds, or "wrong", "missing", "given".
+    """The marks of a table: `marks` (n, m + r) has the name of the way that holds, or "wrong", "missing", "given".
 
-    `follows` (n, m + r) is where a cell is Euler's from the cells before it, whatever the key has; `given` marks the `starts`
-    first cells of row 1, the start values, where they are right; `ways` in the order tried; `too_coarse` where digits were too
-    few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not; `fitted` the
-    wrong cells that tell what others were; `before` the table as it was before cells of it were put right, None where none is.
+    `follows` (n, m + r): the cell follows from the student's own cells, or is a velocity of the key. `given` marks the right ones
+    among the first `starts` cells of row 1, the start values. `ways` are in the order tried. `too_coarse`: the cell has too few
+    digits to show anything. `computed_to`: decimals of the work if it is coarser than its print, else None. `fitted`: wrong cells
+    that tell what others were. `before`: the table before cells were put right, None if none was.
     """
 
     student: StudentTable
@@ -59,39 +59,39 @@ class Cells:
     before: StudentTable | None = None
 
     def way(self, name: str) -> Way:
-        """Return the way of a name."""
+        """Return the way with this name."""
         return next(way for way in self.ways if way.name == name)
 
     @property
     def wrong(self) -> Flags:
-        """Return where a shown cell is right in no way."""
+        """Return the cells that are shown and right in no way."""
         return np.asarray(self.marks == WRONG)
 
     @property
     def counted(self) -> Flags:
-        """Return which cells count: all but the start values, which are the task's."""
+        """Return the cells that count: all except the start values, which the task gives."""
         found = np.ones(self.marks.shape, dtype=bool)
         found[:1, : self.starts] = False
         return found
 
     @property
     def missing(self) -> Flags:
-        """Return where nothing can be judged."""
+        """Return the cells that cannot be judged."""
         return np.asarray(self.marks == MISSING)
 
     @property
     def carried(self) -> Flags:
-        """Return where a cell is right only from the student's own earlier cells."""
+        """Return the cells that are right only from the student's own earlier cells."""
         return np.isin(self.marks, CARRIED)
 
 
 def alike(key: Key, student: StudentTable, table: Array) -> Flags:
-    """Return which cells (n, m + r) are those of a table, as far as they are printed; what is missing is none."""
+    """Return which cells (n, m + r) agree with those of `table` as far as they are printed; a missing cell does not."""
     return near(student.values, table, as_printed(key, student.units))
 
 
 def marks_by(key: Key, student: StudentTable, ways: Sequence[Way], given: Flags) -> tuple[Marks, Flags]:
-    """Return the marks (n, m + r) by the first way that holds, and what is too coarse; `given` (1, m) starts are the task's."""
+    """Return the marks (n, m + r) by the first way that holds, and the too coarse cells; `given` (1, m): right start values."""
     values = student.values
     with np.errstate(invalid="ignore"):
         shown = np.isfinite(values) & (student.units <= key.coarsest)
@@ -104,19 +104,19 @@ def marks_by(key: Key, student: StudentTable, ways: Sequence[Way], given: Flags)
 
 
 def _cut_off(start: Array, printed: Array, units: Array) -> Flags:
-    """Return which start values (1, m) are the task's with the digits behind the last place cut off in the place of rounded."""
+    """Return which start values (1, m) are the task's with further digits cut off instead of rounded."""
     with np.errstate(invalid="ignore", divide="ignore"):
         places = np.floor(np.abs(start) / units + _PART_OF_PLACE) * np.sign(start)
         return np.asarray(np.abs(printed / units - places) < _PART_OF_PLACE)
 
 
 def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:
-    """Return the marks of every cell; `table` (n, m + r) is what stands for the key's where the motion begins elsewhere."""
+    """Return the marks of all cells; `table` (n, m + r) replaces the key's if the motion begins elsewhere."""
     table = key.table if table is None else table
     m, values = len(key.coordinates), student.values
     own = own_ways(key, student)
     units = student.units.copy()
-    units[:, :m] = np.maximum(units[:, :m], own.coarse)  # worked out coarser than printed, a cell misses the key by as much
+    units[:, :m] = np.maximum(units[:, :m], own.coarse)  # work coarser than its print misses the key by as much
     ways = (Way(KEY, table, as_printed(key, units)), *own.tried)
     start = Way(START, table[:1, :m], HALF * (student.units[:1, :m] + key.told_to) + _ROUND_OFF)
     begins = start.holds(values[:1, :m]) | _cut_off(table[:1, :m], values[:1, :m], student.units[:1, :m])
@@ -125,11 +125,11 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     follows[:, m:] |= ways[0].holds(values)[:, m:]
     before, fitted = None, np.zeros(marks.shape, dtype=bool)
     if (marks == WRONG).any():
-        # Among the rows of another motion the cells of that motion were always so; those of the task were put right.
+        # In a motion from another start, a cell with the task's value was put right; one with that motion's value was not.
         right = marks == KEY if table is key.table else alike(key, student, key.table) & (marks != KEY)
         made = restored(key, student, marks == WRONG, right, own)
         before, fitted = made.before, made.fitted
-        for way in reversed(made.ways):  # a true step before one from a velocity that may be wrong
+        for way in reversed(made.ways):  # a true step is tried before a step with a velocity that may be wrong
             holds = way.holds(values)
             holds[:1, :m] = False
             marks[holds & (marks == WRONG) & ~fitted] = way.name

@@ -1,7 +1,7 @@
 """The points of a table: the best of what its cells, its own start, a misconception or own equations give.
 
 Enters: marked cells, what explains them, the rubric.  Leaves: `Earned`.  Used by `grade.py`.
-Better work never earns less: each rule counts right cells too, and none depends on what was handed in beside the table.
+Better work never earns less: each rule also counts right cells, and none depends on what was handed in besides the table.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
 _SLIPS = ("equation_", "sign_drive", "cosine_drive")
-# Of a table whose steps were made with rounded velocities.
+# Worth of a cell in a table whose steps were made with rounded velocities.
 ROUNDED = 0.98
 
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
-    """Return what earns most; of equal ones the cells, then the first.  `others` are tables of other variants by name."""
+    """Return the rule that earns most; on a tie the cells, then the first rule.  `others` are other variants' tables by name."""
     by_cells = Earned(points.share, "cells", points.share, 0.0, 1.0, "", points.shut)
     if stands_still(key, cells):
         return by_cells
@@ -40,7 +40,7 @@ def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found
 def _by_start(
     key: Key, rubric: Rubric, cells: Cells, points: TablePoints, own: OwnStart | None, others: Mapping[str, Array]
 ) -> Iterator[Earned]:
-    """Give what a table earns that was made without fault from another start; nothing to one that is another student's."""
+    """Yield what a faultless table from another start earns; nothing if the start is that of another variant."""
     if own is not None and not any(_is_row(key, cells, table) for table in others.values()):
         explained = table_points(key, own.cells, rubric.carried).share
         worth = rubric.start_floor if len(own.names) == 1 else rubric.start_floor_several
@@ -48,7 +48,7 @@ def _by_start(
 
 
 def _is_row(key: Key, cells: Cells, table: Array) -> bool:
-    """Return whether row 1 is that of another table."""
+    """Return whether row 1 agrees with that of another table."""
     if table.shape != key.table.shape:
         return False
     first = cells.student.values[:1]
@@ -56,9 +56,9 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 
 
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
-    """Give what each explanation earns; the table of another variant is no work of the student's.
+    """Yield what each explanation earns; another variant's table is not the student's work and earns nothing.
 
-    Rounding explains a little of any steps; it is a cause where it explains nearly all, and nothing explains more.
+    Rounded velocities explain some of any steps; they count only if they explain nearly all and no other cause explains more.
     """
     most = max((fit.share for fit in found.fits), default=0.0)
     for fit in found.fits:
@@ -71,9 +71,10 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
 
 
 def _worth(rubric: Rubric, code: str) -> float:
-    """Return what a cell is worth that a misconception explains: one sign more than a wrong method, a right velocity all.
+    """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
-    Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
+    Velocities that are right although the step or the rows are not keep their worth; steps with rounded velocities are Euler's
+    and cost little, as print with fewer digits would hide the rounding.
     """
     if code in {*OTHER_STEPS, ROWS_SHIFTED}:
         return 1.0

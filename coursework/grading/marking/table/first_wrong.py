@@ -20,7 +20,7 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# The rate that goes with a coordinate in one sum: angles in degrees step with degrees a second.
+# The unit of a rate that can be added to a coordinate in this unit: angles in degrees step with degrees per second.
 _RATE_OF = {"rad": "rad/s", "deg": "deg/s", "m": "m/s", "mm": "mm/s", "cm": "cm/s"}
 _MOST_DIGITS = 12  # of a number in a sentence
 _TURN = 2 * math.pi
@@ -29,7 +29,7 @@ _SAID = {KEY: "key", ANGLES: "own angles", EARLIER: "own velocities", STEP: "ste
 
 @frozen
 class FirstWrong:
-    """`row` from 1; `expected` and `tolerance` by the way that comes nearest, SI."""
+    """The first wrong cell: `row` from 1; `expected` and `tolerance` (SI) are those of the way that comes nearest."""
 
     t: float
     row: int
@@ -47,21 +47,21 @@ class FirstWrong:
 
 @frozen
 class _Shown:
-    """How a column was handed in: its unit, what one of it is in SI, the whole turns that were taken off."""
+    """How a column was handed in: its unit, the unit's size in SI, the whole turns that were taken off."""
 
     unit: str
     factor: float
     turns: int
 
     def number(self, value: float) -> float:
-        """Return a value (SI) as the student's file has it."""
+        """Return a value (SI) as it stands in the student's file."""
         return (value + self.turns * _TURN) / self.factor
 
 
 def first_wrong(key: Key, cells: Cells, table: Table | None = None) -> FirstWrong | None:
-    """Return the first wrong cell: rows downwards; in a row angles, then velocities block by block, driven rates last.
+    """Return the first wrong cell, row by row; in a row angles first, then velocities block by block, driven rates last.
 
-    It speaks of the numbers as they stand in `table`, of those in SI where none is given.
+    Its sentence tells the numbers as they stand in `table`, or in SI if no table is given.  None if no cell is wrong.
     """
     wrong = cells.wrong
     for row in np.flatnonzero(wrong.any(axis=1)).tolist():
@@ -86,12 +86,12 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
     name = key.names[place]
     shown = _shown(key, table, name, row)
     off = tolerance / shown.factor
-    places = 1 - math.floor(math.log10(off)) if off > 0 else _MOST_DIGITS  # a tenth of the tolerance is still told
+    places = 1 - math.floor(math.log10(off)) if off > 0 else _MOST_DIGITS  # so that a tenth of the tolerance is visible
 
     def number(value: float, as_shown: _Shown = shown) -> float:
         return float(f"{round(as_shown.number(value), places):.{_MOST_DIGITS}g}")
 
-    stated = replace(shown, turns=0) if way == START else shown  # a start value is told as the task has it
+    stated = replace(shown, turns=0) if way == START else shown  # a start value is told as it stands in the task
     before = int(rows_above(cells.student.values)[row - 1]) if row else 0
     values: dict[str, object] = {
         "row": row + 1, "name": name, "found": number(found), "expected": number(expected, stated), "before": before + 1,
@@ -105,7 +105,7 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
             said, values["steps"] = "step_several", row - before
         elif way == STEP_TRUE:
             said = "step_true"
-        elif place >= m or rate.unit != _RATE_OF.get(shown.unit):  # forces make the step of a free rate
+        elif place >= m or rate.unit != _RATE_OF.get(shown.unit):  # the step of a free rate is made with an acceleration
             said = "step_alone"
         else:
             used = cells.student.values[row - 1]
@@ -116,13 +116,13 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
 
 
 def _nearest(key: Key, cells: Cells, row: int, place: int) -> tuple[str, float, float]:
-    """Return the way that comes nearest to a cell: its name, what it expects, its tolerance."""
+    """Return the way that comes nearest to a cell: its name, the expected value, its tolerance."""
     if row == 0 and place < len(key.coordinates):
         return START, float(key.table[0, place]), float(0.5 * (cells.student.units[0, place] + key.told_to[place]))
     found = float(cells.student.values[row, place])
     said = [(way.name, float(way.expected[row, place]), float(way.tolerance[row, place])) for way in cells.ways]
     said = [entry for entry in said if np.isfinite(entry[1])]
     closest = min(abs(found - expected) for _, expected, _ in said)
-    # Where the key and the student's own cells say the same, the student's own numbers explain more.
+    # If the key and the student's own cells are about as near, the student's own numbers explain more.
     near = [entry for entry in said if abs(found - entry[1]) <= closest + entry[2]]
     return next((entry for entry in near if entry[0] != KEY), near[0])

@@ -1,4 +1,4 @@
-"""Marked cells -> the share of the table's points, with the gates that give nothing for nonsense.
+"""Marked cells -> the share of the table's points, with gates that refuse points for nonsense.
 
 Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `earning.py` and what it asks.
 """
@@ -18,18 +18,18 @@ from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, P
 from coursework.system.arrays import Array, Flags, neighbours, shifted
 from coursework.system.frozen import frozen
 
-# Rows whose velocities are all shown and right, below which steps made with them prove nothing, if not so many of the columns
-# are the task's in as many rows: one wrong throughout is one fault.  Right cells below each other, fewer of which are chance.
+# ENOUGH_ROWS: part of the rows that must have all velocities shown and right, or else steps made with them prove nothing; it also
+# suffices if in _COLUMNS of the columns as many rows have the task's value.  RUN: fewer right cells in a column are chance.
 ENOUGH_ROWS, _COLUMNS, RUN = 0.6, 0.5, 5
 _CONSTANT = 1e-9
-# Of the velocities: the part that is to be explained before a row may be one of which a cell was put right.
+# Part of the velocities that must be explained before a step may start from a row in which a cell was put right.
 _MOSTLY = 0.5
-# Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow
-# for anything to count and for all of it.
+# _SPARE: extra tolerance of a step, as a part of the largest one-step gap.  _MOST: part of a row's coordinates that must be near.
+# FEW_FOLLOWING: part of the rows that must follow before anything counts; FOLLOWING: for everything to count.
 _SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
-# Part of the rows in which a coordinate must move, to stand in others without a word.
+# A coordinate that moves in this part of the rows may stand still in the others.
 _MOVES = 0.33
-# Steps of one coordinate with a right velocity that may be others, before they are taken for no motion.
+# Part of a coordinate's steps that may be broken because the row above was put right; with more there is no motion.
 _EXCUSED = 0.25
 
 
@@ -38,13 +38,12 @@ Rule = Literal["cells", "start", "misconception", "own_equations"]
 
 @frozen
 class TablePoints:
-    """`share` of the table earned by its cells; how many cells count.
+    """The `share` of the table's points that its cells earn, and the number of `cells` that count.
 
-    `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
-    with a velocity that is wrong, as many others of its column are, or of a coordinate that does not move ("used_velocity"), too
-    few rows have all velocities right, and too few columns ("rows"), the digits do not tell a step from those that are not
-    Euler's ("untold"), the row belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted`
-    (n, m + r) is where they stand.
+    `shut` counts the right cells that do not count, by gate.  "start": row 1 is wrong.  "used_velocity": the step was made with a
+    wrong velocity in a column with many wrong ones, or its coordinate does not move.  "rows": too few rows have all velocities
+    right, and too few columns do.  "untold": the digits do not tell the step from other rules' steps.  "motion": the row belongs
+    to no motion.  "chance": single right cells are chance.  `uncounted` (n, m + r) marks all these cells.
     """
 
     share: float
@@ -55,11 +54,11 @@ class TablePoints:
 
 @frozen
 class Earned:
-    """How the points of a table came about: the best of what several rules give.
+    """How the points of a table came about, by the best of several rules.
 
-    `share` of the points by `rule`; `of_cells` the share by cells alone; `explained` the share of cells that the rule's
-    explanation covers (0 for "cells") and `worth` the number of the rubric it was multiplied by (1 for "cells"); `cause` the code
-    of the misconception or start, or the number of the student's own equation, "" for "cells"; `shut` as in `TablePoints`.
+    `share` is what `rule` gives, `of_cells` what the cells alone give. `explained` is the share of cells that the rule's
+    explanation covers (0 for "cells"), `worth` the rubric's factor for it (1 for "cells"). `cause` is the code of the
+    misconception or start, or the number of the student's own equation, "" for "cells". `shut` is as in `TablePoints`.
     """
 
     share: float
@@ -72,15 +71,15 @@ class Earned:
 
 
 def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | None = None) -> TablePoints:
-    """Return the points of a table; `carried` is the worth of a cell that is right from the student's own cells only.
+    """Return the points of a table; `carried` is what a cell earns that is right only from the student's own cells.
 
-    `untold` (n, m + r) are cells that are right only because their digits do not tell them from what was done instead.
+    `untold` (n, m + r) marks cells that are right only because their few digits hide what was done instead.
     """
     m = len(key.coordinates)
     marks, counted = cells.marks, cells.counted
     untold = np.zeros_like(counted) if untold is None else untold
     right = ~cells.wrong & ~cells.missing & counted
-    sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # as they were before others were put right
+    sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # `fitted` were right before others were put right
     rows_enough = bool(len(rows)) and (
         np.mean(np.all(sound[rows, m:], axis=1)) >= ENOUGH_ROWS
         or np.mean(np.mean(marks[rows, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
@@ -112,25 +111,25 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
         uncounted |= lost
         credit[closed] = 0.0
     count = int(counted.sum())
-    # The start values are given and earn nothing; one that is copied wrong is a wrong cell like any other.
+    # Start values are given and earn nothing; one that is copied wrong costs as much as any other wrong cell.
     earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
     return TablePoints(earned / count if count else 0.0, count, counts, uncounted)
 
 
 def handed_in(cells: Cells) -> Places:
-    """Return the rows of which anything was handed in, and row 1: others cost their cells, and no gate speaks of them."""
+    """Return row 1 and the rows in which anything was handed in: the others cost their cells, but no gate looks at them."""
     found = np.asarray(~cells.missing.all(axis=1))
     found[:1] = True
     return np.flatnonzero(found)
 
 
 def _constant(key: Key) -> Flags:
-    """Return which columns (m + r,) never change: what stands there is right in any row, whatever else does."""
+    """Return which columns (m + r,) never change: a right value in them says nothing about its row."""
     return np.asarray(key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0))
 
 
 def _begins_wrong(cells: Cells, m: int) -> bool:
-    """Return whether a start value is wrong and the table was made with it: the first value below it is not the key's."""
+    """Return whether a start value is wrong and was used: the first value below it is missing or not the key's."""
     for place in np.flatnonzero(cells.wrong[0, :m]).tolist():
         below = np.flatnonzero(cells.marks[1:, place] != MISSING)
         if not len(below) or cells.marks[1 + below[0], place] != KEY:
@@ -139,11 +138,11 @@ def _begins_wrong(cells: Cells, m: int) -> bool:
 
 
 def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bool = False, as_it_is: bool = False) -> float:
-    """Return the share of the cells that count of which some explanation `holds` (n, m + r), or the key does.
+    """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
 
-    The gates are those of the points: a step counts where its velocity is explained too, or was before a cell of its row was
-    put right, a velocity where its row belongs to the motion that the explained steps make, a right cell without either where
-    several stand below each other.  The table `as_it_is` had no cell put right.
+    The gates are those of the points. A step counts if its velocity is explained too, or was before a cell of its row was put
+    right; a velocity counts if its row belongs to the motion of the explained steps; other right cells count in runs.
+    With `as_it_is` no cell of the table is taken as put right; with `only_velocities` no coordinate counts.
     """
     m = len(key.coordinates)
     rows, by_key = handed_in(cells), cells.marks == KEY
@@ -165,11 +164,11 @@ def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bo
 
 
 def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
-    """Return which rows (n,) belong to a motion: the way from or to a neighbour lies between what both velocities make of a step.
+    """Return which rows (n,) belong to a motion: the step from or to a neighbour lies between those by the velocities of both.
 
-    Any scheme passes, with a part of the one-step gap to spare, and a coordinate in three may be wrong.  Rows that are copied,
-    shuffled or invented follow nothing, and what is right in them from each other is no work; the second number is which part
-    of them counts (0 to 1), the less the fewer rows follow.
+    Steps of any scheme pass, with a part of the one-step gap to spare, and one coordinate in three may be wrong. Rows that are
+    copied, shuffled or invented follow from nothing, and right cells in them are no work. The second number is the part of
+    such cells that counts (0 to 1); it falls as fewer rows follow.
     """
     m, rows = len(key.coordinates), handed_in(cells)
     q, marks = cells.student.values[rows, :m], cells.marks[rows]
@@ -179,7 +178,7 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
     steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
     steps |= marks[1:, :m] == KEY
     put = marks[:-1] == KEY
-    excused = ~(near | steps) & (put[:, :m] | put[:, m : 2 * m])  # put right, the step from it as it was
+    excused = ~(near | steps) & (put[:, :m] | put[:, m : 2 * m])  # the row above was put right, the step from it was not
     steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
     follows = np.zeros(len(cells.marks), dtype=bool)
@@ -188,7 +187,7 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
 
 
 def _near_steps(key: Key, table: StudentTable, rows: Places) -> Flags:
-    """Return which ways (n - 1, m) from row to row lie between what both velocities make of a step, with some to spare."""
+    """Return which steps (n - 1, m) from row to row lie between those by the velocities of both rows, with some to spare."""
     m, h = len(key.coordinates), np.diff(key.t[rows])[:, None]
     q, w, units = table.values[rows, :m], table.values[rows, m : 2 * m], table.units[rows]
     with np.errstate(invalid="ignore"):
@@ -196,16 +195,16 @@ def _near_steps(key: Key, table: StudentTable, rows: Places) -> Flags:
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.usual_ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
-        for t in (key.t[rows[1:]], 2 * key.t[rows[:-1]] - key.t[rows[1:]]):  # with the velocity of a neighbour's time, or row
+        for t in (key.t[rows[1:]], 2 * key.t[rows[:-1]] - key.t[rows[1:]]):  # with the velocity of the time after or before
             near |= np.abs(np.diff(q, axis=0) - h * key.velocities_at(t, q[:-1])[:, :m]) <= spare
         near |= np.abs(np.diff(q, axis=0) - h * shifted(w, 1)[:-1]) <= spare
     return np.asarray(near)
 
 
 def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
-    """Return which rows follow where steps (n - 1, m) are `near` enough and rows (n - 1,) move, and which part of them counts.
+    """Return which rows follow, from the steps (n - 1, m) that are `near` and the rows (n - 1,) that move, and their worth.
 
-    A step beside which those of its coordinate are may be broken: one slip, or one cell put right, is no other motion.
+    A step may be broken if those beside it in its column are not: one slip, or one cell put right, is no other motion.
     """
     near = near | neighbours(near)
     joined = (np.mean(near, axis=1) >= _MOST) & moves
@@ -219,7 +218,7 @@ def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
 
 
 def _in_a_run(right: Flags, rows: Places) -> Flags:
-    """Return where a cell (n, k) is one of several right ones below each other in `rows`; fewer are right by chance."""
+    """Return where a cell (n, k) is one of RUN right ones in successive `rows`; fewer are right by chance."""
     if len(rows) < RUN:
         return right
     whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right[rows], RUN, axis=0).all(axis=-1))
@@ -230,20 +229,20 @@ def _in_a_run(right: Flags, rows: Places) -> Flags:
 
 
 def stands_still(key: Key, cells: Cells) -> bool:
-    """Return whether no coordinate of a table moves, although the key's do."""
+    """Return whether no coordinate of a table moves, although the key's coordinates do."""
     m, rows = len(key.coordinates), handed_in(cells)
     return not _moves(cells.student.values[rows, :m]).any() and bool(_moves(key.table[:, :m]).any())
 
 
 def _moves(angles: Array) -> Flags:
-    """Return where a coordinate (n, m) is another than in the row before (n - 1, m)."""
+    """Return where a coordinate (n, m) differs from the row before, (n - 1, m)."""
     return np.asarray(np.abs(np.diff(angles, axis=0)) > _CONSTANT)
 
 
 def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
-    """Return where a coordinate moves from row to row handed in, now or before cells were put right, or need not.
+    """Return where a coordinate moves from one row handed in to the next, now or before cells were put right, or need not.
 
-    It need not where the key's hardly does, nor in some rows if it does in many: a small step is lost in its digits.
+    It need not move where the key's hardly does; nor in some rows if it moves in many, as digits hide small steps.
     """
     rows, m, student = handed_in(cells), len(key.coordinates), cells.student
     moves = _moves(student.values[rows, :m]) | _moves((cells.before or student).values[rows, :m])
@@ -253,5 +252,5 @@ def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
 
 
 def true_steps(key: Key, cells: Cells) -> Flags:
-    """Return which steps of angles (n - 1, m) follow from the printed row before, where both are there."""
+    """Return which steps of angles (n - 1, m) follow from the printed row before; a missing cell follows from nothing."""
     return np.asarray(cells.way(STEP).holds(cells.student.values)[1:, : len(key.coordinates)])

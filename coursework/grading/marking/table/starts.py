@@ -1,4 +1,4 @@
-"""A table that begins elsewhere than the task says: Euler's table from the student's own start values.
+"""A table that begins elsewhere than the task says: compared with Euler's table from the student's own start values.
 
 Enters: marked cells.  Leaves: the same cells marked against that table.  Used by `earning.py`, `misconceptions.py`, `claims.py`.
 """
@@ -15,13 +15,13 @@ from coursework.grading.marking.table.ways import HALF, KEY
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-# A start that is not printed must make so many more of the cells than the task's does.
+# A start that is not printed must explain this part of all cells more than the task's start does.
 _MORE = 0.1
 
 
 @frozen
 class OwnStart:
-    """A table marked as if the task began where it does: its `cells`, the `names` of the starts that are not the task's."""
+    """A table marked as if the task began at its start: its `cells`, and the `names` of the starts that are not the task's."""
 
     cells: Cells
     names: tuple[str, ...]
@@ -33,10 +33,10 @@ def begins_elsewhere(key: Key, cells: Cells) -> bool:
 
 
 def own_start(key: Key, cells: Cells) -> OwnStart | None:
-    """Return the table marked from its own start; None where that is the task's or row 1 does not follow from it.
+    """Return the table marked from its own start, None if that is the task's or row 1 does not follow from it.
 
-    The start is what row 1 prints, or what stood there before that was put right or misprinted, or the task's where a misprint
-    of that is printed: that by which most cells are.
+    The start may be what row 1 prints, or what stood there before it was put right or misprinted; single values may be the
+    task's. The start that makes most cells right is taken.
     """
     printed = cells.student.values[0, : len(key.coordinates)]
     least = int((cells.marks == KEY).sum() + _MORE * cells.marks.size)
@@ -53,7 +53,7 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
 
 
 def _starts(key: Key, cells: Cells) -> list[Array]:
-    """Return the starts (m,) that a table may have been made from, other than the task's."""
+    """Return the starts (m,), other than the task's, from which a table may have been made."""
     m, values, task = len(key.coordinates), cells.student.values[0], key.table[0, : len(key.coordinates)]
     found = []
     for table in (cells.before, cells.student):
@@ -79,9 +79,9 @@ def march(
     velocities_at: Callable[[Array, Array], Array],
     increments: Callable[[Array, Array, Array], Array] | None = None,
 ) -> Array:
-    """Return a table (n, m + r) from a start (m,), velocities as a function gives them; NaN where there are none.
+    """Return a table (n, m + r) from a start (m,) with the velocities of a function; NaN from where these have no value.
 
-    `increments` (t, q, velocities) of a row are Euler's where none are given.
+    `increments` (t, q, velocities) gives the steps of the coordinates; Euler's if None.
     """
     m, step = len(key.coordinates), key.step
     rows = np.full(key.table.shape, np.nan)

@@ -1,8 +1,8 @@
-"""Cells that are right only because few digits were printed: those do not tell Euler's rules from what was done instead.
+"""Cells that are right only because few digits were printed, which do not tell Euler's rule from what was done instead.
 
-Enters: marked cells, what a cause expects that explains them.  Leaves: which right cells do not count.
+Enters: marked cells, the values that a cause expects.  Leaves: which right cells do not count.
 Used by `points.py`, `misconceptions.py`, `whole.py`.
-The same fault costs the same with any digits: what a cause makes wrong is wrong, whether or not the digits show it in every cell.
+The same fault costs the same with any digits: what a cause makes wrong is wrong, even if the digits do not show it everywhere.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from coursework.grading.marking.table.cells import MISSING, WRONG, Cells
 from coursework.grading.marking.table.ways import ANGLES, KEY, STEP, Places, StudentTable, near, own_ways
 from coursework.system.arrays import Array, Flags
 
-# Half steps leave Euler's by half as much as Heun's, and round-off hides them: so many tolerances tell a step.  Up to which part
-# of what is told being Euler's nothing else counts, and from which part on all of it.
+# A step is told if other rules miss it by over _TOLD tolerances: half steps miss Euler's by half as much as Heun's, and round-off
+# hides some.  If up to _FEW_TOLD of the told steps are Euler's, no untold step counts; from _MOST_TOLD on, all count.
 _TOLD, _FEW_TOLD, _MOST_TOLD = 3.0, 0.25, 0.75
-# Of a column's range: below it two numbers that were worked out with all digits are one.
+# Part of a column's range up to which two numbers computed with all digits are equal.
 _SAME = 1e-6
 FINEST = 1e-9
 
 
 def untold_steps(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
-    """Return which of the right `steps` (n, m + r) the digits cannot tell from any other rule's and do not count.
+    """Return which right `steps` (n, m + r) do not count because the digits cannot tell them from other rules' steps.
 
-    A step is told by how far those of other rules leave it.  Where most of them are Euler's, so are the others; where few, none.
+    A step is told if all other rules miss it clearly. If most told steps are Euler's, untold ones count; if few are, none does.
     """
     m, gaps = len(key.coordinates), _gaps(key, rows)
     marks = cells.marks[rows[1:], :m]
@@ -41,10 +41,10 @@ def untold_steps(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
 
 
 def untold_cells(key: Key, cells: Cells, expected: Array, holds: Flags, table: Array | None) -> Flags:
-    """Return which right cells (n, m + r) are right only as far as printed: a cause that `holds` there has others `expected`.
+    """Return which right cells (n, m + r) do not count: a cause `holds` there too and `expected` another value than Euler's.
 
-    `table` (n, m + r) is what it makes as a whole, where that is known.  They count as those do which the digits tell: where most
-    of these are right, so are the others; where few, none.
+    `table` (n, m + r) is the whole table that the cause makes, None if unknown. Cells whose digits do tell decide: if most of
+    these are right, the others count; if few are, none does.
     """
     m = len(key.coordinates)
     of_euler = np.hstack([cells.way(STEP).expected[:, :m], cells.way(ANGLES).expected[:, m:]])
@@ -58,16 +58,16 @@ def untold_cells(key: Key, cells: Cells, expected: Array, holds: Flags, table: A
 
 
 def _right_with_all_digits(key: Key, table: Array) -> Flags:
-    """Return which cells of a table (n, m + r) that a cause makes without a slip are right in any way, to the last digit."""
+    """Return which cells of a table (n, m + r), made by a cause without a slip, are right in any way with all digits."""
     own = own_ways(key, StudentTable(table, np.full(table.shape, FINEST)))
     same = np.broadcast_to(_SAME * key.ranges, table.shape)
     return np.asarray(np.any([near(table, way, same) for way in (key.table, *(way.expected for way in own.tried))], axis=0))
 
 
 def _gaps(key: Key, rows: Places) -> Array:
-    """Return how near to Euler's steps from one of some rows to the next (n - 1, m) those of Heun or of another time come.
+    """Return the least distance (n - 1, m) of other rules' steps between successive `rows` from Euler's: Heun, or another time.
 
-    A rule that makes of a coordinate what Euler's does, as any time does under a steady drive, is no other one; 0 where all do.
+    A rule that makes the same of a coordinate as Euler's, as another time does in a steady drive, is left out; 0 if all do.
     """
     off = np.pad(key.off_euler, ((0, 0), (1, 0), (0, 0)))
     gaps = np.abs(np.diff(np.cumsum(off, axis=1)[:, rows], axis=1))
@@ -77,12 +77,12 @@ def _gaps(key: Key, rows: Places) -> Array:
 
 
 def ramp(share: float, none: float, whole: float) -> float:
-    """Return which part (0 to 1) counts at a share: nothing up to `none`, all from `whole` on: no cell decides on many."""
+    """Return the part (0 to 1) that counts: 0 up to the share `none`, 1 from `whole` on; so no single cell decides about many."""
     return min(1.0, max(0.0, (share - none) / (whole - none)))
 
 
 def but(found: Flags, part: float) -> Flags:
-    """Return the cells found without the first of them, which are this part."""
+    """Return the cells in `found` except the first of them; `part` (0 to 1) says how many are left out."""
     left, places = found.copy(), np.argwhere(found)
     left[tuple(places[: math.ceil(part * len(places))].T)] = False
     return left

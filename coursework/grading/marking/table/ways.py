@@ -1,4 +1,4 @@
-"""The ways in which a cell of a table may be right: what each expects, and how far a printed number may lie from it.
+"""The ways in which a cell of a table may be right: the value that each expects, and how far a printed number may lie from it.
 
 Enters: a `Key` and the student's table on its grid.  Leaves: `Way`s.  Used by `cells.py`, `restored.py`, the hypotheses.
 """
@@ -18,18 +18,18 @@ from coursework.system.arrays import Array, Flags
 Places = NDArray[np.intp]
 # Half a unit of the last place, and a little for the last bit.
 HALF = 0.505
-# Part of a column's range that no printed digit resolves: constants of a task sheet copied with four digits.
+# Part of a column's range that is always allowed: constants of a task sheet are copied with four digits.
 SLACK = 2e-4
-# Velocities that pass through zero are judged by this part of their range.
+# A velocity near zero is judged as if it had this part of its column's range.
 LEAST = 0.05
-# A tolerance beyond this part of what is usual lets anything pass.
+# With a tolerance beyond this part of the usual size a way does not count: anything would pass.
 _VAGUE = 0.5
-# Work computed coarser than it is printed: how much larger the step errors may be, and up to where it is believed.
+# Work computed coarser than it is printed: the floor of the tolerances, in median step errors.
 _COARSE = 4.2
-_USUAL_PRINT, _COARSE_NOTED = 1 / 3, 0.45  # parts of what the digits allow
-_COARSE_ROWS = 0.75  # so many steps it must explain: among broken ones the median is chance
-_COARSE_MOST, _COARSE_GAP = 3e-4, 21.0
-_RUNG, _ROUND_OFF = 1.25, 1e-6
+_USUAL_PRINT, _COARSE_NOTED = 1 / 3, 0.45  # median step errors, as parts of what the digits allow: usual; worth a note
+_COARSE_ROWS = 0.75  # part of the steps that the floor must explain: among broken steps the median is chance
+_COARSE_MOST, _COARSE_GAP = 3e-4, 21.0  # the median may be at most _COARSE_MOST (SI) and gap / _COARSE_GAP
+_RUNG, _ROUND_OFF = 1.25, 1e-6  # the floor grows in rungs by this factor
 
 
 KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
@@ -37,7 +37,7 @@ KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocit
 
 @dataclass(frozen=True)
 class OwnRows:
-    """All rows of a table that was made with another `step` (s): `values` and `units` (rows, m + r) as in `StudentTable`."""
+    """All rows of a table made with another `step` (s): `values` and `units` (rows, m + r) as in `StudentTable`."""
 
     step: float
     values: Array
@@ -46,10 +46,10 @@ class OwnRows:
 
 @dataclass(frozen=True)
 class StudentTable:
-    """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike.
+    """A student's table on the key's grid: `values` (n, m + r) SI, NaN if missing; `units` of the last places, same shape.
 
-    `turns` (n, m + r) whole turns that the reader took off each cell, None for none; `own` the table on the student's own rows,
-    where these are those of another step.
+    `turns` (n, m + r) are the whole turns that the reader took off, None if none. `own` is the table on the student's own rows,
+    None if its step is the task's.
     """
 
     values: Array
@@ -60,34 +60,34 @@ class StudentTable:
 
 @dataclass(frozen=True)
 class Way:
-    """One way to be right: what a cell should be, and by how much it may differ, (n, m + r); NaN where it says nothing."""
+    """One way to be right: the expected value and the tolerance of each cell, (n, m + r); NaN where it says nothing."""
 
     name: str
     expected: Array
     tolerance: Array
 
     def holds(self, values: Array) -> Flags:
-        """Return where the values are right this way."""
+        """Return which values are right in this way."""
         return near(values, self.expected, self.tolerance)
 
 
 def near(values: Array, expected: Array, tolerance: Array) -> Flags:
-    """Return which values are no farther from what is expected than a tolerance; what is missing is not."""
+    """Return which values differ from the expected ones by at most the tolerance; a missing value does not qualify."""
     with np.errstate(invalid="ignore"):
         return np.asarray(np.abs(values - expected) <= tolerance)
 
 
 def as_printed(key: Key, units: Array) -> Array:
-    """Return by how much cells with these last places may lie from what they stand for: their digits, and round-off."""
-    sudden = key.usual_ranges < key.ranges  # there a row of the pulse has its own size
+    """Return the tolerances of printed cells against the key: for the `units` of their last places, and for round-off."""
+    sudden = key.usual_ranges < key.ranges  # a row within the pulse is judged by its own size
     return HALF * units + SLACK * np.where(sudden, np.maximum(key.usual_ranges, np.abs(key.table)), key.ranges)
 
 
 @dataclass(frozen=True)
 class OwnWays:
-    """The ways from a student's own cells; `computed_to` decimals where the work is coarser than its print, else None.
+    """The ways from a student's own cells; `computed_to`: decimals of the work if it is coarser than its print, else None.
 
-    `coarse` is the floor of the tolerances then, 0 where there is none.
+    `coarse` is the floor of the tolerances for coarser work, 0 if there is none.
     """
 
     angles: Way
@@ -99,16 +99,16 @@ class OwnWays:
 
     @property
     def tried(self) -> tuple[Way, ...]:
-        """Return the ways in the order tried."""
+        """Return the ways in the order in which they are tried."""
         return self.angles, self.earlier, self.step, self.step_true
 
     def holds(self, values: Array) -> Flags:
-        """Return where values (n, m + r) are right in one of the ways."""
+        """Return which values (n, m + r) are right in any of the ways."""
         return np.asarray(np.any([way.holds(values) for way in self.tried], axis=0))
 
 
 def own_ways(key: Key, student: StudentTable, coarse: float | None = None) -> OwnWays:
-    """Return what each cell should be by the cells that it was made from; `coarse` the floor of coarse work if known."""
+    """Return the ways from the cells that each cell was made from; `coarse` is the floor of coarse work if already known."""
     step = _steps(key, student)
     computed_to = None
     if coarse is None:
@@ -119,10 +119,10 @@ def own_ways(key: Key, student: StudentTable, coarse: float | None = None) -> Ow
 
 
 def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | None]:
-    """Return the floor of the tolerances, and to how many decimals the work was done where that is coarser than its print.
+    """Return the floor of the tolerances, and the decimals of the work if it is coarser than its print, else None.
 
-    The floor of usual print depends on its digits only, that of coarser work goes in rungs, and broken steps say nothing of
-    either: with any cell put right no other may be wrong for a slightly narrower tolerance.
+    The floor of usual print depends only on its digits, that of coarser work goes in rungs, and broken steps influence neither:
+    otherwise a cell put right could make others wrong by narrowing the tolerance slightly.
     """
     m, units, most = len(key.coordinates), student.units, min(_COARSE_MOST, key.gap / _COARSE_GAP)
     digits = HALF * (units[1:, :m] + units[:-1, :m] + key.stride * units[:-1, m : 2 * m])
@@ -141,14 +141,14 @@ def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | No
 
 
 def rows_above(values: Array) -> Places:
-    """Return the row that each but the first is made from (n - 1,): the last one above of which anything was handed in."""
+    """Return the row from which each row but the first is made (n - 1,): the last one above in which anything was handed in."""
     rows = np.arange(len(values) - 1)
     last = np.maximum.accumulate(np.where(np.isfinite(values[:-1]).any(axis=1), rows, -1))
     return np.where(last < 0, rows, last)
 
 
 def _steps(key: Key, student: StudentTable) -> Way:
-    """Return the step from the row before."""
+    """Return the way of the step from the row before with its printed velocity."""
     m, h = len(key.coordinates), key.stride
     values, units = student.values, student.units
     expected = np.full(values.shape, np.nan)
@@ -162,9 +162,9 @@ def _steps(key: Key, student: StudentTable) -> Way:
 
 
 def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: Array, *, by_own_velocity: bool = False) -> None:
-    """Fill in what rows (n, m + r) below rows that are not there should be: as many steps of Euler below the last one above.
+    """Fill in rows of `expected` and `tolerance` (n, m + r) below missing rows: several Euler steps from the last row above.
 
-    The first of them is made with the printed velocity where one asks for that, all others with the reference's.
+    The first step uses the printed velocity if `by_own_velocity`; all others use the reference velocity.
     """
     above, m, h = rows_above(student.values), len(key.coordinates), key.stride
     below = 1 + np.flatnonzero((above < np.arange(len(above))) & np.isfinite(student.values[1:, :m]).any(axis=1))
@@ -190,21 +190,21 @@ def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: 
 
 
 def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
-    """Return how far printed velocities (n, r) may lie from `expected`: own digits, those of what they came from, slack."""
+    """Return the tolerance of printed velocities (n, r): own digits, digits of the cells they were made from, and slack."""
     m = len(key.coordinates)
     size = np.maximum(np.abs(expected), LEAST * key.usual_ranges[m:])
     return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
 
 
 def clear(key: Key, expected: Array, tolerance: Array) -> Array:
-    """Return expected velocities (n, r), NaN where the digits leave them as open as they are large: anything would pass there."""
+    """Return expected velocities (n, r), NaN where the tolerance is as large as they are: there anything would pass."""
     sizes = np.maximum(np.abs(expected), np.max(np.abs(key.table[:, len(key.coordinates) :]), axis=0))
     with np.errstate(invalid="ignore"):
         return np.where(tolerance > _VAGUE * sizes, np.nan, expected)
 
 
 def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
-    """Return the velocities of the reference at the student's own angles."""
+    """Return the way of the reference velocities at the student's own angles."""
     m = len(key.coordinates)
     q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
     found = key.velocities_at(key.t, q)
@@ -218,7 +218,7 @@ def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
 
 
 def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
-    """Return the velocities of each later block from the student's own velocities of the blocks before."""
+    """Return the way of the later blocks' velocities from the student's own velocities of earlier blocks."""
     m, r = len(key.coordinates), len(key.velocities)
     units = student.units.copy()
     units[:, :m] = np.maximum(units[:, :m], coarse)
@@ -246,7 +246,7 @@ def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way
 
 
 def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
-    """Return the step from the row before with the reference's velocity at the student's own angles there."""
+    """Return the way of the step from the row before with the reference velocity at the student's own angles there."""
     m, h = len(key.coordinates), key.stride
     values, units = student.values, student.units
     expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)

@@ -1,1 +1,1 @@
-"""What a table was before cells of it were misprinted or put right: a search (`restored`), its `guesses`, what rows make."""
+"""What a table was before cells were misprinted or put right: a search (`restored`), its `guesses`, and what rows make."""

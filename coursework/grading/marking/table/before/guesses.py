@@ -18,30 +18,31 @@ from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
 Counts = NDArray[np.intp]
-# So many cells must agree on what another was when they were made.  Where more of the rows than this part
-# have wrong cells, only cells that are the task's may have been put right, and only in columns where few are.
+# _AGREE: so many cells must agree on an earlier value.  FEW: if more than this part of the rows have wrong cells, only cells
+# with the task's value may have been put right, and only in columns where few cells have it.
 _AGREE, FEW = 2, 0.5
-# How often what a cell was is mended until they do, with slopes over so small a part.
+# Newton steps in the search for an earlier value, and the difference over which its slopes are taken.
 _ROUNDS, _DIFFERENCE = 8, 1e-6
-# From so many places of a turn an angle is looked for: a misprint may lie anywhere.  So many cells of a row are tried.
+# An angle is searched for from so many places of a turn, as a misprint may lie anywhere; so many cells of a row are tried.
 _AROUND, _TRIED = 8, 3
 
 
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
-    """Yield what rows may have been where `wrong` cells are made from them.
+    """Yield tables of what rows may have been, given the `wrong` cells that are made from them.
 
-    What is `untold` may be as the rows above make it, or one coordinate of it.  Where several wrong cells are made from a row,
-    it is one of the cells that were `other`, as most of them and the row above have it, with or without what follows from it; or
-    all its coordinates that were, as the next row has them.
+    `other` marks cells that may have had another value, `untold` those of them that are not explained yet. For rows from which
+    several wrong cells are made: all `other` coordinates as the next row has them; then one `other` cell with the value on
+    which most cells agree, without and with the velocities that follow from it. Last, `untold` cells as the rows above make
+    them, in all columns or in one coordinate.
     """
     m = len(key.coordinates)
     places = np.arange(untold.shape[1])
     rows, columns = makers_of_several(wrong, m), [places >= 0, *(places == place for place in range(m))]
     if rows.mean() > FEW:
         of_task = near(was.values, key.table, as_printed(key, was.units))
-        other = other & of_task & (of_task.mean(axis=0) <= FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is given
+        other = other & of_task & (of_task.mean(axis=0) <= FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is not put right
         rows &= other.any(axis=1)
-        columns = columns[:1]  # so many are wrong by another method, not by one coordinate
+        columns = columns[:1]  # so many wrong cells come from another method, not from one coordinate
     if rows.any():
         yield _by_next_row(key, was, other)
         for values in _agreed(key, was, own, wrong, other & rows[:, None]):
@@ -56,12 +57,12 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
 
 
 def makers_of_several(wrong: Flags, m: int) -> Flags:
-    """Return from which rows (n,) several `wrong` cells (n, m + r) are made."""
+    """Return the rows (n,) from which several `wrong` cells (n, m + r) are made."""
     return np.asarray(beside_makers(wrong, m).sum(axis=1) >= _AGREE)
 
 
 def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
-    """Return the coordinates that broken steps to the next row were made from: several of a row may be misprints."""
+    """Return the table with coordinates recomputed from broken steps to the next row: several in a row may be misprints."""
     m, h, guess = len(key.coordinates), key.stride, replace(was, values=was.values.copy(), units=was.units.copy())
     q, digits = guess.values[:-1, :m], guess.units[:-1, :m]
     made, doubt = was.values[1:, :m] - h * was.values[:-1, m : 2 * m], was.units[1:, :m] + h * was.units[:-1, m : 2 * m]
@@ -72,10 +73,10 @@ def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
 
 
 def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> list[Array]:
-    """Return tables (n, m + r) of what one cell a row was, NaN elsewhere; first the one on which most cells agree.
+    """Return tables (n, m + r) of what one cell in each row was, NaN elsewhere; the one on which most cells agree comes first.
 
-    Each `wrong` cell tells what one of those that may have been `other` was; it and all others made from that, and what that
-    was made from, leave it a span as wide as their tolerances, and where its own meets most of theirs it may have been.
+    Each `wrong` cell gives a value for a cell that may have been `other`. That wrong cell, all others made from the same cell,
+    and the cells it was made from leave it spans as wide as their tolerances; a value where most spans meet is taken.
     """
     m, r, printed = len(key.coordinates), len(key.velocities), was.values
     made = beside_makers(wrong & np.isfinite(printed), m)
@@ -101,7 +102,7 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
                 x = x - np.where(turning, whole_turns(x - key.table[row, place]), 0.0)
             found = makes(x)
             slopes, off = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE, beside - found
-            if last < _ROUNDS:  # near a singular position the reciprocal of a velocity is straight
+            if last < _ROUNDS:  # near a singular position the reciprocal of a velocity is nearly linear
                 straight = np.where(wild, (found / beside)[at, by], 1.0)
                 x = x + np.nan_to_num(straight * off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)
         own_ways = [(way.expected[row, place], way.tolerance[row, place]) for way in own.tried]
@@ -123,9 +124,9 @@ def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
 
 
 def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> tuple[Array, Places]:
-    """Return where cells are begun to be looked for, and for which of the `row`, `place`, `by`: some more than once.
+    """Return initial values of the search, and for which of the `row`, `place`, `by` each is; some have several.
 
-    A cell may be near its neighbours, since a misprint leads astray, or as its next row has it, and an angle anywhere.
+    The search begins near the neighbours, as a misprint leads astray, at the next row's value, and for an angle all around.
     """
     m, after = len(key.coordinates), np.minimum(row + 1, len(printed) - 1)
     middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
@@ -138,13 +139,13 @@ def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> 
 
 
 def _is_open(key: Key, place: Places, by: Places) -> Flags:
-    """Return where a cell is told but for whole turns: an angle by a velocity; steps tell it from anywhere."""
+    """Return where a cell is known only up to whole turns: an angle found from a velocity, but not one found from a step."""
     angles = [index for index, name in enumerate(key.coordinates) if key.variant.unit_of(name) == "rad"]
     return np.isin(place, angles) & (by < 2 * len(key.velocities))
 
 
 def _open_by(key: Key, way: Way, printed: Array) -> Array:
-    """Return the tolerances of a way for what is printed: digits of angles leave larger velocities the more open, slack too."""
+    """Return the tolerances of a way scaled to the printed values: larger velocities are less certain, as is their slack."""
     least = LEAST * key.usual_ranges
     here, found = np.fmax(np.abs(printed), least), np.fmax(np.abs(way.expected), least)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -154,9 +155,9 @@ def _open_by(key: Key, way: Way, printed: Array) -> Array:
 
 
 def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, far: Array, half: Array) -> list[Array]:
-    """Return tables of what is told: in each row first the cell of which most speaks, and of equal ones most exactly.
+    """Return tables of what was found: in each row first the cell on which most others agree, then the most exact one.
 
-    Of several that one cell may have been, as much speaking for each, it is the one less `far` from what is printed.
+    If a cell has several values with equal support, the one less `far` from the printed value is taken.
     """
     best = np.lexsort((half, far, -counts))
     best = best[counts[best] >= _AGREE]

@@ -1,4 +1,4 @@
-"""What rows of a table make: their velocities, the next coordinates; and a table whose cells are what the rows above make.
+"""What rows of a table make: their velocities and the next coordinates; and a table with cells as the rows above make them.
 
 Enters: a `Key`, rows, a `StudentTable` and its ways.  Leaves: arrays, `StudentTable`s.  Used by `restored.py`, `guesses.py`.
 """
@@ -15,17 +15,17 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable
 from coursework.system.arrays import Array, Flags, neighbours
 
-# The march forward is made again with the velocities that its angles have.
+# The march forward is repeated with the velocities at its new angles.
 _PASSES = 2
 
 
 def beside_makers(cells: NDArray[Any], m: int) -> NDArray[Any]:
-    """Return cells (n, r + m) beside the row that they are made from: its velocities, the coordinates of the next one."""
+    """Return cells (n, r + m) beside the row from which they are made: its velocities, and the coordinates of the next row."""
     return np.hstack([cells[:, m:], np.vstack([cells[1:, :m], np.zeros_like(cells[:1, :m])])])
 
 
 def made_from_rows(key: Key, t: Array, rows: Array) -> Array:
-    """Return what rows (n, m + r) make: their velocities, later ones from earlier ones, the next coordinates in both ways."""
+    """Return what rows (n, m + r) make: velocities from angles, later ones from earlier ones, next coordinates in three ways."""
     m, h = len(key.coordinates), key.stride
     velocities = key.velocities_at(t, rows[:, :m])
     later = _later(key, t, rows)
@@ -34,7 +34,7 @@ def made_from_rows(key: Key, t: Array, rows: Array) -> Array:
 
 
 def with_later(key: Key, table: StudentTable, other: Flags, told: Flags) -> StudentTable | None:
-    """Return the table with the velocities that follow from those `told`, None where none does."""
+    """Return the table with the later velocities that follow from `told` earlier ones, None if no velocity is told."""
     m = len(key.coordinates)
     w, at = table.values.copy(), told[:, m:].any(axis=1)
     if not at.any():
@@ -51,7 +51,7 @@ def with_later(key: Key, table: StudentTable, other: Flags, told: Flags) -> Stud
 
 
 def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> StudentTable | None:
-    """Return the table with what the rows before make of each `right` cell that does not follow from them, None for the same."""
+    """Return the table with `right` cells that do not follow from the rows before replaced by what does; None if unchanged."""
     m = len(key.coordinates)
     w, printed = student.values[:, m:], student.values[:, m:]
     allowed = np.fmax(own.angles.tolerance, own.earlier.tolerance)[:, m:]
@@ -66,7 +66,7 @@ def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> St
 
 
 def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velocities: Array) -> tuple[Array, Array]:
-    """Return coordinates (n, m) and digits; what is `right`, and no step from above, is that step."""
+    """Return coordinates (n, m) and units (n, m + r); a `right` coordinate that is no step from above is replaced by the step."""
     m, h = len(key.coordinates), key.stride
     q, units = student.values[:, :m].copy(), student.units.copy()
     edge = right & ~neighbours(right)
@@ -85,13 +85,13 @@ def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velo
 
 
 def _made(key: Key, q: Array, w: Array) -> Array:
-    """Return the velocities (n, r) of coordinates (n, m); those of later blocks from the velocities (n, r) of earlier ones."""
+    """Return the velocities (n, r) at coordinates `q` (n, m); later blocks use the velocities `w` (n, r) of earlier ones."""
     made, later = key.velocities_at(key.t, q), _later(key, key.t, np.hstack([q, w]))
     return np.where(np.isnan(later), made, later)
 
 
 def _later(key: Key, t: Array, cells: Array) -> Array:
-    """Return the velocities (n, r) of the later blocks from rows of `cells` (n, m + r), NaN for the first."""
+    """Return the velocities (n, r) of later blocks from rows of `cells` (n, m + r); NaN in the first block."""
     m = len(key.coordinates)
     found = np.full((len(cells), len(key.velocities)), np.nan)
     for index, block in enumerate(key.blocks[1:], start=1):

@@ -1,11 +1,11 @@
-"""What stood in a table before a cell of it was misprinted or put right: the cells made from that follow from it still.
+"""What stood in a table before a cell was misprinted or put right: cells that were made from the old value still show it.
 
 Enters: a `Key`, a student's table, its ways.  Leaves: `Way`s by which no cell becomes wrong that was right before.
 Used by `cells.py`.
-A table is told by the fewest slips that explain it.  Each cell follows from what others were when it was made, or is a slip, and
-costs one; what is printed is what a cell was, a misprint, which costs one, or the task's number, which costs nothing.  Whatever
-explains a table explains it with any misprint put right too, at no more: so points do not fall by a cell put right, as far as
-the search finds what explains it.
+The table is explained with the fewest slips. A cell that does not follow from what others were when it was made is a slip and
+costs one. A printed cell either is what it was; or is a misprint, which costs one; or was put right to the task's number, which
+costs nothing. What explains a table still does, at no higher cost, when a misprint is put right: so a correction never costs
+points, as far as the search finds the explanation.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way, as
 from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
-# What is found is set in, and what stands beside it looked for again.
+# How often the values found are put in and the rows beside them searched again.
 _PASSES = 2
-# How often it is asked whether what was made from rows of which nothing tells was made later.
+# How often the beginning of a restored part is moved down because no cell speaks for its first rows.
 _BEGINNINGS = 4
 
 
 @frozen
 class Restored:
-    """`ways` by which wrong cells are right from what others were; `fitted` (n, m + r) the wrong ones that say what these were.
+    """`ways` make wrong cells right from what others were; `fitted` (n, m + r) are the wrong cells that told what these were.
 
-    `before` is the table as it was, None where it is as it stands.
+    `before` is the table as it was, None if nothing in it was different.
     """
 
     ways: tuple[Way, ...]
@@ -41,10 +41,10 @@ class Restored:
 
 
 def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: OwnWays) -> Restored:
-    """Return what makes `wrong` cells (n, m + r) right: what cells of their row, or of the row above, were.
+    """Return what makes `wrong` cells (n, m + r) right: earlier values of cells in their row or in the row above.
 
-    Those may be wrong, or the task's, put right.  What is `right` may have been what the rows above make of it; any other value
-    is told by what was made from it, and costs a cell, as it did before it was put right.
+    Those cells may be wrong, or have the task's value because they were put right. A `right` cell may have been what the rows
+    above make of it; any other earlier value is told by the cells made from it, and costs a cell as before the correction.
     """
     m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
     was, told = student, np.zeros_like(wrong)
@@ -68,9 +68,9 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
 
 @dataclass(frozen=True)
 class _Looked:
-    """A table that is looked at: `wrong` cells (n, m + r), those that may have been `other`, the `sure` ones, its `own` ways.
+    """A table being searched: its `wrong` cells (n, m + r), those that may have been `other`, the `sure` ones, its `own` ways.
 
-    `told` are cells of which it was found what they were, and `printed` is the table with that.
+    `told` are cells whose earlier value was found, and `printed` is the table with these values.
     """
 
     key: Key
@@ -84,21 +84,21 @@ class _Looked:
 
     @property
     def speaking(self) -> Flags:
-        """Return which cells say what others were."""
+        """Return which cells tell something about others."""
         return self.wrong | self.told
 
     def worth(self, table: StudentTable, ways: OwnWays) -> Counts:
-        """Return how many cells made from each row (n,) are right if a table stood there, without those that it costs."""
+        """Return for each row (n,) how many cells made from it `table` explains, less the slips that `table` costs."""
         held = ways.holds(self.printed.values)
         found = beside_makers((self.speaking & held) * 1 - (self.sure & ~held), len(self.key.coordinates)).sum(axis=1)
         return np.asarray(found - _slips(table, self.student, ways))
 
     def made_by(self, table: StudentTable) -> OwnWays:
-        """Return what a table makes."""
+        """Return the ways from the cells of a table."""
         return self.own if table is self.student else own_ways(self.key, table, self.own.coarse)
 
     def followed(self, table: StudentTable, free: Flags) -> tuple[StudentTable, OwnWays]:
-        """Return a table with what its rows make of cells that are `free`, from the first row on of which anything tells."""
+        """Return a table with `free` cells as its rows make them, from the first row on for which any cell speaks."""
         found, ways = as_it_was(self.key, table, free, self.own), self.made_by(table)
         if found is None:
             return table, ways
@@ -116,7 +116,7 @@ class _Looked:
         return found, ways
 
     def bases(self, last: StudentTable, own: OwnWays, told: Flags) -> Iterator[StudentTable]:
-        """Yield the tables beside which a cell may have been another: as found, as printed, without misprints."""
+        """Yield the tables beside which a cell may have been different: as found, as printed, with misprints recomputed."""
         m, speaking = len(self.key.coordinates), self.speaking
         yield last
         if _touched(beside_makers(speaking, m), self.printed, last):
@@ -127,7 +127,7 @@ class _Looked:
             yield above
 
     def guessed(self, last: StudentTable, own: OwnWays, told: Flags) -> tuple[StudentTable, Flags]:
-        """Return the table with the guesses by which more cells are right, and what is told now: `told` itself for no guess."""
+        """Return the table with all guesses that explain more cells, and the cells told now; `told` itself if no guess does."""
         m, speaking, was, now = len(self.key.coordinates), self.speaking, last, told
         best = np.maximum(self.worth(last, own), 0)
         for base in self.bases(last, own, now):
@@ -138,7 +138,7 @@ class _Looked:
                     continue
                 found = self.worth(guess, self.made_by(guess))
                 rows = found > best
-                if rows.any():  # what is gained beside rows as the guess has them may be nothing beside those that stay
+                if rows.any():  # a gain beside rows as the guess has them may vanish beside the rows that stay
                     joined = _joined(rows, guess, was)
                     rows &= self.worth(joined, self.made_by(joined)) >= found
                 if rows.any():
@@ -149,7 +149,7 @@ class _Looked:
 
 
 def _silent(moved: Flags, gains: Flags) -> Flags:
-    """Return the first rows (n,) of each run of `moved` ones, before one that gains anything."""
+    """Return the first rows (n,) of each run of `moved` rows, up to the first one that gains anything."""
     found, silent = np.zeros_like(moved), False
     for row, here in enumerate(moved.tolist()):
         silent = here and not gains[row] and (silent or not row or not moved[row - 1])
@@ -158,12 +158,12 @@ def _silent(moved: Flags, gains: Flags) -> Flags:
 
 
 def _slips(table: StudentTable, printed: StudentTable, ways: OwnWays) -> Counts:
-    """Return how many cells of each row (n,) are other than they are printed, and do not follow from those before either."""
+    """Return how many cells of each row (n,) differ from the print and do not follow from earlier cells either."""
     return np.asarray((_other(table, printed) & ~ways.holds(table.values)).sum(axis=1))
 
 
 def _joined(rows: Flags, guess: StudentTable, was: StudentTable) -> StudentTable:
-    """Return a table with some rows (n,) of a guess."""
+    """Return the table `was` with some rows (n,) from a guess."""
     values, units = (np.where(rows[:, None], *both) for both in ((guess.values, was.values), (guess.units, was.units)))
     return replace(was, values=values, units=units)
 
@@ -173,10 +173,10 @@ def _other(table: StudentTable, than: StudentTable) -> Flags:
 
 
 def _touched(made: Flags, table: StudentTable, than: StudentTable) -> bool:
-    """Return whether any cell `made` from a row (n, r + m) is made from one in which two tables differ."""
+    """Return whether any cell `made` from a row (n, r + m) comes from a row in which the two tables differ."""
     return bool((made.any(axis=1) & _other(table, than).any(axis=1)).any())
 
 
 def _made_into(cells: Flags, m: int) -> Flags:
-    """Return cells (n, r + m) that stand beside the row that they are made from, where they stand, (n, m + r)."""
+    """Return cells (n, r + m) beside the row they are made from moved to where they stand, (n, m + r)."""
     return np.hstack([np.roll(cells[:, -m:], 1, axis=0), cells[:, :-m]])

@@ -1,1 +1,1 @@
-"""What a wrong table was made with: hypotheses, what each claims of a cell, which of them explains the table."""
+"""Causes of a wrong table: hypotheses, what each claims about a cell, and which of them explains the table."""

@@ -1,7 +1,7 @@
-"""What a hypothesis says about each cell of a table, and how exactly the printed digits let it speak.
+"""What a hypothesis says about each cell of a table, and how exactly the printed digits allow it to.
 
 Enters: a `Key`, a student's table.  Leaves: `Claim`s by way of `TableUnderTest`.
-Used by the hypotheses, by what weighs them, and by the share of a student's own equations.
+Used by the hypotheses, by the code that compares them, and for the share that follows a student's own equations.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from coursework.grading.marking.table.starts import march
 from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, velocity_tolerance
 from coursework.system.arrays import Array, Flags, shifted
 
-# A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
+# A hypothesis is examined only if this part of the velocities lies within _NEAR times Euler's tolerances of what it expects.
 _NEARLY, _NEAR = 0.4, 60.0
 
 
 @dataclass(frozen=True)
 class Claim:
-    """What a hypothesis says: `expected` (n, m + r), NaN where it is silent; `tolerance` alike.
+    """What a hypothesis says: the `expected` cells (n, m + r) and their `tolerance`, NaN where it says nothing.
 
-    A column of which it says nothing is left to Euler's rules.  `student` is the table it speaks about where it is not the one
-    handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
-    `names` are the columns, starts or equations that it speaks of; `part` is that of the task's step which was made; `table`
-    makes the whole table as the hypothesis has it, with steps of Euler from `velocities_at` where that is there; `family` makes
-    the claim about another table; `is_read_off` where its number is the table's own: what else explains as much is meant then.
+    A column in which it says nothing at all is left to Euler's rules.  `student` is the table that it speaks about if that is not
+    the one handed in (columns exchanged back, origins taken off); `is_whole`: it also claims the start.  `names` are the columns,
+    starts or equations that it speaks of; `part` is its step as a part of the task's.  `table` computes its whole table, by
+    Euler's steps with the velocities of `velocities_at` if that is given; `family` makes the claim about another table.
+    `is_read_off`: its number was computed from the table itself, so that another cause that explains as much is preferred.
     """
 
     code: str
@@ -49,9 +49,9 @@ class Claim:
 
 @dataclass(frozen=True)
 class TableUnderTest:
-    """A student's table seen by hypotheses: angles, velocities and their digits by themselves.
+    """A student's table as hypotheses see it: coordinates, velocities and the units of their last places.
 
-    Without `closely` no hypothesis is passed over and no sensitivity is worked out: what it expects is all that is asked.
+    Without `closely` no hypothesis is skipped and no sensitivity computed: only the expected values are needed.
     """
 
     key: Key
@@ -75,21 +75,21 @@ class TableUnderTest:
 
     @cached_property
     def q_units(self) -> Array:
-        """Return the digits of the coordinates, 0 where missing."""
+        """Return the units of the last places of the coordinates (n, m), 0 where missing."""
         return np.nan_to_num(self.student.units[:, : self.m])
 
     @cached_property
     def w_units(self) -> Array:
-        """Return the digits of all velocities (n, r), 0 where missing."""
+        """Return the units of the last places of all velocities (n, r), 0 where missing."""
         return np.nan_to_num(self.student.units[:, self.m :])
 
     @cached_property
     def of_task(self) -> Flags:
-        """Return which cells (n, m + r) are the key's."""
+        """Return which cells (n, m + r) agree with the key."""
         return alike(self.key, self.student, self.key.table)
 
     def whole(self, q: Array | None = None, w: Array | None = None) -> Array:
-        """Return a table (n, m + r) of some columns, NaN elsewhere."""
+        """Return a table (n, m + r) with the given coordinates or velocities, NaN elsewhere."""
         blank = np.full(self.student.values.shape, np.nan)
         if q is not None:
             blank[:, : self.m] = q
@@ -98,7 +98,7 @@ class TableUnderTest:
         return blank
 
     def steps(self, increments: Array, spread: Array) -> tuple[Array, Array]:
-        """Return coordinates (n, m) made from each row before by `increments` (n, m) in rad or m, and their tolerance."""
+        """Return coordinates (n, m) made from the row before with `increments` (n, m) in rad or m, and their tolerance."""
         h = self.key.step
         expected = shifted(self.q + increments, 1)
         size = np.maximum(np.abs(self.w), LEAST * self.key.usual_ranges[self.m : 2 * self.m])
@@ -107,9 +107,9 @@ class TableUnderTest:
         return expected, tolerance
 
     def rates_used(self) -> list[int]:
-        """Return for each coordinate the rate of its unit that most of its steps were made with, in doubt its own.
+        """Return for each coordinate the rate of the same unit with which most of its steps were made; its own if in doubt.
 
-        Where a coordinate does not begin as the task's does, its column may be another one's: its own rate is left to it.
+        A coordinate that does not begin as the task's does keeps its own rate: its column may be that of another one.
         """
         h, m, units = self.key.step, self.m, [one.unit for one in self.key.variant.coordinates]
         begins = np.abs(self.q[0] - self.key.table[0, :m]) <= self.q_units[0]
@@ -125,32 +125,32 @@ class TableUnderTest:
         return found
 
     def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
-        """Return velocities (n, r) and their tolerance."""
+        """Return velocities (n, r), NaN where the digits are too few, and their tolerance."""
         tolerance = velocity_tolerance(self.key, self.w_units, found, spread)
         return clear(self.key, found, tolerance), tolerance
 
     def spread(self, function: Callable[[Array], Array], at: Array | None = None, units: Array | None = None) -> Array:
-        """Return by how much the digits of cells (the angles, where none are named) leave a function of them open."""
+        """Return how uncertain a function of cells (by default the angles) is because of their last places."""
         at = self.q if at is None else at
         if not self.closely:
             return np.zeros_like(function(at))
         return sensitivity(function, at, self.q_units if units is None else units)
 
     def stacked(self, function: Callable[[Array, Array], Array], t: Array | None = None) -> Callable[[Array], Array]:
-        """Return a function of stacked copies of the rows, as sensitivities need it."""
+        """Return the function of q alone, for stacked copies of the rows, as sensitivities need it."""
         times = self.key.t if t is None else t
         return lambda q: function(np.tile(times, len(q) // len(times)), q)
 
     @cached_property
     def true_velocities(self) -> tuple[Array, Array]:
-        """Return the velocities of the printed row's time and angles."""
+        """Return the velocities at the time and angles printed in each row, and their tolerance."""
         at = self.stacked(self.key.velocities_at)
         return self.velocities(at(self.q), self.spread(at))
 
     def nearly(self, found: Array) -> bool:
-        """Return whether velocities (n, r) come anywhere near those printed, the task's apart, which may have been put right.
+        """Return whether velocities (n, r) come near enough to the printed ones for the hypothesis to be examined.
 
-        What does not is not looked at closer.
+        Cells with the task's value are left out, as they may have been put right.
         """
         if not self.closely:
             return True
@@ -163,7 +163,7 @@ class TableUnderTest:
     def velocity_claim(
         self, code: str, at: Callable[[Array, Array], Array], found: Array | None = None, names: tuple[str, ...] = ()
     ) -> Iterator[Claim]:
-        """Yield the claim that the velocities are `at` (t, q) of the printed angles, where they are nearly so."""
+        """Yield the claim that the velocities are `at` (t, q) with the printed angles, if they are near enough."""
         stacked = self.stacked(at)
         found = stacked(self.q) if found is None else found
         if self.nearly(found):
@@ -173,7 +173,7 @@ class TableUnderTest:
     def marched(
         self, velocities_at: Callable[[Array, Array], Array], increments: Callable[[Array, Array, Array], Array] | None = None
     ) -> Callable[[], Array]:
-        """Return what makes the whole table from the task's start, with other velocities or other steps: once, if at all."""
+        """Return a function that makes the whole table from the task's start with other velocities or steps, at most once."""
         return cache(partial(march, self.key, self.key.table[0, : self.m], velocities_at, increments))
 
     def claim(
@@ -183,7 +183,7 @@ class TableUnderTest:
         velocities: tuple[Array, Array] | None = None,
         names: tuple[str, ...] = (),
     ) -> Claim:
-        """Return a claim; what a hypothesis does not change is left to Euler."""
+        """Return a claim about steps, velocities or both; what is not given is left to Euler's rules."""
         q, q_tolerance = step or (None, None)
         w, w_tolerance = velocities or (None, None)
         return Claim(code, self.whole(q, w), self.whole(q_tolerance, w_tolerance), names=names)

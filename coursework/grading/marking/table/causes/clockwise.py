@@ -1,8 +1,8 @@
-"""A table whose turning is counted clockwise: seen, and turned back so that its signs are the task's.
+"""A table in which angles are counted clockwise: recognised, and turned back so that its signs are the task's.
 
-Enters: a `Key`, a student's table.  Leaves: the table turned back, None where it is not clockwise.
+Enters: a `Key`, a student's table.  Leaves: the table turned back, None if it is not clockwise.
 Used by `hypotheses.py`, `grade.py`, `precheck.py`.
-Signs alone do not tell a mirrored motion from a drive with the other sign: there the values decide.
+Signs alone do not tell a mirrored motion from a drive with the opposite sign: the values decide.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, LEAST, S
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
-# This part of the cells of every column that have a sign must have the other one: a slip or two may stand among them.
+# In every column this part of the cells with a sign must have the opposite one; the others may be slips.
 _SIGNS = 0.9
-# A mirrored motion explains this part of the velocities.
+# A mirrored motion must explain this part of the velocities.
 _EXPLAINED = 0.93
 
 
 def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
-    """Return a clockwise table with the signs of the task, None where it is none.
+    """Return a clockwise table with the signs of the task, None if it is not clockwise.
 
-    Either all angular velocities have the other sign while the angles move as the key's, or the angles are mirrored as well.
+    Either all angular velocities have the opposite sign while the angles move as the key's, or the angles are mirrored too.
     """
     m = len(key.coordinates)
     if not _opposite(student.values[:, m:], key.table[:, m:], key, _angular(key)[m:]):
@@ -39,8 +39,8 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
     mirrored = _turned(key, student, mirrored=True)
     cells = mark_cells(key, mirrored)
     follows = _explained(key, cells)
-    # A drive with the other sign explains its own table as well, and better.  Where both say the same number for number, as in
-    # a train of wheels, nobody can tell them apart, and the convention is believed.
+    # A drive with the opposite sign explains its own table as well, and better.  If both give the same numbers, as in a train of
+    # wheels, they cannot be told apart, and the convention is believed.
     other = key.misread("sign_drive")
     driven = np.abs(student.values[:, m:] - other(key.t, student.values[:, :m])) if other else None
     by_drive = 0.0
@@ -57,7 +57,7 @@ def _angular(key: Key) -> Flags:
 
 
 def _turned(key: Key, student: StudentTable, *, mirrored: bool) -> StudentTable:
-    """Return a table with angular velocities of the other sign; the angles too, mirrored in their first value."""
+    """Return a table with the sign of angular velocities changed; if `mirrored`, the angles too, about their first value."""
     m, angular = len(key.coordinates), _angular(key)
 
     def back(values: Array) -> Array:
@@ -72,7 +72,7 @@ def _turned(key: Key, student: StudentTable, *, mirrored: bool) -> StudentTable:
 
 
 def _start(key: Key, first: Array) -> Array:
-    """Return the start values (m,) that first angles stand for, the task's or their negatives; others as they are."""
+    """Return the first values (m,) as they are after turning back: those near the negative start are moved to the start."""
     start = key.table[0, : len(first)]
     near = _whole_turns_off(first - start) < _whole_turns_off(first + start)
     return np.where(near, first, start + _rest(first + start))
@@ -97,7 +97,7 @@ def _whole_turns_off(angle: Array) -> Array:
 
 
 def _opposite(printed: Array, reference: Array, key: Key, columns: Flags) -> bool:
-    """Return whether printed velocities (n, r) have the other sign in every one of the columns, and in any at all."""
+    """Return whether printed velocities (n, r) have the opposite sign in each of the `columns` that has signs, at least one."""
     least = LEAST * np.max(np.abs(key.table[:, len(key.coordinates) :]), axis=0)[: len(columns)]
     with np.errstate(invalid="ignore"):
         speaks = np.isfinite(printed) & (np.abs(reference) > least) & columns
@@ -107,7 +107,7 @@ def _opposite(printed: Array, reference: Array, key: Key, columns: Flags) -> boo
 
 
 def _steps_agree(key: Key, turned: StudentTable, reference: Array) -> bool:
-    """Return whether the angles move the way of the reference's rates (n, r), where their digits show any step."""
+    """Return whether the angles move as the reference velocities (n, r) say, where their digits can show a step."""
     m = len(key.coordinates)
     angular = _angular(key)[:m]
     steps = np.diff(turned.values[:, :m], axis=0)
@@ -117,7 +117,7 @@ def _steps_agree(key: Key, turned: StudentTable, reference: Array) -> bool:
 
 
 def _explained(key: Key, cells: Cells) -> float:
-    """Return the part of the velocities that are those of the key or of the table's own cells."""
+    """Return the part of the velocities that follow from the key or from the table's own cells."""
     m = len(key.coordinates)
     return _part(np.isin(cells.marks[:, m:], (KEY, ANGLES, EARLIER)), ~cells.missing[:, m:])
 

@@ -1,7 +1,7 @@
 """What a wrong table may have been made with: another rule for the step, or another rule for the velocities.
 
-Enters: a table as hypotheses see it, the rubric's confusions, tables of other variants.  Leaves: `Claim`s, one a hypothesis.
-Used by `misconceptions.py`; what was made with other numbers stands in `other_data.py`.
+Enters: a `TableUnderTest`, the rubric's confusions, tables of other variants.  Leaves: `Claim`s, one for each hypothesis.
+Used by `misconceptions.py`; hypotheses about other numbers stand in `other_data.py`.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from coursework.grading.marking.table.starts import march
 from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array, shifted
 
-# Schemes that somebody takes for Euler's; their names are the codes of the misconceptions.
+# Schemes that students take for Euler's; their names are the codes of the misconceptions.
 SCHEMES_TRIED = ("heun", "midpoint", "ralston", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
-# Only velocities of such a table are right.
+# With these causes only the velocities of a table are right.
 OTHER_STEP, DEGREE_STEPS = "other_step", "degree_steps"
 _WHOLE = 0.01
-# Velocities from this part of a column's largest on tell how long a step was.
+# The length of a step is read off where the velocity is at least this part of its column's largest.
 _FAST = 0.2
-# How often a step with the velocities of its own end is repeated, until it stands to so much (rad or m).
+# An implicit step is iterated at most so often, until it changes by less than _STANDS (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
 MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", "radian_mode")
@@ -44,10 +44,10 @@ def claims(
     others: Mapping[str, Array],
     equations: EquationMarks | None = None,
 ) -> Iterator[Claim]:
-    """Yield every hypothesis but Euler's own.
+    """Yield the claims of every hypothesis except Euler's rules themselves.
 
-    `confusions` gives data by name with another value (rubric); `others` tables (n, m + r) of other variants by name;
-    `equations` those that were handed in.
+    `confusions` maps names of data to another value (from the rubric), `others` names of other variants to their tables
+    (n, m + r); `equations` are those handed in.
     """
     back = turned_back(printed.key, printed.student)
     if back is not None:
@@ -66,7 +66,7 @@ def claims(
 
 
 def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
-    """Steps of other schemes, each a function of the row's own angles; of Euler with the time of a row beside."""
+    """Yield claims of steps by other schemes from the row's own angles, and of Euler's with the time or rates of another row."""
     h, m, velocities_at = printed.key.step, printed.m, printed.key.velocities_at
 
     def increments(t: Array, q: Array, w: Array, scheme: Scheme, ahead: float, clock: float) -> Array:
@@ -75,7 +75,7 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
 
         return np.asarray(scheme.step(slopes, t, np.zeros_like(q), h))
 
-    # Of another scheme the time may have been left that of the row in all stages: clock 0.
+    # In another scheme all stages may have used the time of the row: clock 0.
     tried = [(name, SCHEMES[name], 0.0, clock) for name in SCHEMES_TRIED for clock in (1.0, 0.0)]
     tried += [("step_ahead", EULER, h, 1.0), ("step_behind", EULER, -h, 1.0)]
     for code, scheme, ahead, clock in tried:
@@ -101,9 +101,9 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def _from_rows_before(key: Key, weight: float = 1.0) -> Array:
-    """Return the table (n, m + r) whose steps use the velocities of the row before with a weight, its own with what is left.
+    """Return the table (n, m + r) whose steps use the velocities of the row before with this weight, and its own with the rest.
 
-    The first row has its own only.
+    The first step uses only the first row's velocities.
     """
     m = len(key.coordinates)
     rates: list[Array] = []
@@ -116,14 +116,14 @@ def _from_rows_before(key: Key, weight: float = 1.0) -> Array:
 
 
 def _of_rows_above(key: Key) -> Array:
-    """Return the table (n, m + r) whose velocities are those of the row above from the second row on, in print and in steps."""
+    """Return the table (n, m + r) that, from row 2 on, prints the velocities of the row above and steps with them."""
     m, table = len(key.coordinates), _from_rows_before(key)
     table[1:, m:] = table[:-1, m:].copy()
     return table
 
 
 def _of_angles_above(key: Key) -> Array:
-    """Return the table (n, m + r) whose velocities have the time of their row and the angles of the row above."""
+    """Return the table (n, m + r) whose velocities are computed with the row's time, but with the angles of the row above."""
     rows: list[Array] = []
 
     def velocities_at(t: Array, q: Array) -> Array:
@@ -134,7 +134,7 @@ def _of_angles_above(key: Key) -> Array:
 
 
 def _implicit(key: Key, m: int, new: float, t: Array, q: Array, w: Array) -> Array:
-    """Return the increments (n, m) of steps with this part of the new row's velocities, NaN where repetition finds none."""
+    """Return increments (n, m) with the part `new` of the next row's velocities; NaN if the iteration does not converge."""
     h, found = key.step, key.step * w[:, :m]
     for _ in range(_REPEATED):
         before = found
@@ -145,7 +145,7 @@ def _implicit(key: Key, m: int, new: float, t: Array, q: Array, w: Array) -> Arr
 
 
 def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
-    """Velocities of another time, or printed a row too late or too early."""
+    """Yield claims of velocities at another time or with other angles, or printed a row too late or too early."""
     h, m = printed.key.step, printed.m
     times = [("time_ahead", 1.0, h), ("time_behind", 1.0, -h), ("time_in_rows", 1 / h, 0.0), ("time_in_rows", 1 / h, 1.0)]
     for code, part, ahead in (*times, ("time_still", 0.0, 0.0), ("time_still", 0.0, 1.0)):  # p where p*t was meant
@@ -166,7 +166,7 @@ def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def _steps(printed: TableUnderTest) -> Iterator[Claim]:
-    """Steps with rounded velocities, or of another length."""
+    """Yield claims of steps with rounded velocities, with rad/s added to degrees, or of another length."""
     h, m = printed.key.step, printed.m
     units = printed.w_units[:, :m]
     for decimals in ROUNDED_TO:
@@ -198,38 +198,38 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def _of_degrees(key: Key) -> Array:
-    """Return what of each coordinate's step (m,) is made where velocities in rad/s are added to angles in degrees."""
+    """Return the part (m,) of each coordinate's step that is made if velocities in rad/s are added to angles in degrees."""
     return np.array([_DEGREE if one.unit == "rad" else 1.0 for one in key.variant.coordinates])
 
 
 def _steps_of_degrees(printed: TableUnderTest) -> tuple[Array, Array]:
-    """Return coordinates (n, m) made by such steps, and their tolerance."""
+    """Return coordinates (n, m) made by adding rad/s to degrees, and their tolerance."""
     each = printed.key.step * _of_degrees(printed.key)
     return printed.steps(each * printed.w, each * printed.w_units[:, : printed.m])
 
 
 def told_step(step: float) -> str:
-    """Return a step (s) with the digits that a sentence says."""
+    """Return a step (s) with as many digits as a sentence tells."""
     return f"{step:.4g}"
 
 
 def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:
-    """Return the velocities (n, r) of part of the rows' times, or of times `ahead` (s) of them."""
+    """Return the velocities (n, r) at the times `part` * t + `ahead` (s)."""
     return key.velocities_at(np.asarray(part * t + ahead), q)
 
 
 def _longer(step: float | Array, m: int, t: Array, q: Array, w: Array) -> Array:
-    """Return the increments (n, m) of steps of another length, s."""
+    """Return the increments (n, m) of Euler steps of the length `step`, s."""
     return step * w[:, :m]
 
 
 def _rounded(h: float, m: int, decimals: int, t: Array, q: Array, w: Array) -> Array:
-    """Return the increments (n, m) of steps with velocities of so many decimals."""
+    """Return the increments (n, m) of steps with velocities rounded to so many decimals."""
     return h * np.round(w[:, :m], decimals)
 
 
 def _small_steps(key: Key, m: int, times: int, t: Array, q: Array, w: Array | None = None) -> Array:
-    """Return the increments (n, m) of each row in so many steps in the place of one."""
+    """Return the increments (n, m) of rows made in several Euler steps each (`times`) instead of one."""
     h, moved = key.step / times, q
     for place in range(times):
         moved = moved + h * key.velocities_at(t + place * h, moved)[:, :m]
@@ -237,9 +237,9 @@ def _small_steps(key: Key, m: int, times: int, t: Array, q: Array, w: Array | No
 
 
 def _parts(printed: TableUnderTest) -> list[float]:
-    """Return which parts of the task's step may have been made: the usual ones, that of the own times, that of the own steps.
+    """Return possible steps as parts of the task's: usual ones, the one of the table's own times, the one its steps show.
 
-    The last one is what half of the steps lie above, in seconds to two digits, as a step is typed.
+    The last one is the median of step over velocity, in seconds to two digits, as a step is typed.
     """
     h, own = printed.key.step, printed.student.own
     parts = [*STEPS, *([own.step / h] if own else [])]
@@ -253,7 +253,7 @@ def _parts(printed: TableUnderTest) -> list[float]:
 
 
 def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Claim]:
-    """Velocities of moved angles, misread drives but those `apart`, one velocity with the other sign or of the row above."""
+    """Yield claims: angles moved before later blocks, misread formulas (not `apart`), a velocity with wrong sign or row."""
     key, h, m = printed.key, printed.key.step, printed.m
     solved: list[int] = []
     moved = printed.true_velocities[0].copy()
@@ -278,7 +278,7 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
         if code not in apart and (velocities := key.misread(code)):
             yield from printed.velocity_claim(code, velocities)
             if code == "radian_mode" and printed.nearly(misread := printed.stacked(velocities)(printed.q)):
-                # Who works with degrees as if they were radians adds rad/s to them, too.
+                # Students who take degrees for radians also add rad/s to them.
                 spread = printed.spread(printed.stacked(velocities))
                 claim = printed.claim(code, _steps_of_degrees(printed), printed.velocities(misread, spread))
                 yield replace(claim, table=printed.marched(velocities, partial(_longer, h * _of_degrees(key), m)))

@@ -1,4 +1,4 @@
-"""Which hypothesis explains a wrong table: named only where the printed digits prove it, worth what it explains.
+"""Which hypothesis explains a wrong table: it is named only if the printed digits prove it, and earns what it explains.
 
 Enters: a `Key`, marked cells.  Leaves: `Found`.
 Used by `earning.py`, `grade.py`, `whole.py`, `verdicts.py`, `table_marks.py`, and the reasons of a table.
@@ -28,17 +28,17 @@ from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
+# A cause is named from the share NAMED on, if it explains BETTER more than Euler's rules; one that is worse by TIE is a tie.
 NAMED, BETTER, TIE = 0.93, 0.02, 0.005
-# A table wrong in fewer cells has slips, not a misconception.
+# A table with at most so many wrong cells, or this part of its cells, has slips, not a misconception.
 FEWEST, FEWEST_SHARE = 2, 0.02
-# A hypothesis whose own table Euler's rules explain so well is not told from them by the printed digits.
+# If Euler's rules explain this part of a hypothesis's own table, the printed digits cannot tell the two apart.
 ALIKE = 0.98
-# How many of those that explain most have their whole table made.
+# For so many of the hypotheses that explain most the whole table is computed.
 _CLOSER = 3
 _ROUND_OFF = 1e-9
 ROWS_SHIFTED, ROUNDED_OMEGA = "rows_shifted", "rounded_omega_"
-# Whose steps are of another length: of such a table the velocities alone are right.
+# Causes with steps of another length: in such a table only the velocities are right.
 OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS)
 
 
@@ -46,7 +46,7 @@ OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS)
 class Misconception:
     """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much.
 
-    `names` are the columns, starts or equations that it speaks of, a datum's value and unit, a step's value, () for most.
+    `names` are the columns, starts or equations concerned, or a datum's value and unit, or a step's value; mostly empty.
     """
 
     code: str
@@ -63,9 +63,9 @@ class Misconception:
 
 @frozen
 class Fit:
-    """A hypothesis and the share of the table's cells that it or the key explains, behind the gates of the points.
+    """A hypothesis (`code`) and the share of the cells that it or the key explains, with the gates of the points.
 
-    Of steps of another length only velocities: the steps are wrong, whichever rows of them stand on the grid.
+    For steps of another length only velocities count: the steps are wrong, whichever of their rows are on the grid.
     """
 
     code: str
@@ -75,10 +75,10 @@ class Fit:
 
 @frozen
 class Found:
-    """What is `named` with ground, and what explains anything at all, one `Fit` a code.
+    """What is `named` with good reason, and what explains anything at all, one `Fit` for each code.
 
-    `from_own_start` is the table marked against Euler's from the student's own start, None where that explains nothing; `untold`
-    (n, m + r) the right cells that the digits cannot tell from what explains most, None where nothing does.
+    `from_own_start` is the table marked against Euler's from the student's own start, None if that explains nothing. `untold`
+    (n, m + r) are right cells that the digits cannot tell from the best explanation; None if the table was not examined.
     """
 
     named: Misconception | None = None
@@ -88,14 +88,14 @@ class Found:
 
     @property
     def own_line(self) -> str:
-        """Return the line of the student's own equations that all follows from, "" where it does not."""
+        """Return the line of the student's own equations from which the table follows, "" if it follows from none."""
         return next((fit.names[0] for fit in self.fits if fit.code == OWN and fit.share >= NAMED), "")
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
-    """Return whether a table of `count` cells is wrong in so many, or in start or times, that a misconception is looked for.
+    """Return whether to look for a misconception: of `count` cells many are wrong, or the start, the times or whole rows are.
 
-    Under a steady drive the rows behind one that stands twice follow each other again, and few cells are wrong.
+    In a steady drive the rows after a repeated one follow each other again, and few cells are wrong.
     """
     wrong = int(cells.wrong.sum())
     if wrong > max(FEWEST, FEWEST_SHARE * count) or begins_elsewhere(key, cells) or cells.student.own is not None:
@@ -111,10 +111,10 @@ def explanations(
     hidden: Container[str] = (),
     equations: EquationMarks | None = None,
 ) -> Found:
-    """Return what explains a table, as far as it explains more than Euler's rules do.
+    """Return the causes that explain more of a table than Euler's rules do.
 
-    A table that begins elsewhere may follow Euler's rules in every row; what says the whole table is then held against the key.
-    Nothing explains one that stands still: zeros fulfil every rule of a step.
+    A table that begins elsewhere may follow Euler's rules in every row; a cause that claims the whole table is then compared
+    with the key.  Nothing explains a table that stands still: zeros fulfil every rule for a step.
     """
     if stands_still(key, cells):
         return Found()
@@ -125,7 +125,7 @@ def explanations(
     began = own_start(key, cells)
     elsewhere = began is not None or begins_elsewhere(key, cells)
     by_key = np.asarray(cells.marks == KEY)
-    stands = share_of(by_key & spoken, spoken)  # under a steady drive rows in wrong places follow Euler's rules all the same
+    stands = share_of(by_key & spoken, spoken)  # in a steady drive, rows in wrong places still follow Euler's rules
     key_share = stands if elsewhere else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
@@ -133,7 +133,7 @@ def explanations(
     read_off: set[str] = set()
     most_told: tuple[float, bool] = (explained | by_key).sum() + BETTER * spoken.sum(), False
     teller: tuple[Claim, Flags] | None = None
-    # A closer look is for what does not explain everything.
+    # Causes that leave something unexplained are examined again below.
     most = int(spoken.sum())
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden and not claim.code.startswith(ROUNDED_OMEGA):
@@ -164,8 +164,8 @@ def explanations(
     if (own := cells.student.own) and (fitting := _other_step(key, cells)):
         share, fit = fitting
         if share >= NAMED:
-            # Its own times say so, where its digits do not too; of rows that leave steps of the task out, other rules explain
-            # the velocities alone.
+            # The table's own times prove the step, even if its digits do not; if its rows leave out steps of the task, other
+            # rules explain only the velocities.
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
             named[OTHER_STEP] = max(share, named.get(OTHER_STEP, (0.0,))[0]), euler_share, (told_step(own.step),)
             untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
@@ -186,12 +186,12 @@ def explanations(
 
 
 def is_one_thing(code: str, names: Sequence[str]) -> bool:
-    """Return whether a cause is one thing: slips in several equations, a slip each, are not."""
+    """Return whether a cause is a single fault; slips in several equations are several."""
     return len(names) < 2 or not code.startswith("equation_")
 
 
 def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
-    """Return the right cells (n, m + r) that too few digits do not tell from what a claim makes, where that `holds`."""
+    """Return right cells (n, m + r) whose digits are too few to differ from what a claim expects, where the claim `holds`."""
     if claim.student is not None:
         return np.zeros_like(holds)
     table = claim.table() if claim.table else None
@@ -205,9 +205,9 @@ def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
 
 
 def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
-    """Return which cells are right where the velocities of a claim are the task's: slips in them are as in any table.
+    """Return which cells are right if the velocities of a claim are taken for the task's, slips being marked as in any table.
 
-    A cell that is the task's was the claim's before it was put right, and what follows from that costs nothing.
+    A cell with the task's value had the claim's before it was put right; what follows from the earlier value is right too.
     """
     assert claim.velocities_at is not None
     own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part, task=key)
@@ -224,7 +224,7 @@ def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
 
 
 def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
-    """Return which cells a claim explains as a whole table, or by what stood there before others were put right."""
+    """Return which cells a claim explains by its whole table, or by the values that stood there before cells were put right."""
     values = cells.student.values
     with np.errstate(invalid="ignore"):
         put = (cells.marks == KEY) & (np.abs(values - claim.expected) > claim.tolerance)
@@ -243,7 +243,7 @@ def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
-    """Return which share of the rows of the student's own times Euler's rule explains, and which of the velocities are right."""
+    """Return two shares that are right on the table's own times: of all cells, of velocities; None if these are the task's."""
     own = on_own_rows(key, cells.student)
     if own is None:
         return None
@@ -254,8 +254,8 @@ def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
 def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:
     """Return the hypotheses that columns printed with `units` (m + r,) cannot tell from Euler's rules; NaN: no such column.
 
-    Each speaks about the right table; where what it expects lies within Euler's tolerance, its own table would pass as right.
-    One that expects nothing else at all is none.
+    Each hypothesis is applied to the right table; if it expects values within Euler's tolerance, its own table would pass as
+    right.  A hypothesis that expects nothing different from Euler's rules is left out.
     """
     right = mark_cells(key, StudentTable(key.table, np.broadcast_to(units, key.table.shape)))
     allowed = np.fmax.reduce([way.tolerance for way in right.ways])
@@ -277,16 +277,16 @@ def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = 
 
 
 def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
-    """Return which cells follow Euler's rules, and of which they speak (start values apart)."""
+    """Return which cells follow Euler's rules, and which cells these speak about: all that are shown except start values."""
     spoken = ~cells.missing
     spoken[0, : len(key.coordinates)] = False
     return cells.follows & spoken, spoken
 
 
 def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> tuple[Cells, Flags, Flags]:
-    """Return the cells that a claim speaks about, which of them it explains, which it says anything of.
+    """Return the cells that a claim speaks about, and flags: which of them it explains, and about which it says anything.
 
-    `explained` and `spoken` are Euler's.
+    `explained` and `spoken` are the same flags for Euler's rules, which hold in columns that the claim leaves alone.
     """
     if claim.student is not None:
         put_right = mark_cells(key, claim.student)
@@ -301,5 +301,5 @@ def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Fla
 
 
 def share_of(explained: Flags, spoken: Flags) -> float:
-    """Return how many of the cells spoken about are explained; 0 where none are."""
+    """Return the share of the cells spoken about that are explained; 0 if there are none."""
     return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0

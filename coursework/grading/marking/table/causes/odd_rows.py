@@ -1,4 +1,4 @@
-"""Rows of a table that are the row before once more, and rows that belong elsewhere.
+"""Rows of a table that repeat the row before, and rows that belong elsewhere.
 
 Enters: a `Key`, marked cells.  Leaves: numbers of rows (from 1), runs of rows.  Used by `table.py`, `misconceptions.py`.
 """
@@ -13,13 +13,13 @@ from coursework.grading.marking.table.ways import as_printed, near
 from coursework.system.arrays import Array, Flags, shifted
 from coursework.system.frozen import frozen
 
-# Rows that must follow each other shifted by as much, before anybody speaks of a shift; how far one is looked for.
+# A shift is told if so many successive rows are shifted by the same number, which is at most FARTHEST.
 FEWEST_SHIFTED, FARTHEST = 3, 3
 
 
 @frozen
 class Shift:
-    """Rows `first` to `last` (from 1) hold what belongs `by` rows below (above where negative)."""
+    """Rows `first` to `last` (from 1) hold what belongs `by` rows further down (further up if negative)."""
 
     first: int
     last: int
@@ -27,7 +27,7 @@ class Shift:
 
 
 def repeated_rows(key: Key, cells: Cells) -> tuple[int, ...]:
-    """Return the rows (from 1) whose printed numbers are those of the row before, where the key's are others."""
+    """Return the rows (from 1) that print the numbers of the row before, although the key's rows differ."""
     values = cells.student.values
     there = np.isfinite(values[1:]) & np.isfinite(values[:-1])
     same = (values[1:] == values[:-1]) & there
@@ -37,7 +37,7 @@ def repeated_rows(key: Key, cells: Cells) -> tuple[int, ...]:
 
 
 def displaced_rows(key: Key, cells: Cells) -> tuple[Shift, ...]:
-    """Return the runs of rows that are rows of the key, but others than where they stand."""
+    """Return the runs of rows that agree with rows of the key, but not with the row where they stand."""
     count = len(key.table)
     at_home = _rows_alike(key, cells, 0)
     found: list[Shift] = []
@@ -48,7 +48,7 @@ def displaced_rows(key: Key, cells: Cells) -> tuple[Shift, ...]:
 
 
 def _rows_alike(key: Key, cells: Cells, by: int) -> Flags:
-    """Return which rows (n,) are the key's row `by` below, in every cell that is there."""
+    """Return which rows (n,) agree, in every cell that is there, with the key's row that is `by` further down."""
     values = cells.student.values
     expected = shifted(key.table, -by)
     there = np.isfinite(values) & np.isfinite(expected)
@@ -61,6 +61,6 @@ def _tolerance(key: Key, cells: Cells) -> Array:
 
 
 def _runs(rows: Flags, by: int) -> list[Shift]:
-    """Return the runs of at least `FEWEST_SHIFTED` rows."""
+    """Return the runs of at least `FEWEST_SHIFTED` successive rows."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], rows, [False]]).astype(int))).reshape(-1, 2)
     return [Shift(first + 1, last, by) for first, last in edges.tolist() if last - first >= FEWEST_SHIFTED]

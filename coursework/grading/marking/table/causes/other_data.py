@@ -1,6 +1,6 @@
-"""What a wrong table may have been made with: other numbers, another table, or its columns meant otherwise.
+"""What a wrong table may have been made with: other data, another table, or columns with another meaning.
 
-Enters: a table as hypotheses see it, the rubric's confusions, tables of other variants.  Leaves: `Claim`s.
+Enters: a `TableUnderTest`, the rubric's confusions, tables of other variants.  Leaves: `Claim`s.
 Used by `hypotheses.py`.
 """
 
@@ -23,17 +23,17 @@ from coursework.variant.formula.units import size_of
 from coursework.variant.record.entries import Given
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
-_OF_FREQUENCIES = (2 * np.pi, 0.5 / np.pi)  # turns a second for radians a second, and the other way round
-# Columns count as exchanged where, put back, this part of them is the key's, or where the start values are.
+_OF_FREQUENCIES = (2 * np.pi, 0.5 / np.pi)  # turns per second taken for radians per second, and the other way round
+# Columns count as exchanged if, exchanged back, this part of them agrees with the key, or if their start values do.
 _LIKE_KEY = 0.5
 _TURN = 2 * np.pi
-# How often a datum is mended to what velocities tell, with slopes over so small a part; of the largest slope, what is felt;
-# from which part on the value is another.
+# A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
+# counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-3
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
-    """Velocities with a datum ten times, twice, turned round, left out or as they tell it; with two exchanged or one declared."""
+    """Yield claims of velocities with other data: one scaled, negated, left out, confused or read off, or two exchanged."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
         (f"datum_{datum.name}", {datum.name: factor * datum.value})
@@ -54,14 +54,14 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
         shown = _shown(by_code[code], *data.values()) if code in by_code else ()
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found, shown)
     read_off = [(datum, value) for datum, read in _values_read_off(printed) for value in {read: None, float(f"{read:.3g}"): None}]
-    for datum, value in read_off:  # as it is read off, and as it may have been typed
+    for datum, value in read_off:  # as computed from the table, and rounded as it may have been typed
         at = partial(printed.key.velocities_at, data={datum.name: value})
         for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
 
 
 def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
-    """Return whether nothing is divided by a datum alone."""
+    """Return whether the velocities can be computed with a datum of 0, without a division by zero."""
     try:
         printed.key.velocities_at(printed.key.t[:1], printed.key.table[:1, : printed.m], data={datum.name: 0.0})
     except ArithmeticError:
@@ -70,13 +70,13 @@ def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
 
 
 def _shown(datum: Given, value: float) -> tuple[str, ...]:
-    """Return a value and its unit as a sentence says them, nothing of a number without a unit."""
+    """Return a value and its unit as a sentence tells them; empty for a number without a unit."""
     unit = datum.unit or datum.si
     return (f"{value / (size_of(datum.unit) or 1.0):.4g}", unit) if unit else ()
 
 
 def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
-    """Yield each datum with the value that half of the printed velocities that feel it lie above, where that is another."""
+    """Yield each datum with the median of the values that the printed velocities give for it, if that is not the task's."""
     key, given = printed.key, [datum for datum in printed.key.variant.given if datum.value]
     task = np.array([datum.value for datum in given])
     if not printed.closely or not len(given):
@@ -98,12 +98,12 @@ def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
 
 
 def _medians(rows: Array) -> Array:
-    """Return the median (k,) of what is a number in each row (k, n), 0 of none."""
+    """Return the median (k,) of the finite numbers in each row (k, n), 0 if there are none."""
     return np.array([np.median(row[np.isfinite(row)]) if np.isfinite(row).any() else 0.0 for row in rows])
 
 
 def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterator[Claim]:
-    """The exact motion, or the table of another variant of the class."""
+    """Yield claims that the table is the exact motion, that of another variant of the class, or that of another assembly."""
     units = np.nan_to_num(printed.student.units)
     key = printed.key
     exact = np.full_like(key.table, np.nan)
@@ -118,19 +118,19 @@ def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterat
 
 
 def _whole(code: str, table: Array, units: Array) -> Claim:
-    """Return the claim that a table is another one, printed with these last places."""
+    """Return the claim that the whole table is another one, printed with `units` of the last places."""
     return Claim(code, table, HALF * units + SLACK * np.ptp(table, axis=0), is_whole=True, table=lambda: table)
 
 
 def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
-    """A row that stands twice or is left out, and every row after it beside another time."""
+    """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time."""
     student = put_back(printed)
     if student is not None:
         yield _as_euler("rows_shifted", student)
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
-    """Two columns of one kind exchanged; an angle counted from another axis or the other way round."""
+    """Yield claims that two columns are exchanged, or that an angle is counted from another axis or in the other direction."""
     yield from _exchanged(printed)
     key, student, m = printed.key, printed.student, printed.m
     for place in range(m):
@@ -147,7 +147,7 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
-    """Two columns exchanged; whole turns are taken off after they are put back."""
+    """Yield claims that two columns are exchanged; whole turns are taken off after they are exchanged back."""
     key, student, m = printed.key, printed.student, printed.m
     turns = np.zeros(student.values.shape) if student.turns is None else student.turns
     tolerance = as_printed(key, np.nan_to_num(student.units))
@@ -171,7 +171,7 @@ def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def _turns(key: Key, place: int, values: Array) -> float:
-    """Return the whole turns (rad) that a column stands beside the key's from its first value on, 0 where it is no angle."""
+    """Return the whole turns (rad) by which a column's first value differs from the key's, 0 if it is no angle."""
     off = (values - key.table[:, place])[np.isfinite(values)]
     if key.variant.unit_of(key.names[place]) != "rad" or not len(off):
         return 0.0
@@ -179,6 +179,6 @@ def _turns(key: Key, place: int, values: Array) -> float:
 
 
 def _as_euler(code: str, student: StudentTable, names: tuple[str, ...] = ()) -> Claim:
-    """Return the claim that a table put right is Euler's."""
+    """Return the claim that the table `student`, in which the cause is undone, follows Euler's rules."""
     blank = np.full(student.values.shape, np.nan)
     return Claim(code, blank, blank, student, is_whole=True, names=names)

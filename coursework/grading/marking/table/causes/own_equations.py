@@ -1,9 +1,9 @@
-"""A table made from slightly wrong equations: which single slip in which equation it follows from, handed in or not.
+"""A table made from slightly wrong equations: the single slips in equations from which it follows, handed in or not.
 
-Enters: a table as hypotheses see it, marked equations.  Leaves: `Claim`s.  Used by `hypotheses.py`, `misconceptions.py`,
+Enters: a `TableUnderTest`, marked equations.  Leaves: `Claim`s.  Used by `hypotheses.py`, `misconceptions.py`,
 `whole.py`, `earning.py`.
-A slip in one equation spoils every number after it; whoever then solves and steps without fault has done that work.  Each
-equation is tried by itself on the student's own numbers, so that slips in several are found as well as one.
+A slip in one equation spoils every number after it; a student who then solves and steps without fault has done that work.  Each
+equation is tried by itself on the student's own numbers, so that slips in several equations are found as well as in one.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number
 
-# A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
+# A line was used as it stands if it holds in _HOLDS of the rows; with a slip, if that holds in _BETTER more of them.
 _HOLDS, _BETTER = 0.9, 0.1
 _SINGULAR = 1e-9
-_FAR = 3.0  # limits, from which on a row is no farther off
+_FAR = 3.0  # a row farther off than so many tolerances counts as no farther
 OWN = "own_equations"
 _AT_START = "(0)"
 
 
 @frozen
 class Line:
-    """One line of a system: its name, left - right, every single edit of it; `is_wrong` where it was handed in so."""
+    """One line of a system: its name, left - right, all its single edits; `is_wrong` if it was handed in and is wrong."""
 
     name: str
     tree: Formula
@@ -45,7 +45,7 @@ class Line:
 
 @frozen
 class Used:
-    """A line as a table uses it, `holds` in which part of its rows; `slip` is its name where it is wrong, "" where not."""
+    """A line as a table uses it; it `holds` in this part of the rows; `slip` is the line's name if it is wrong, else ""."""
 
     tree: Formula
     holds: float
@@ -53,7 +53,7 @@ class Used:
 
 
 def equation_claims(printed: TableUnderTest, marks: EquationMarks | None) -> Iterator[Claim]:
-    """Yield the claims that the velocities solve the equations of the task, or those handed in, with slips in single lines."""
+    """Yield claims that the velocities solve the task's equations, or those handed in, with slips in single lines."""
     yield from _claim(printed, "equation", _used(printed, _task_lines(printed.key)))
     if marks is None or any(mark.hint is None for mark in marks.wrong):
         return
@@ -68,7 +68,7 @@ def equation_claims(printed: TableUnderTest, marks: EquationMarks | None) -> Ite
 
 
 def _task_lines(key: Key) -> tuple[Line, ...]:
-    """Return the equations of the task, written or derived from its geometry, without those with terms that have no name."""
+    """Return the equations of the task, written or derived from its geometry, except those with terms that have no name."""
 
     def found() -> tuple[Line, ...]:
         equations, alike = key.model.equations, kinds(key.variant)
@@ -84,7 +84,7 @@ def _task_lines(key: Key) -> tuple[Line, ...]:
 
 
 def _left_out(tree: Formula, coordinates: Sequence[str]) -> Iterator[Edit]:
-    """Yield a right equation without one of its terms, and with a coordinate that stands at its start in one place."""
+    """Yield edits of a right equation: a term left out, or a coordinate kept at its start value in one place."""
     for path, node, is_term, _ in places(tree):
         if is_term and path:
             yield Edit("factor", path, number(0), 0)
@@ -93,7 +93,7 @@ def _left_out(tree: Formula, coordinates: Sequence[str]) -> Iterator[Edit]:
 
 
 def _names(key: Key, t: Array, q: Array) -> dict[str, Any]:
-    """Return the values of all names at times (n,) and positions (n, m), and those of the coordinates at the start."""
+    """Return the values of all names at times (n,) and positions (n, m), and the start values of the coordinates."""
     starts = {name + _AT_START: key.table[0, place] for place, name in enumerate(key.coordinates)}
     return {**names_at(key, t, q), **starts}
 
@@ -115,7 +115,7 @@ def _claim(printed: TableUnderTest, code: str, used: Sequence[Used]) -> Iterator
 
 
 def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
-    """Return each line as the table uses it: as it stands, or with the single slip that explains more of its rows."""
+    """Return each line as the table uses it: as it stands, or with the single slip that explains clearly more rows."""
     key, m, student = printed.key, printed.m, printed.student
     if not lines:
         return []
@@ -148,13 +148,13 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
             after = values.after(edit) if values else None
             if after is None or np.iscomplexobj(after):
                 continue
-            off = np.abs(after) / limit  # nan where there is no value: no row that holds
+            off = np.abs(after) / limit  # nan where there is no value: such a row does not hold
             share = float(np.count_nonzero(off <= 1.0)) / int(there.sum())
             if share <= holds + _BETTER or share < best:
                 continue
             far = float(
                 np.nanmean(np.minimum(off, _FAR) ** 2)
-            )  # few digits leave several edits in every row: the nearest is meant
+            )  # with few digits several edits fit every row: the nearest one is taken
             if (share, -far) > (best, -closest):
                 best, closest = share, far
                 used = Used(applied(line.tree, edit), share, line.name)
@@ -163,12 +163,12 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
 
 
 def _solved(key: Key, trees: Sequence[Formula], t: Array, q: Array) -> Array:
-    """Return the velocities (n, r) that the first independent ones of some equations give, NaN where these are singular."""
+    """Return the velocities (n, r) from the first independent equations, NaN where these are singular."""
     sought = key.variant.sought
     names = _names(key, t, q)
     rows, count = len(t), len(sought)
 
-    # All velocities zero, then each of them one by itself: (count + 1, rows) at once.
+    # All velocities zero, then each one alone equal to 1: (count + 1, rows) at once.
     known = {**names, **dict(zip(sought, np.eye(count + 1, count, -1).T[..., None], strict=True))}
     rest, *others = np.stack([real(value_of(tree, known), count + 1, rows) for tree in trees], axis=-1)
     matrix = np.stack([one - rest for one in others], axis=-1)
@@ -189,7 +189,7 @@ def _solved(key: Key, trees: Sequence[Formula], t: Array, q: Array) -> Array:
 
 
 def _independent(matrix: Array) -> list[int]:
-    """Return the places of the first independent lines of a matrix (n, lines, k), as most of a few of its points see them."""
+    """Return the places of the first independent lines in matrices (n, lines, k), judged at most of a few of the n points."""
     if not len(matrix):
         return []
     points = matrix[np.linspace(0, len(matrix) - 1, min(5, len(matrix))).round().astype(int)]

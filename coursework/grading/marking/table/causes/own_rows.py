@@ -1,4 +1,4 @@
-"""A table made with another step, seen on its own rows: all of them, whichever of them stand on the task's grid.
+"""A table made with another step, marked on all its own rows, whichever of them are on the task's grid.
 
 Enters: a `Key`, a student's table.  Leaves: that table marked as if its own step were the task's.  Used by `misconceptions.py`.
 """
@@ -15,7 +15,7 @@ from coursework.words.errors import CourseworkError
 
 @dataclass(frozen=True)
 class OnOwnRows:
-    """The `key` of the student's own step, the `cells` marked by it, which part (0 to 1) of the task's rows they fill."""
+    """The `key` for the student's own step, the `cells` marked by it, and the part (0 to 1) of the task's rows they fill."""
 
     key: Key
     cells: Cells
@@ -23,7 +23,7 @@ class OnOwnRows:
 
 
 def on_own_rows(key: Key, student: StudentTable) -> OnOwnRows | None:
-    """Return a table on its own rows, None where its times are the task's."""
+    """Return a table marked on its own rows, None if its times are the task's or a motion with its step cannot be computed."""
     own = student.own
     if own is None:
         return None

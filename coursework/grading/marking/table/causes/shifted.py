@@ -1,7 +1,7 @@
-"""A table that is right but for one row too many or too few: a row stands twice, is left out, or stands before the first.
+"""A table that is right except for one row too many or too few: a row is repeated, left out, or put before the first.
 
-Enters: a table as hypotheses see it.  Leaves: the table with its rows put back.  Used by `other_data.py`.
-From the slip on every row stands beside another time, and nothing follows any more; put back, the slip costs the row.
+Enters: a `TableUnderTest`.  Leaves: the table with its rows put back.  Used by `other_data.py`.
+From the slip on, every row stands beside another time and no longer follows; with the rows put back, the slip costs one row.
 """
 
 from __future__ import annotations
@@ -13,19 +13,19 @@ from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.system.arrays import Array, Flags
 
-# The rows are looked at closer where shifted ones have so large a part of their cells right.
+# The rows are put back only if then at least this part of the cells is right.
 _ENOUGH = 0.5
 
 
 def put_back(printed: TableUnderTest) -> StudentTable | None:
-    """Return the table without the row that is too many, or with an empty row where one is left out; None where neither is.
+    """Return the table without the surplus row, or with an empty row where one is left out; None if there is neither.
 
-    What is right where it stands is right in the rows put back too: it was as the others before it was put right.
+    A cell that is right where it stands is right in the rows put back too: its value was shifted before it was put right.
     """
     student, count = printed.student, len(printed.student.values)
     stands = printed.of_task
     as_it_is, late, early = (_right(printed, stands, by) for by in (0, -1, 1))
-    best, made = as_it_is.sum() + student.values.shape[1], None  # the row that is then missing
+    best, made = as_it_is.sum() + student.values.shape[1], None  # by at least the cells of the row that then is missing
     for place in range(1, count):
         before = as_it_is[:place].sum()
         if before + late[place:].sum() > best:
@@ -47,9 +47,10 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
 
 
 def _right(printed: TableUnderTest, stands: Flags, by: int) -> Array:
-    """Return how far each row (n,) is the one `by` further on, in cells: coordinates the key's, velocities its or of own angles.
+    """Return how far each row (n,) agrees with the one `by` further on, in cells: coordinates with the key, velocities too.
 
-    Both must be, or only the velocities are those of another time; what `stands` (n, m + r) right was as the others of its row.
+    Velocities may also follow from own angles; the worse share counts, as velocities alone may be those of another time.
+    Cells that are right where they stand (`stands`, (n, m + r)) count as the others of their row.
     """
     key, m, values = printed.key, printed.m, printed.student.values
     last = key.table[-1:, :m] + key.step * key.table[-1:, m : 2 * m]

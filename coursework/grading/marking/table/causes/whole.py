@@ -1,8 +1,8 @@
-"""A table printed with few digits that is, as a whole, what one cause makes: with all the digits that cause gives it.
+"""A table printed with few digits that is, as a whole, what one cause makes: it is restored with all digits of that cause.
 
 Enters: marked cells, the claims.  Leaves: `AsMade`.  Used by `grade.py`.
-With few digits each step may lie within what they leave open of Euler's, and the table still be made by another rule from its
-first row to its last.  What it earns is then worked out with all digits: the same fault costs the same with any.
+With few digits each step may be within Euler's tolerance, although the whole table was made by another rule.
+The points are then computed with all digits, so that the same fault costs the same with any number of digits.
 """
 
 from __future__ import annotations
@@ -23,21 +23,21 @@ from coursework.grading.marking.table.ways import StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# Of a table the part that a cause must make, how much more than the task does, how much of what the task does not: a slip that
-# is carried on leaves the key too, and other causes come nearer by chance.  Fewer cells than name a cause: no single one decides.
+# A cause must make at least _MOST of a table, _MORE more of it than agrees with the task, and _OF_REST of what does not: a slip
+# that is carried on leaves the key too, and other causes come near by chance.  To be named, a cause must make still more.
 _MOST, _MORE, _OF_REST = 0.7, 0.05, 0.6
 
 
 @frozen
 class AsMade:
-    """The `student`'s table with all digits where it is what the cause makes or the task has; what is `named` by it."""
+    """The `student`'s table with all digits in cells that agree with the cause or the task; the cause if it is `named`."""
 
     student: StudentTable
     named: Misconception | None
 
 
 def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
-    """Return the table that a cause makes, where that is most of the one printed and the key's is less; else None."""
+    """Return the table as a cause makes it, None if no cause makes most of it and clearly more than agrees with the key."""
     spoken = cells.counted & ~cells.missing
     right = alike(key, cells.student, key.table)
     by_key = share_of(right & spoken, spoken)
@@ -49,7 +49,7 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
         table = claim.table()
         same = alike(key, cells.student, table)
         share = share_of(same & spoken, spoken)
-        # A cell put right is none against a cause that makes more than the task does.
+        # A cell put right does not count against a cause that makes more than agrees with the task.
         left = spoken & ~same & ~right
         is_most = share > by_key and share_of(spoken & ~left, spoken) >= least and left.sum() <= cells.wrong.sum()
         if is_most and (claim.code not in made or share > made[claim.code][0]):
@@ -61,14 +61,14 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     ties = [code for code in others if is_one_thing(code, made[code][2])]
     share, table, names = made[first]
     same = alike(key, cells.student, table)
-    values = np.where(same, table, np.where(right, key.table, cells.student.values))  # others may be put right
+    values = np.where(same, table, np.where(right, key.table, cells.student.values))  # cells with the task's value were put right
     units = np.where(same | right, FINEST, cells.student.units)
     named = Misconception(first, share, by_key, tuple(ties), names) if share >= NAMED else None
     return AsMade(replace(cells.student, values=values, units=units), named)
 
 
 def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints:
-    """Return the points of a table `made` with all digits, with what is right in print only among what does not count."""
+    """Return the points of a table `made` with all digits; what is right only in print is among what does not count."""
     right, fine = (~one.wrong & ~one.missing & one.counted for one in (cells, made))
     assert points.uncounted is not None
     uncounted = right & ~(fine & ~points.uncounted)
@@ -76,6 +76,6 @@ def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints
 
 
 def _may_be(cells: Cells, claim: Claim, spoken: Flags, right: Flags) -> bool:
-    """Return whether a claim holds, or the task, in most cells of which it says anything: only then its whole table is made."""
+    """Return whether most cells about which a claim speaks agree with it or the task: only then its whole table is computed."""
     says = spoken & np.isfinite(claim.expected)
     return share_of((near(cells.student.values, claim.expected, claim.tolerance) | right) & says, says) >= _MOST
