@@ -35,7 +35,7 @@ def speak(language: str) -> None:
 
 
 def speaks_english() -> bool:
-    """Return whether the output is in English; only then are codes and verdicts, which are English words, printed."""
+    """Return whether the output is in English; only then are codes and verdicts of checks, which are English, printed."""
     return _SPOKEN.get() == ENGLISH
 
 

@@ -61,7 +61,7 @@ class Fault:
 
 
 class CourseworkError(Exception):
-    """Something the user can put right, told by its faults in file order; the command line ends with status 2.
+    """An error that the user can correct, with its faults in file order; the command line then ends with status 2.
 
     >>> import coursework
     >>> text = coursework.load("31").path.read_text(encoding="utf-8")
@@ -88,7 +88,7 @@ class CourseworkError(Exception):
 
 
 class CourseworkWarning(UserWarning):
-    """Something that looks like a slip of the pen, or a motion that ends early, told to whoever computes from Python.
+    """A warning for users of the Python library: a value that looks like a slip, or a motion that ends early.
 
     >>> import warnings
     >>> import coursework
@@ -101,7 +101,7 @@ class CourseworkWarning(UserWarning):
 
 
 class InputError(CourseworkError, ValueError):
-    """The input cannot be used; carries every fault found.
+    """Raised if the input cannot be used; `faults` has every fault found.
 
     >>> import coursework
     >>> coursework.solve("31", step=-0.02)
@@ -116,7 +116,7 @@ class Unplaced(CourseworkError):
 
 
 class OutputError(CourseworkError):
-    """A result could not be written; nothing half-written is left.
+    """Raised if a result could not be written; no unfinished file is left.
 
     >>> import coursework
     >>> coursework.write_report(coursework.solve("31"), "report.docx")

@@ -34,7 +34,7 @@ def _look_at(own: Path) -> None:
     known = [path.relative_to(place).as_posix() for path in templates_in(place)]
     used = [
         name for name in found if name in known or PurePath(name).match("words.*.toml") or name in STYLES
-    ]  # words: of another language too
+    ]  # also words of another language
     if not used:
         advice = next((hint for name in found if (hint := closest(name, known))), "")
         raise InputError([Fault(say("fault.C062", advice=advice, known=tuple(sorted(known))), str(own))])

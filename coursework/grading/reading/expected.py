@@ -14,7 +14,8 @@ from coursework.variant.record.variant import Variant
 class GridColumn:
     """One column of the assigned table: its name, its SI unit (rad, m, 1/s, m/s) and the key's values in SI.
 
-    The reader uses `values` only to tell the unit of a column whose header names none and to find whole turns of an angle.
+    The reader uses `values` only for the unit of a column whose header names none and for whole turns of an angle.  It uses the
+    first row also for the distances between points, to know which length a name such as AB means.
     """
 
     name: str

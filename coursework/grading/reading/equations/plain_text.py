@@ -129,7 +129,7 @@ def _indexed(found: re.Match[str], spellings: Spellings) -> str:
 
 
 def _of_row(found: re.Match[str], spellings: Spellings) -> str:
-    """Return the name of a velocity for its value in the current row, `w3[i]`; other rows, `[i + 1]`, stay as they are."""
+    """Return the name alone for its value in the current row, `w3[i]`; values in other rows, `[i + 1]`, stay as they are."""
     meant = spellings.angle(re.sub(r"[\[\]\s]", "", found[1]))
     return found[0] if meant in (None, "pi") else found[1]
 

@@ -74,7 +74,7 @@ def _best(parts: Sequence[Part], grid: Grid) -> tuple[Part, Table] | None:
 
 
 def _stands(found: Table | Refused) -> bool:
-    """Return whether a result ends the search: a table, or a refusal for uncomputed formulas or for a person to decide."""
+    """Return whether a result is preferred to others of equal weight: a table, or one not computed or for a person to decide."""
     return isinstance(found, Table) or found.trouble.code == "formulas" or found.trouble.state == "needs-review"
 
 

@@ -1,6 +1,6 @@
 """The unit in which a column was printed, from its head or else from its ratio to the key; also whole turns of an angle.
 
-Enters: printed numbers and a `GridColumn`.  Leaves: unit, factor to SI, turns.  The only place that looks at the key's values.
+Enters: printed numbers and a `GridColumn`.  Leaves: unit, factor to SI, turns.  Only here is a table compared with the key.
 Used by `table.py`; `precheck.py` and `feedback.py` print the units.
 """
 

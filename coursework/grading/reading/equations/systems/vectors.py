@@ -1,6 +1,6 @@
 """The vectors of a program, y[0], x(2), dydt[1], Y[k, 0] -> the names of the task, in the order found in the text.
 
-Enters: a text, the variant.  Leaves: the text with names in place of vector entries; unchanged if no order is found.
+Enters: a text, the variant.  Leaves: the text with names in place of vector entries and with returned lists as equations.
 Nothing is computed.  Used by `lines.py`.
 """
 
