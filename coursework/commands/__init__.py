@@ -1,1 +1,1 @@
-"""What each command does and prints, thin over the library; a file a command."""
+"""The commands: what each does and prints, as thin layers over the library, one file per command."""

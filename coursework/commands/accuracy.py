@@ -1,4 +1,4 @@
-"""`coursework accuracy`: the study of one variant with wall time, on a page and in words.
+"""`coursework accuracy`: the accuracy study of one variant with measured times, on a page and in words.
 
 Used by `cli.py`.
 """
@@ -28,7 +28,7 @@ from coursework.words.sentences import say
 
 
 def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | None, language: str) -> int:
-    """Return 0 after writing it, 1 where the motion stops and there is nothing to study."""
+    """Write the study and return 0; return 1 if the motion stops, as there is nothing to study."""
     wanted = chosen(formats, "accuracy")
     tell_own_file(variant)
     read = variant_of(variant)
@@ -55,7 +55,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
 
 
 def timed_study(run: Run) -> AccuracyStudy:
-    """Return the study with seconds, and what importing and reducing cost beside them."""
+    """Return the study with times, also of imports and the reduction.  Raises `InputError` if the exact motion has no rows."""
     scene = run.scene
     if not scene.follows_laws:
         return _by_motor(run)
@@ -79,7 +79,7 @@ def timed_study(run: Run) -> AccuracyStudy:
 
 
 def _by_motor(run: Run) -> AccuracyStudy:
-    """Return the study of a mechanism that forces move: the error of its energy against slopes."""
+    """Return the study of motion under forces: the error of the energy against the number of slopes."""
     from coursework.scene.motor_scene import MotorScene
 
     assert isinstance(run.scene, MotorScene)

@@ -1,4 +1,4 @@
-"""`coursework animate`: the mechanism in motion as one animated picture, for a slide or a page.
+"""`coursework animate`: the moving mechanism as one animated picture, for a slide or a page.
 
 Enters: a variant.  Leaves: NAME.gif, or the file of --out.  Used by `cli.py`.
 """
@@ -16,7 +16,7 @@ FRAMES_A_ROW = 2
 
 
 def animate_variant(variant: str, out: Path | None, scheme: str | None, language: str) -> int:
-    """Return 0 after writing the picture."""
+    """Write the picture and return 0."""
     from coursework.report.graphs.moving_picture import moving_picture
 
     tell_own_file(variant)

@@ -24,7 +24,7 @@ def assign_class(
     roster: Path, *, template: str, ranges: str | None, seed: str, out: Path, pdf: bool, deadline: str, rubric: Path | None,
     language: str, workbooks: str | None, help_level: int,
 ) -> int:  # fmt: skip
-    """Return the exit status of giving a class its variants."""
+    """Give each student of a roster a variant and return the exit status."""
     words = load_words(language)
     listed = read_roster(read_file(roster), str(roster))
     if not listed:

@@ -1,4 +1,4 @@
-"""`coursework check`: what a file says and whether its motion is possible, before anything is integrated.
+"""`coursework check`: what a file contains and whether its motion is possible, before anything is integrated.
 
 Used by `cli.py`.
 """
@@ -19,7 +19,7 @@ from coursework.words.sentences import say, say_count
 
 
 def check_variant(variant: str) -> int:
-    """Return 0 where the whole motion is possible, 1 where it stops or its start is open."""
+    """Print the results; return 0 if the whole motion is possible, 1 if it stops or its start is not a closed position."""
     tell_own_file(variant)
     run = make_run(variant_of(variant))
     chosen = run.variant
@@ -28,7 +28,7 @@ def check_variant(variant: str) -> int:
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
     free = chosen.motor.rates if chosen.motor is not None else ()
-    if chosen.sought:  # of links that forces move each alone nothing is left to be solved
+    if chosen.sought:  # if forces move each link by itself, nothing is left to solve
         size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": len(chosen.drive) - len(free)}
         tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
     if free:
@@ -53,7 +53,7 @@ def check_variant(variant: str) -> int:
     else:
         key = "screen.closed" if closure.complete else "screen.open"
         tell(say_count(key, len(closure.names)))
-        at_once = scene.stop is not None and not scene.stop.time  # a dead point at the start hides what the geometry gives
+        at_once = scene.stop is not None and not scene.stop.time  # a dead point at the start hides the result of the geometry
         if not at_once and (doubt := open_to_doubt(closure)):
             tell(doubt[0])
     begun = start_of(closure)
@@ -62,7 +62,7 @@ def check_variant(variant: str) -> int:
     stop = scene.stop
     if stop is None:
         if begun.verdict == "FAIL":
-            return 1  # links that do not meet make no motion
+            return 1  # links that do not close cannot move
         tell(say("screen.possible", end=chosen.time.end))
         return 0
     tell(say("screen.not_possible", kind=stop.name, sentence=stop.sentence))
@@ -91,7 +91,7 @@ def _tell_mobility(run: Run) -> None:
 
 
 def _along_its_guide(variant: Variant) -> Sentence | None:
-    """Return what to write where the driven point runs on a guide of the frame, which leaves it one velocity; else None."""
+    """Return which law to write if the driven point moves along a guide of the frame, which leaves it one velocity; else None."""
     point = variant.driven
     angle = next((angle for through, angle in variant.frame.rails if through == named(point or "")), None)
     if not point or angle is None:
@@ -106,7 +106,7 @@ def _along_its_guide(variant: Variant) -> Sentence | None:
 
 
 def _multiple(function: str, angle: Formula) -> str | None:
-    """Return how a factor cos or sin of an angle is written behind another, "" for 1, None where it is zero."""
+    """Return a factor cos or sin of an angle as text after another factor, "" if it is 1, None if it is 0."""
     try:
         value = evaluate(Formula("call", (angle,), function), {})
     except (FormulaFault, KeyError):

@@ -1,7 +1,7 @@
 """The command line: options -> one library call -> exit status.  Progress and colours live here only.
 
-Used by `__main__.py`.  The exit status is told in `program.py`.
-Only click is imported at start; everything else inside the command that needs it.
+Used by `__main__.py`.  The exit statuses are listed in `program.py`.
+Only click is imported at the start; each command imports what else it needs.
 """
 
 from __future__ import annotations
@@ -275,6 +275,6 @@ def serve_command(context: click.Context, /, language: str, **options: Any) -> i
 
 
 def _chosen(context: click.Context, language: str) -> str:
-    """Return a language that somebody has chosen, "" for that of each browser."""
+    """Return the language if the user has chosen it, "" to use that of each browser."""
     by_itself = context.get_parameter_source("language") is click.core.ParameterSource.DEFAULT
     return "" if by_itself else language

@@ -15,7 +15,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
 SERVERS = ("starlette", "uvicorn", "watchfiles")
-# What a text on a desk that is open to others may take: seconds of processor time, and MiB beyond the start.
+# Limits for one text on a desk that is open to others: seconds of processor time, and MiB beyond the start.
 OPEN_SECONDS, OPEN_MEMORY = 5.0, 512.0
 
 
@@ -52,6 +52,6 @@ def _told(sentence: str) -> None:
 
 
 def _require_extra() -> None:
-    """Raise `InputError` with the line that installs what serves."""
+    """Raise `InputError` with the command that installs the server packages, if one is missing."""
     if any(find_spec(name) is None for name in SERVERS):
         raise InputError(say("fault.C080", python=sys.executable, folder=installed_from("desk")))

@@ -1,4 +1,4 @@
-"""`coursework grade`: a folder or zip of submissions -> gradebook, pages, the class page; and one submission for autograders.
+"""`coursework grade`: a folder or zip of submissions -> gradebook, pages, class page; also one submission for an autograder.
 
 Enters: options.  Leaves: files in OUT; the exit status (0 = every submission has a state).
 Used by `cli.py`.
@@ -36,7 +36,7 @@ from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError, reason_of
 from coursework.words.sentences import joined, say
 
-MOST_NAMED = 10  # in one line on the screen
+MOST_NAMED = 10  # most ids named in one line on the screen
 
 
 def grade_source(
@@ -44,7 +44,7 @@ def grade_source(
     worksheet: Path | None, canvas: Path | None, results: str | None, no_pages: bool, jobs: int, scheduler: str | None,
     limit: float, memory: int, language: str,
 ) -> int:  # fmt: skip
-    """Return the exit status of grading one source."""
+    """Grade one source and return the exit status."""
     if (variant is None) == (roster is None):
         raise InputError(say("fault.C023"))
     tell_own_file(variant or "")
@@ -115,7 +115,7 @@ def _decided(overrides: Path | None, listed: ClassList, rubric: Rubric) -> dict[
 def _one(
     source: Path, variant: str, rubric: Rubric, text: str, out: Path, results: str, limit: float, memory: int, language: str
 ) -> int:  # fmt: skip
-    """Mark one submission and write the results file of an autograder, and nothing else."""
+    """Mark one submission and write only the results file of an autograder."""
     chosen, content = read_source(variant, Path())
     check_rubric(rubric, chosen)
     submission = collect_one(source)
@@ -128,12 +128,12 @@ def _one(
 
 
 def _time_is_unknown(grade: Mapping[str, Any]) -> bool:
-    """Return whether time mattered and nobody knew it."""
+    """Return whether the time of submission matters but is unknown."""
     return grade.get("late") is None and any(note["code"] == "late" for note in grade["notes"])
 
 
 def _handed_in_alone(source: Path, submission: Submission, platform: str) -> str:
-    """Return what is known of when one submission was handed in: what Gradescope says, or that Canvas calls a file of it late."""
+    """Return the time of one submission from Gradescope, or whether Canvas marks one of its files as late."""
     if platform == "gradescope" and (time := created_at(source)):
         return time
     owners = (canvas_owner(file.name) for file in submission.files)
@@ -141,7 +141,7 @@ def _handed_in_alone(source: Path, submission: Submission, platform: str) -> str
 
 
 def _prepare(out: Path, source: Path) -> None:
-    """Make OUT.  Raises `InputError` where it lies among what is graded, `OutputError` where it leads elsewhere."""
+    """Create OUT.  Raises `InputError` if it is inside the graded folder, `OutputError` if it cannot be made or is a link."""
     if source.is_dir() and out.resolve().is_relative_to(source.resolve()):
         raise InputError([Fault(say("fault.C074", source=source), str(out))])
     refuse_link(out / PAGES)

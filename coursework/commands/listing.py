@@ -1,4 +1,4 @@
-"""`coursework listing`: the coursework as a program of one's own, and the block diagram of that program.
+"""`coursework listing`: the coursework as a program, and the block diagram of that program.
 
 Enters: a variant, a language, a scheme.  Leaves: the listing on the screen or in a file, a picture.  Used by `cli.py`.
 """
@@ -27,7 +27,7 @@ def list_variant(
     variant: str, *, code: str | None, scheme: str | None, step: str | None, error: float | None, set_values: tuple[str, ...],
     out: Path | None, chart: Path | None, language: str,
 ) -> int:  # fmt: skip
-    """Return 0 after writing what was asked for."""
+    """Write the program, the block diagram or both, and return 0."""
     refuse_exact(scheme)
     if chart is not None and chart.suffix.lower() != ".svg":
         raise wrong_ending(chart, ".svg")
@@ -52,7 +52,7 @@ def list_variant(
 
 
 def _advised(variant: Variant, scheme: str | None) -> float:
-    """Return the step that the checks advise, that of the file where it will do."""
+    """Return the step that the checks advise, or that of the file if it is small enough."""
     checks = make_run(variant, scheme, quantities=("table", "checks")).checks
     return next((one.step for one in checks if one.code == "ACCURACY" and one.step), variant.time.step)
 

@@ -1,7 +1,7 @@
-"""`coursework new`: a variant file to fill in, which runs as it is: the commented template, a chain of groups, or a copy.
+"""`coursework new`: a variant file to fill in, which runs as it is: a commented template, a chain of groups, or a copy.
 
-Enters: a name, with --groups the kinds of a chain, with --from what to copy, with --set what is other in the copy.
-Leaves: NAME.toml in the current folder, with the tables it reads.
+Enters: a name, the kinds of a chain (--groups), what to copy (--from), what to change in the copy (--set).
+Leaves: NAME.toml in the current folder, and the tables that it reads.
 Used by `cli.py`.
 """
 
@@ -26,7 +26,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import ENGLISH, closest, say, say_count
 
 MOST_GROUPS = 20
-# A remark behind # (a text before it has no # inside), or a reason.
+# A comment after # (a text before it has no # inside), or a reason.
 _TEXTS = re.compile(r"""(^[^#\n]*# |^because *= ")(.+?)("?$)""", re.M)
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def new_variant(
     name: str, original: str | None = None, set_values: Sequence[str] = (), kinds: str | None = None, language: str = ENGLISH,
     more: str | None = None,
 ) -> int:  # fmt: skip
-    """Write NAME.toml: a copy of `original`, a chain of `kinds`, or the template in a language; what exists is left alone."""
+    """Write NAME.toml: a copy of `original`, a chain of `kinds`, or the template; never overwrite a file with other content."""
     if kinds is not None and original is not None:
         raise InputError(say("fault.C070"))
     if set_values and original is None:
@@ -65,7 +65,7 @@ def new_variant(
 
 
 def _template(stem: str, language: str) -> bytes:
-    """Return the template; what its remarks and texts are in a language stands in a file beside it, by what they are here."""
+    """Return the template; a file beside it maps its comments and texts to their translations, if the language has one."""
     place = folder(REPORTS)
     text = (place / "new-variant.toml").read_text(encoding="utf-8")
     if (translated := place / f"new-variant.{language}.toml").is_file():
@@ -75,7 +75,7 @@ def _template(stem: str, language: str) -> bytes:
 
 
 def _chain(stem: str, kinds: str) -> bytes:
-    """Return the file of a chain.  Raises `InputError` for kinds that make none."""
+    """Return the file of a chain.  Raises `InputError` if the kinds do not make one."""
     from coursework.mechanism.drafts.chain import DoesNotClose, draft_of
     from coursework.mechanism.drafts.text import text_of
     from coursework.mechanism.groups import group_kind
@@ -97,7 +97,7 @@ def _chain(stem: str, kinds: str) -> bytes:
 
 
 def _with_forces(content: bytes, stem: str, more: str) -> bytes:
-    """Return a file with the sections of masses and forces.  Raises `InputError` for another section, or where it has them."""
+    """Return a file with sections of masses and forces added.  Raises `InputError` for another section, or if it has them."""
     from coursework.effects.draft import with_forces
 
     if more != "forces":
@@ -109,7 +109,7 @@ def _with_forces(content: bytes, stem: str, more: str) -> bytes:
 
 
 def _asked(draft: Draft) -> Iterator[Quantity[Any]]:
-    """Give what a chain can be asked for."""
+    """Yield the quantities that can be computed for a chain."""
     yield from (TABLE, PLOTS, CHECKS, GRAPH_CHECK, ACCELERATIONS, POINTS)
     if draft.turns_one_crank:
         yield ANALOGS
@@ -118,7 +118,7 @@ def _asked(draft: Draft) -> Iterator[Quantity[Any]]:
 
 
 def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path, bytes]:
-    """Return the file and its tables by the paths they go to.  Raises `InputError` where the original has faults."""
+    """Return the contents of the file and its tables by their new paths.  Raises `InputError` if the original has faults."""
     from coursework.takeaway.foreign.read import foreign_text
 
     if (taken := foreign_text(original, target.stem, in_language)) is not None:

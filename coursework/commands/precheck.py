@@ -1,6 +1,6 @@
-"""`coursework precheck`: how files would be read and whether they contradict themselves; no number of the key is shown.
+"""`coursework precheck`: how files would be read and whether they contradict themselves; it prints no number of the key.
 
-Enters: paths, perhaps a variant.  Leaves: lines on the screen; 0 where every part could be marked, else 1.
+Enters: paths, perhaps a variant.  Leaves: lines on the screen; 0 if every part could be marked, else 1.
 Used by `cli.py`.
 """
 
@@ -19,7 +19,7 @@ from coursework.words.sentences import say
 
 
 def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
-    """Return the exit status of looking at some files."""
+    """Print how the files would be read and return the exit status."""
     chosen = variant or next((str(path) for path in files if path.suffix == ".toml"), None)
     if chosen is None:
         raise InputError(say("fault.C028"))

@@ -1,4 +1,4 @@
-"""What runs a command: its exit status, and a sentence for whatever one raises.
+"""The program that runs a command: its exit status, and a sentence for each exception.
 
 Used by `cli.py`.
 
@@ -21,14 +21,14 @@ from coursework.words.errors import CourseworkError
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
 
-# Nearly all that a run makes lives until its end: to look through it for garbage takes a tenth of a run, and as much again at
-# the end, which gives everything back at once.
+# Nearly all objects of a run live until its end, so searching them for garbage takes a tenth of the run in vain.  At the end it
+# would take as long again, although the process then gives all memory back at once.
 gc.set_threshold(200_000, 50, 100)
 atexit.register(gc.freeze)
 
 
 class Program(click.Group):
-    """The commands, each of which returns its exit status; whatever one raises becomes a sentence and a status here."""
+    """The group of commands, each of which returns its exit status; exceptions become a sentence and a status here."""
 
     def main(self, *args: Any, **options: Any) -> NoReturn:
         """Run one command line and end the process with its status."""
@@ -42,7 +42,7 @@ class Program(click.Group):
         sys.exit(status)
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run a command; an interrupt is told in one sentence."""
+        """Run a command; on an interrupt print one sentence."""
         try:
             return super().invoke(ctx)
         except KeyboardInterrupt:
@@ -50,7 +50,7 @@ class Program(click.Group):
             return INTERRUPTED
 
     def _status(self, *args: Any, **options: Any) -> int:
-        """Return the exit status; a traceback is kept only for our own faults."""
+        """Return the exit status; print a traceback only for faults of the tool."""
         try:
             return int(super().main(*args, **options) or PASSED)
         except CourseworkError as error:

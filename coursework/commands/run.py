@@ -1,4 +1,4 @@
-"""`coursework run`: compute, write, tell.
+"""`coursework run`: compute, write files, print.
 
 Enters: the options of the command.  Leaves: files, lines on the screen, an exit status.  Used by `several.py`.
 """
@@ -34,7 +34,7 @@ def run_variant(
     scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, verbose: bool, language: str, live: bool,
     set_values: tuple[str, ...], check_row: int | None, **options: Any,
 ) -> int:  # fmt: skip
-    """Return the exit status of one run."""
+    """Run one variant and return the exit status."""
     wanted = chosen(formats, "run")
     tell_own_file(variant)
     with under_way("reading"):
@@ -81,7 +81,7 @@ def run_variant(
 
 
 def tell_plan(results: Results, wanted: Sequence[Format]) -> None:
-    """Print what would be computed and what is left out, what forces cost, and what each row evaluates."""
+    """Print what would be computed and what left out, the cost of the forces, and what each row evaluates."""
     run = results.run
     for line in results.plan(any(each.paged for each in wanted)).lines():
         tell(line)
@@ -100,14 +100,14 @@ def tell_plan(results: Results, wanted: Sequence[Format]) -> None:
 
 
 def tell_stop(run: Run, consequence: Sentence) -> int:
-    """Say why a motion stops and what therefore cannot be had; return the exit status of a stopped motion."""
+    """Say why a motion stops and what cannot be computed therefore; return the exit status of a stopped motion."""
     assert run.stop is not None
     tell(say("screen.stopped_so", kind=run.stop.name, consequence=consequence, sentence=run.stop.sentence))
     return 1
 
 
 def tell_round_off(run: Run) -> int:
-    """Print the V-curve of single precision."""
+    """Print the V-curve (error against number of steps) of single precision and return the exit status."""
     if run.stop is not None:
         return tell_stop(run, say("screen.no_error"))
     tell(say("screen.largest_error"))
@@ -126,7 +126,7 @@ def tell_round_off(run: Run) -> int:
 def write_all(results: Results, folder: Path, formats: Sequence[Format]) -> list[str]:
     """Compute everything, then write the files as one set; return their names.
 
-    Where the budget is spent before, the tables are written with what is known by then.
+    If the budget ends before that, write the tables with the quantities known so far and raise `Ended` again.
     """
     try:
         return _write(results, folder, formats)
@@ -151,7 +151,7 @@ def _write(results: Results, folder: Path, formats: Sequence[Format]) -> list[st
 
 
 def earlier_files(folder: Path) -> tuple[str, ...] | None:
-    """Return the files of the set that an earlier run left in a folder; None where it was ended before it had finished them."""
+    """Return the files that an earlier run left in a folder, None if that run ended before its set was complete."""
     names = [f"{Results.stem}.{each.suffix}" for each in FORMATS] + ["table.csv"]
     there = tuple(name for name in names if (folder / name).exists())
     recorded = files_of(folder, Results.record_name)
@@ -161,7 +161,7 @@ def earlier_files(folder: Path) -> tuple[str, ...] | None:
 
 
 def tell_older(folder: Path, older: tuple[str, ...] | None, written: list[str]) -> None:
-    """Say which files in the folder are not of this run."""
+    """Say which files in the folder are from an earlier run."""
     if older is None:
         tell(say("screen.held_unfinished", folder=folder, record=Results.record_name))
         older = tuple(f"{Results.stem}.{each.suffix}" for each in FORMATS)

@@ -1,4 +1,4 @@
-"""What a run says on the screen: in brief to who sits before a terminal, in full with `--verbose` and to a file or a program.
+"""What a run prints: in brief on a terminal, in full with `--verbose` and to a file or a program.
 
 Enters: a `Run`, the folder and the names of its files.  Leaves: lines on standard output.  Used by `run.py` and `check.py`.
 """
@@ -15,20 +15,20 @@ from coursework.variant.record.entries import guide_number
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-LEFT_OF_ZERO = 1e-12  # of the largest entry of a column: what round-off leaves of a zero, told as 0 on the screen
+LEFT_OF_ZERO = 1e-12  # share of a column's largest entry; a smaller value is round-off and printed as 0
 INDENT = "    "
-_OF_EQUATIONS = {"START", "INITIAL", "RESIDUAL", "DRIFT", "DRIFT-PER-PERIOD"}  # checks whose column is the name of an equation
+_OF_EQUATIONS = {"START", "INITIAL", "RESIDUAL", "DRIFT", "DRIFT-PER-PERIOD"}  # checks in which `column` names an equation
 
 
 def tell_remarks(run: Run) -> None:
-    """Print what looks like a slip of the pen in the file."""
+    """Print the remarks on values in the file that look like slips."""
     for remark in run.variant.plausibility:
         told = say("remark.line", line=remark.line, sentence=remark.sentence)
         tell(say("screen.check", code=remark.code, sentence=told) if speaks_english() else say("screen.note", sentence=told))
 
 
 def tell_run(run: Run, folder: Path, written: list[str]) -> None:
-    """Print the result, its summary first, with every check."""
+    """Print the whole result, the summary first, with every check."""
     if run.summary:
         tell(run.summary if speaks_english() else run.named_summary)
     tell(f"{title_of(run.variant)}  ({run.variant.name})")
@@ -44,9 +44,9 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
 
 
 def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
-    """Print what was computed and whether it is right and close, two rows, what did not pass and what to do, where the files are.
+    """Print in brief what was computed, whether it is right and accurate, two rows, the checks not passed, and the files.
 
-    Checks have names here, not codes, and what to take against all of them is said once.
+    Checks have names here instead of codes, and advice that several of them share is printed once.
     """
     tell_wrapped(say("screen.computed", title=title_of(run.variant), name=run.variant.name, how=_how_computed(run)))
     findings = run.checks if run.asks(CHECKS) else ()
@@ -60,7 +60,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     for line in _why_stopped(run):
         tell_wrapped(line)
     tell_remarks(run)
-    advice: dict[str, None] = {}  # in the order of the checks, each once
+    advice: dict[str, None] = {}  # in the order of the checks, without repetition
     for finding in findings:
         if finding.says_more:
             fact, *further = _parted(finding)
@@ -75,7 +75,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
 
 
 def _parted(finding: Finding) -> list[str]:
-    """Return what a check has found and, where it says so, what to take."""
+    """Return the finding of a check as a list, with its advice as further parts if it gives some."""
     sentence = finding.sentence
     parts = sentence.values.get("parts") if isinstance(sentence, Sentence) and finding.option else None
     return list(parts) if isinstance(parts, tuple) else [sentence]
@@ -91,7 +91,7 @@ def _set_values(run: Run) -> str:
 
 
 def _set_value(name: str, value: str) -> Sentence:
-    """Return a value as it was set; a law or a whole number has no unit behind it."""
+    """Return the sentence for a value that was set; a law or a whole number has no unit."""
     if name == "check_row" and (guide := guide_number(int(value))) >= 1:
         return say("remark.set_row", name=name, row=int(value), guide=guide)
     number, _, unit = value.partition(" ")
@@ -104,7 +104,7 @@ def _set_value(name: str, value: str) -> Sentence:
 
 
 def _about_rows(run: Run) -> list[str]:
-    """Return how far exact rows are from those of the scheme, and what Baumgarte's gain does to them."""
+    """Return sentences on the distance to the exact rows and on the effect of Baumgarte's gain."""
     told: list[str] = []
     if run.distance_to_exact is not None:
         told.append(run.distance_to_exact.sentence)
@@ -139,7 +139,7 @@ def _why_stopped(run: Run) -> list[str]:
 
 
 def tell_checks(run: Run) -> None:
-    """Print what every check has found, group by group, and the sentences of those that did not pass or not judge all."""
+    """Print the result of every check, group by group, then the sentences of those that say more than their line."""
     for group in GROUPS:
         found_of = [check for check in run.checks if check.group == group]
         if found_of:
@@ -147,7 +147,7 @@ def tell_checks(run: Run) -> None:
         for check in found_of:
             parts: list[str] = []
             if check.value is not None:
-                value = float(f"{never_more(check.value, check.unit, 3):.3g}")  # three digits are shown
+                value = float(f"{never_more(check.value, check.unit, 3):.3g}")  # three digits are printed
                 unit = beside(check.unit, value)
                 has_unit = bool(unit and in_language(unit))  # a language may have no word for a bare number
                 parts.append(say("screen.value_unit", value=value, unit=unit) if has_unit else say("screen.value", value=value))
@@ -158,7 +158,7 @@ def tell_checks(run: Run) -> None:
                 parts.append(say("screen.equation" if is_equation else "screen.column", column=check.column))
             parts += [say("screen.row", row=check.row)] if check.row else []
             mark, found = in_language(say(f"checks.mark.{check.verdict}")), in_language(joined(parts, "join.nothing"))
-            found = f" {found.lstrip(' ,，')}" if found else ""  # a row or column that no value stands before
+            found = f" {found.lstrip(' ,，')}" if found else ""  # a row or column without a value before it
             if speaks_english():
                 tell(f"  {mark} {check.verdict:<6} {check.code:<16}{found}")
             else:

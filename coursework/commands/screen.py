@@ -1,4 +1,4 @@
-"""What is said on the screen, in the language of the command.
+"""Output on the screen, in the language of the command.
 
 Enters: sentences, and faults.  Leaves: lines on standard output or standard error.
 Used by the other commands and `options.py`.
@@ -28,24 +28,24 @@ _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
 
 def speak(language: str) -> None:
-    """Say what follows in a language.  Raises `InputError` where it has no words file."""
-    _SPOKEN.set(ENGLISH)  # in which an unknown language is refused
+    """Set the language of all further output.  Raises `InputError` if it has no words file."""
+    _SPOKEN.set(ENGLISH)  # the language in which an unknown one is refused
     load_phrases(language)
     _SPOKEN.set(language)
 
 
 def speaks_english() -> bool:
-    """Return whether the command speaks English: codes and verdicts are words of it, and stand before no sentence of another."""
+    """Return whether the output is in English; only then are codes and verdicts of checks, which are English, printed."""
     return _SPOKEN.get() == ENGLISH
 
 
 def in_language(text: str) -> str:
-    """Return a sentence in the language of the command; any other text as it is."""
+    """Return a sentence in the language of the command, any other text unchanged."""
     return load_phrases(_SPOKEN.get()).written(text)
 
 
 def title_of(variant: Variant) -> str:
-    """Return what a variant is called in the language of the command, or as its author wrote it."""
+    """Return the title of a variant in the language of the command, else as its author wrote it."""
     texts = variant.texts.get(_SPOKEN.get())
     return (texts and texts.title) or variant.title
 
@@ -56,24 +56,24 @@ def tell(text: str, *, err: bool = False) -> None:
 
 
 def refuse_motor(variant: Variant) -> None:
-    """Raise `InputError` for motion under forces, whose rates no study of velocity laws follows."""
+    """Raise `InputError` for motion under forces, as studies of velocity laws do not apply to it."""
     if variant.motor is not None:
         raise InputError(say("fault.C077", name=variant.name))
 
 
 def tell_own_file(variant: str) -> None:
-    """Say where a file of the current folder is taken in place of a variant of the catalogue."""
+    """Say so if a file in the current folder is used in place of a variant of the catalogue."""
     if (own := own_file(variant)) is not None:
         tell(say("screen.own_file", file=own, name=variant.lower()), err=True)
 
 
 def is_terminal() -> bool:
-    """Return whether standard output is a terminal, before which a person sits, and neither a file nor a program."""
+    """Return whether standard output is a terminal, read by a person, and not a file or a program."""
     return sys.stdout is not None and sys.stdout.isatty()
 
 
 def before_a_person(text: str, names: Iterable[str]) -> str:
-    """Return a text with names as the pages set them, φ₁ and ω₁, before a person; a program reads them as a file writes them."""
+    """Return a text with names as on the pages (φ₁, ω₁) if standard output is a terminal; a program gets them as in files."""
     if not is_terminal() or "utf" not in (sys.stdout.encoding or "").lower():
         return text
     from coursework.report.text.symbols import with_symbols
@@ -82,11 +82,11 @@ def before_a_person(text: str, names: Iterable[str]) -> str:
 
 
 def tell_wrapped(text: str, *, hanging: str = "") -> None:
-    """Print a paragraph for a terminal: lines as wide as it is, broken between words, all but the first with `hanging` before.
+    """Print a paragraph broken between words to the width of the terminal; all lines but the first begin with `hanging`.
 
-    What is written without gaps between words, as Chinese is, the terminal itself breaks.
+    Text without gaps between words, such as Chinese, is left for the terminal to break.
     """
-    import shutil  # a program that reads the lines does without
+    import shutil  # imported here, as output to a program does not need it
     import textwrap
 
     line = in_language(text)
@@ -99,11 +99,11 @@ def tell_wrapped(text: str, *, hanging: str = "") -> None:
 
 
 def tell_unprinted(letters: str) -> None:
-    """Say which letters no face here has, so that a PDF shows boxes in their place; nothing where there are none."""
+    """Say which letters no font here has, as a PDF shows boxes for them; print nothing if `letters` is empty."""
     if letters:
         tell(say("screen.unprinted", letters=letters), err=True)
 
 
 def tell_faults(error: CourseworkError | Fault) -> None:
-    """Print every fault of an error, a line each, or the one for which the process is ended from outside."""
+    """Print the faults of an error, one per line, or the one fault for which the process is ended from outside."""
     click.echo(error.told(in_language), err=True)

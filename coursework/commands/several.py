@@ -1,4 +1,4 @@
-"""`coursework run A B C …`: several variants in one process or a few, a folder each, a summary at the end.
+"""`coursework run A B C …`: several variants in one or more processes, with a folder for each and a summary at the end.
 
 Enters: names, paths and patterns.  Leaves: folders, `summary.csv`, perhaps `combined.pdf`; the worst exit status (3, 2, 1, 0).
 Used by `cli.py`; one faulty file never stops the rest.
@@ -47,7 +47,7 @@ OUR_FAULT = 3
 
 @frozen
 class Item:
-    """One variant to run: what the user called it and the folder its results go to."""
+    """One variant to run: its name as the user gave it, and the folder for its results."""
 
     variant: str
     folder: str
@@ -55,10 +55,10 @@ class Item:
 
 @frozen
 class Outcome:
-    """What became of one variant; `verdicts` counts its checks, `message` is everything that went wrong.
+    """The outcome of one variant; `verdicts` counts its checks, `message` has everything that went wrong.
 
-    `code` is that of the first fault of a variant that was refused;
-    `page` is what its report says, where all are to be printed together.
+    `code` is that of the first fault of a refused variant, "" for others.
+    `page` is the content of its report, if all reports are to be printed together.
     """
 
     item: Item
@@ -72,13 +72,13 @@ class Outcome:
 
     @property
     def sentence(self) -> str:
-        """Return why the status is not 0, in a line."""
+        """Return in one line why the status is not 0."""
         return self.stop or self.message.strip().partition("\n")[0]
 
 
 @frozen
 class RunTask:
-    """How every variant is run: where to, in which formats and language, with which options, templates and budget."""
+    """How the variants are run: output folder, formats, language, options, budget, templates, and whether to make one PDF too."""
 
     out: Path
     formats: tuple[str, ...] | None
@@ -90,12 +90,12 @@ class RunTask:
 
     @contextmanager
     def ready(self) -> Iterator[Callable[[Item], Outcome]]:
-        """Open the folder for what is unfinished; yield what runs one variant."""
+        """Open the folder for unfinished files; yield the function that runs one variant."""
         with with_templates(self.templates), working_folder(self.out) as hidden:
             yield lambda item: self._outcome(item, hidden)
 
     def lost(self, item: Item, late: bool) -> Outcome:
-        """Return the outcome of a variant whose process died."""
+        """Return the outcome of a variant whose process ended without an answer."""
         return Outcome(item, WRONG_INPUT, message=say("screen.lost", variant=item.variant))
 
     def _outcome(self, item: Item, hidden: Path) -> Outcome:
@@ -141,21 +141,21 @@ class RunTask:
 
 @contextmanager
 def opened(plain_task: Any) -> Iterator[Callable[[Any], Outcome]]:
-    """Yield what runs one variant after the other in a process of the pool."""
+    """Yield the function that runs variants one after the other in a process of the pool."""
     with record_of(RunTask, plain_task).ready() as work:
         yield lambda plain_item: work(record_of(Item, plain_item))
 
 
 def outcomes(task: RunTask, items: Sequence[Item], jobs: int) -> Generator[tuple[int, Outcome], None, None]:
-    """Yield (index, outcome) of every item as it is done: in this process for one job, else in so many others."""
+    """Yield (index, outcome) of each item when it is done, computed in this process for one job, else in `jobs` processes."""
     if jobs == 1:
         with task.ready() as work:
             for index, item in enumerate(items):
                 yield index, work(item)
         return
-    from coursework.system.pool import Pool, Trade  # threads, queues and subprocesses: only several processes pay for them
+    from coursework.system.pool import Pool, Trade  # imported here, as only several processes need it
 
-    # A run that its budget had to end from outside would only take as long again: it is tried once.
+    # A run ended by its budget would take as long a second time, so it is tried only once.
     trade = Trade(OPENED, task, Outcome, task.lost, tries=1, quiet=False)
     with Pool(trade, min(jobs, len(items))) as pool:
         yield from pool.answers(enumerate(items))
@@ -169,7 +169,7 @@ def run_variants(
     variants: tuple[str, ...], *, out: Path | None, formats: tuple[str, ...] | None, jobs: int, budget: float, memory: float,
     language: str, templates: Path | None, combined: bool, **options: Any,
 ) -> int:  # fmt: skip
-    """Return the exit status of one run, or the worst of several."""
+    """Run one or several variants; return the exit status of the one, or the worst of several."""
     limits = Budget(budget, memory)
     if len(variants) == 1 and not _is_pattern(variants[0]) and not combined:
         with watched(limits, variants[0], tell_faults):
@@ -221,7 +221,7 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
 
 
 def summary_csv(ordered: Iterable[Outcome]) -> str:
-    """Return the summary: a line a variant, its exit status, rows, checks by verdict, what went wrong and the code of a fault."""
+    """Return the summary as CSV: per variant its status, rows, checks by verdict, what went wrong, and the code of a fault."""
     head = ["variant", "folder", "status", "rows", *(verdict.lower() for verdict in VERDICTS), "sentence", "code"]
     rows = (
         [each.item.variant, each.item.folder, each.status, each.rows, *(each.verdicts.get(verdict, 0) for verdict in VERDICTS),
@@ -232,7 +232,7 @@ def summary_csv(ordered: Iterable[Outcome]) -> str:
 
 
 def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
-    """Yield the summary for a reader."""
+    """Yield the lines of the summary for a person."""
     width = max([len("variant"), *(len(each.item.folder) for each in ordered)])
     heads = "  ".join(f"{verdict:>6}" for verdict in VERDICTS)
     yield f"{'variant':<{width}}  status    rows  {heads}"
@@ -248,7 +248,7 @@ def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
 
 
 def _items(variants: Sequence[str]) -> list[Item]:
-    """Return what is to be run, each file once, with folders that are different on every system."""
+    """Return the items to run, each file once, with folder names that differ even if case is ignored."""
     items: list[Item] = []
     seen: set[str] = set()
     taken: set[str] = {SUMMARY, COMBINED}
@@ -267,7 +267,7 @@ def _items(variants: Sequence[str]) -> list[Item]:
 
 
 def _free(stem: str, taken: set[str]) -> str:
-    """Return a name of a folder that is not taken; on some systems A and a are the same."""
+    """Return a folder name that is not taken, ignoring case, as some systems do not distinguish A and a."""
     name, number = stem, 2
     while name.casefold() in taken:
         name, number = f"{stem}-{number}", number + 1
@@ -280,7 +280,7 @@ def _is_pattern(word: str) -> bool:
 
 
 def _expanded(word: str) -> list[str]:
-    """Return the files of a pattern in order; a pattern without a file stays, to be told as a fault."""
+    """Return the sorted files of a pattern; one without files is returned itself, to be reported as a fault."""
     if not _is_pattern(word):
         return [word]
     return sorted(found for found in glob.glob(word, recursive=True) if Path(found).is_file()) or [word]  # noqa: PTH207  may begin at the root

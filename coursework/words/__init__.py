@@ -1,1 +1,1 @@
-"""Everything a person can be told, in any language: sentences by key, faults, the folders they stand in, text of pages."""
+"""Everything the user is told, in any language: sentences by key, faults, text of pages, and the folders of these texts."""

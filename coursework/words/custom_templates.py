@@ -1,6 +1,6 @@
-"""An instructor's own pieces of `reports/`, standing before those of the package of the same name.
+"""An instructor's own pieces of `reports/`, which replace those of the package with the same names.
 
-Enters: a folder of own pieces, or their content from another process.  Leaves: contexts in which they stand in; their stamp.
+Enters: a folder of own pieces, or their content from another process.  Leaves: contexts in which they are used; their hash.
 Used by `commands/`, `grading/batch/`, `output/`, `templates.py` and `report/`.
 """
 
@@ -13,16 +13,16 @@ from pathlib import Path
 
 from coursework.words.data_folders import REPORTS, folder_of_package, standing_in
 
-PACKAGE = "package"  # in the names that own templates extend or import
+PACKAGE = "package"  # the folder name with which own templates extend or import those of the package
 
 
 @contextmanager
 def templates_of(own: Path | None) -> Iterator[None]:
-    """Let the files of a folder stand before those of `reports/` of the same name; what it does not have stays as it is.
+    """Use the files of a folder in place of those of `reports/` with the same names; all others stay as they are.
 
-    Templates include each other by name, and Typst reads from one folder only, so both are laid together for as long as this
-    lasts.  The pieces of the package stand in "package/" beside them, to be extended.  Own pieces are the instructor's, and
-    trusted; the folder itself is only read.
+    Templates include each other by name, and Typst reads from one folder only, so both are copied into one temporary folder.  The
+    pieces of the package are also in "package/" there, so that own ones can extend them.  Own pieces are the instructor's and are
+    trusted; the given folder is only read.
     """
     if own is None:
         yield
@@ -46,13 +46,13 @@ def templates_of(own: Path | None) -> Iterator[None]:
 
 
 def templates_in(own: Path) -> list[Path]:
-    """Return the files of a folder of own pieces, and of the folders in it that `reports/` has too."""
+    """Return the files of a folder of own pieces and of its subfolders that `reports/` has too."""
     parts = [own, *(own / part.name for part in sorted(folder_of_package(REPORTS).iterdir()) if part.is_dir())]
     return sorted(path for part in parts if part.is_dir() for path in part.iterdir() if path.is_file())
 
 
 def templates_in_use() -> dict[str, bytes]:
-    """Return the own pieces that stand in now, by name: what another process or machine needs to write the same pages."""
+    """Return the own pieces in use, by name; another process or machine needs them to write the same pages."""
     if not standing_in:
         return {}
     together, package = standing_in[-1], folder_of_package(REPORTS)
@@ -65,7 +65,7 @@ def templates_in_use() -> dict[str, bytes]:
 
 
 def line_in_templates(error: BaseException) -> tuple[str, int] | None:
-    """Return the own piece in use, and its line, where an error arose or through which it came; None for any other error."""
+    """Return the own piece in use, and its line, in which an error arose or through which it passed; None for other errors."""
     found, own, trace = None, templates_in_use(), error.__traceback__
     while trace is not None:
         path = Path(trace.tb_frame.f_code.co_filename)
@@ -77,7 +77,7 @@ def line_in_templates(error: BaseException) -> tuple[str, int] | None:
 
 @contextmanager
 def templates_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
-    """Let pieces that `templates_in_use` gave in another process stand in here."""
+    """Use the pieces that `templates_in_use` returned in another process."""
     if not pieces:
         yield
         return
@@ -93,7 +93,7 @@ def templates_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
 
 
 def stamp_of_templates() -> str:
-    """Return a hash of the own pieces in use, "" without any: what is written with others is another page."""
+    """Return a hash of the own pieces in use, "" without any; pages made with different pieces are different."""
     digest = hashlib.sha256()
     pieces = templates_in_use()
     for name, content in sorted(pieces.items()):

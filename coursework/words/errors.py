@@ -1,12 +1,12 @@
-"""Everything a user can be told.
+"""The faults and exceptions that are reported to the user.
 
-Enters: where a fault was found and what it is.  Leaves: one sentence a line, in file order.
+Enters: where a fault was found and what it is.  Leaves: one sentence per line, in file order.
 Used by every floor above.
 
 Each fault has a code, the same in every language: V a variant file, A ranges and rosters of individual variants, C the command
-line, D data given from Python, G grading, W writing, E limits of time and memory, L words files.  Its sentence stands under its
-code in [fault] of `reports/words.<language>.toml`.  What can be computed but looks like a slip (alpha = 249.2 rad, r1 = "953 m"
-beside 0.847 m) is a remark: on the screen, on page 1 and under "remarks" in `run.json`; remarks change no status.
+line, D data given from Python, G grading, W writing, E limits of time and memory, L words files.  Its sentence has the code as
+its key in [fault] of `reports/words.<language>.toml`.  A value that can be used but looks like a slip (alpha = 249.2 rad, r1 =
+"953 m" beside 0.847 m) is a remark: it is on the screen, on page 1 and under "remarks" in `run.json`, and changes no status.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from typing import Any
 
 from coursework.words.sentence import Sentence
 
-MOST_SHOWN = 100  # faults written out; whoever has more has another file in mind
+MOST_SHOWN = 100  # most faults printed; with more, the user probably gave the wrong file
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """One thing wrong with one file: *where: what is wrong (what was found). What to do.*
+    """One fault in one file: *where: what is wrong (what was found). What to do.*
 
-    `message` is said by a key of [fault] in the words files: a letter for what is wrong and a number, the same in every language.
+    `message` has a key of [fault] in the words files: a letter for the kind of input and a number, the same in every language.
     """
 
     message: Sentence
@@ -38,11 +38,11 @@ class Fault:
 
     @property
     def code(self) -> str:
-        """Return the code: a letter for what is wrong (a variant file, a roster …) and a number."""
+        """Return the code: a letter for the kind of input (a variant file, a roster …) and a number."""
         return self.message.key.split(".")[1]
 
     def told(self, written: Callable[[str], str] = str) -> str:
-        """Return the line a user reads; `written` puts sentences into a language."""
+        """Return the line for the user; `written` translates sentences."""
         where = self.file + (f":{self.line}" if self.line else "")
         if self.column:
             where += f":{self.column}"
@@ -50,18 +50,18 @@ class Fault:
         return visible(f"{self.code} {where}  {said}" if where else f"{self.code} {said}")
 
     def said(self, written: Callable[[str], str] = str) -> str:
-        """Return what is wrong with what in the file, without its line: for who sees the line."""
+        """Return the place in the file and the sentence, without the line number, for a reader who sees the line itself."""
         place, said = written(self.place), written(self.message)
         return visible(f"{place}{'：' if said.endswith(('。', '？')) else ': '}{said}" if place else said)
 
     def plain(self) -> dict[str, Any]:
-        """Return the fault for a JSON file: its code, where it is, what it speaks about and the sentence."""
+        """Return the fault for a JSON file: its code, place, values and sentence."""
         where = {"file": self.file, "line": self.line, "column": self.column, "place": str(self.place)}
         return {"code": self.code, **where, "values": self.message.plain(), "sentence": str(self.message)}
 
 
 class CourseworkError(Exception):
-    """Something the user can put right, told by its faults in file order; the command line ends with status 2.
+    """An error that the user can correct, with its faults in file order; the command line then ends with status 2.
 
     >>> import coursework
     >>> text = coursework.load("31").path.read_text(encoding="utf-8")
@@ -81,14 +81,14 @@ class CourseworkError(Exception):
         return self.told()
 
     def told(self, written: Callable[[str], str] = str) -> str:
-        """Return a line a fault; `written` puts sentences into a language."""
+        """Return one line per fault; `written` translates sentences."""
         shown = [fault.told(written) for fault in self.faults[:MOST_SHOWN]]
         rest = len(self.faults) - MOST_SHOWN
         return "\n".join([*shown, *([f"… +{rest}"] if rest > 0 else [])])
 
 
 class CourseworkWarning(UserWarning):
-    """Something that looks like a slip of the pen, or a motion that ends early, told to whoever computes from Python.
+    """A warning for users of the Python library: a value that looks like a slip, or a motion that ends early.
 
     >>> import warnings
     >>> import coursework
@@ -101,7 +101,7 @@ class CourseworkWarning(UserWarning):
 
 
 class InputError(CourseworkError, ValueError):
-    """The input cannot be used; carries every fault found.
+    """Raised if the input cannot be used; `faults` has every fault found.
 
     >>> import coursework
     >>> coursework.solve("31", step=-0.02)
@@ -112,11 +112,11 @@ class InputError(CourseworkError, ValueError):
 
 
 class Unplaced(CourseworkError):
-    """What is wrong with a law, found where no file is known: variants that differ in their data only share their laws."""
+    """A fault of a law that is found where its file is not known, as variants that differ only in data share their laws."""
 
 
 class OutputError(CourseworkError):
-    """A result could not be written; nothing half-written is left.
+    """Raised if a result could not be written; no unfinished file is left.
 
     >>> import coursework
     >>> coursework.write_report(coursework.solve("31"), "report.docx")
@@ -127,16 +127,16 @@ class OutputError(CourseworkError):
 
 
 class NotToBeHad(OutputError):
-    """A format that this run cannot have, or for which a package is missing; the others are written."""
+    """Raised for a format that this run cannot have or whose package is missing; the other formats are written."""
 
 
 def visible(text: str) -> str:
-    """Return text with every letter that does not print (colour codes, reversed writing …) as its code."""
+    """Return text with every unprintable character (colour codes, reversed writing …) written as its code."""
     return "".join(letter if letter.isprintable() else f"\\u{ord(letter):04x}" for letter in text)
 
 
 def reason_of(error: Exception) -> str:
-    """Return why the system refused something, in its own words.
+    """Return the operating system's reason for an error.
 
     >>> reason_of(OSError(13, "Permission denied", "a.csv")), reason_of(ValueError("not a digit"))
     ('Permission denied', 'not a digit')

@@ -1,6 +1,6 @@
-"""Where a line of a page on the screen may not end: in a number with its unit, in a short equation, quotient or label.
+"""The places where a line of a page on the screen may not break: in a number with its unit, a short equation, quotient or label.
 
-Enters: sentences, as runs or with gaps.  Leaves: their runs in groups, those of one group on one line.
+Enters: sentences, as runs or with gaps.  Leaves: their runs in groups; the runs of a kept group stay on one line.
 Used by `words/page_runs.py` and `report/live/page.py`.
 """
 
@@ -14,14 +14,14 @@ from typing import NamedTuple
 
 from coursework.words.scripts import without_chinese
 
-LONGEST = 30  # characters that stay together: a line of a telephone holds 40
-KEPT = ("\ue003", "\ue004")  # around what no line may break; text of others is cleaned of both
-_APART = "\u200b"  # stands for each sign of Chinese while pieces are looked for: patterns without their ranges are made sooner
-_SIGN = rf"[^\s{_APART}]"  # what a piece between two spaces is made of
+LONGEST = 30  # most characters kept on one line; a telephone shows 40
+KEPT = ("\ue003", "\ue004")  # marks around text to keep on one line; they are removed from foreign text
+_APART = "\u200b"  # replaces each Chinese sign during the search, as patterns without their ranges compile faster
+_SIGN = rf"[^\s{_APART}]"  # a character between two spaces
 _OF_QUOTIENT = r"[\w.,;·()|²³√−-]"
 _BEGIN = rf"(?<!{_SIGN})"
 _GAP = " \u00a0\u2009\u202f"
-_NUMBER = r"(?:[−-]?\d[\d.,]*(?:·10[−-]?\d+)?|\{\w+\})"  # or the gap of a sentence that a script fills
+_NUMBER = r"(?:[−-]?\d[\d.,]*(?:·10[−-]?\d+)?|\{\w+\})"  # or a gap of a sentence, filled by a script
 _NAMED = r"[NН]|rad|deg|rpm|min|mm|cm|ms|µs|m|s|рад|град|мин|хв|мм|см|мкс|мс|м|с"
 _UNIT = rf"(?:(?:{_NAMED})(?:/(?:{_NAMED})[²2]?)?|1/(?:s|с)|%)"
 _ROW = r"(?:[Rr]ows?|[Ll]ink|[Ss]leeve|[Ww]heel|[Сс]трок\w?|[Рр]яд\w{0,3}|[Зз]вен\w{0,2}|[Лл]анк\w{0,3}|[Кк]олес\w{0,2})"
@@ -30,14 +30,14 @@ _FUNCTION = "(?:sin|cos|tan|tg)"
 _TERM = rf"(?:{_SIGN}{{0,8}}\([^()]{{1,20}}\)(?!{_SIGN})|{_SIGN}{{1,18}})"
 _PRODUCT = rf"(?:{_FUNCTION}[{_GAP}])?{_TERM}(?:[{_GAP}](?={_FUNCTION})(?:{_FUNCTION}[{_GAP}])?{_TERM})*"
 _SUM = rf"{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})*"
-_WHOLE = rf"(?![{_GAP}]{_RELATION}[{_GAP}])"  # a chain of equalities in part would break at one sign and not at another
+_WHOLE = rf"(?![{_GAP}]{_RELATION}[{_GAP}])"  # not a part of a chain a = b = c, which would then break at some of its signs
 _TOGETHER = tuple(
     re.compile(pattern)
     for pattern in (
         rf"(?<!{_RELATION}[{_GAP}]){_BEGIN}{_SUM}(?:[{_GAP}]{_RELATION}[{_GAP}]{_SUM}(?!{_SIGN}))+(?:[{_GAP}]{_UNIT}(?!\w))?{_WHOLE}",
-        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}]{_RELATION}(?!{_SIGN})",  # of a longer one, the sign and what stands before it
+        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}]{_RELATION}(?!{_SIGN})",  # in a longer equation, its sign and the term before it
         rf"{_BEGIN}{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})+(?!{_SIGN})(?:[{_GAP}]{_UNIT}(?!\w))?",
-        rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})",  # of a longer sum, the sign and what stands behind it
+        rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})",  # in a longer sum, its sign and the term after it
         r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?",  # Runge-Kutta 4
         rf"{_APART}-{_APART}",  # the same in Chinese, where a line may break at any other place of the name
         rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
@@ -47,19 +47,19 @@ _TOGETHER = tuple(
         rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
     )
 )
-_JOINTS = re.compile(rf"[{_GAP}/-]")  # in every piece that is kept there is one; a cell of a table seldom has any
+_JOINTS = re.compile(rf"[{_GAP}/-]")  # every piece to keep contains one; table cells rarely do
 _WORTH_A_LOOK = re.compile(r"[=≈<>≤≥+−·×/%{]|\d|\w-\w|cos|sin|tan|tg")
 
 
 class Group(NamedTuple):
-    """Runs that follow one another, on one line where they are `kept`."""
+    """Consecutive runs, on one line if `kept`."""
 
     kept: bool
     runs: list[dict[str, str]]
 
 
 def line_groups(runs: Sequence[dict[str, str]]) -> list[Group]:
-    """Return the runs of a sentence in groups; a run of text is split where a group begins or ends.
+    """Return the runs of a sentence in groups; a run of text is split where a group begins or ends in it.
 
     >>> [(kept, [run["t"] for run in runs]) for kept, runs in line_groups([{"t": "an error of 21 % in all"}])]
     [(False, ['an error of ']), (True, ['21 %']), (False, [' in all'])]
@@ -82,7 +82,7 @@ def line_groups(runs: Sequence[dict[str, str]]) -> list[Group]:
 
 
 def marked(sentence: str) -> str:
-    r"""Return a sentence whose gaps a script fills, with `KEPT` around what stands on one line.
+    r"""Return a sentence whose gaps a script fills, with the `KEPT` marks around the parts to keep on one line.
 
     >>> marked("dashed: {scheme}, h = {h} s")
     'dashed: {scheme}, \ue003h = {h} s\ue004'
@@ -100,9 +100,9 @@ def _inside(place: int, places: tuple[tuple[int, int], ...]) -> bool:
     return any(begin <= place < end for begin, end in places)
 
 
-@lru_cache(maxsize=2048)  # a desk sets the same sentences again and again
+@lru_cache(maxsize=2048)  # the desk renders the same sentences repeatedly
 def _together(text: str) -> tuple[tuple[int, int], ...]:
-    """Return the places that no line may break, in order; none over another, none longer than `LONGEST`."""
+    """Return the spans (start, end) that no line may break, in order; they do not overlap or exceed `LONGEST` characters."""
     if not _JOINTS.search(text) or not _WORTH_A_LOOK.search(text):
         return ()
     text = without_chinese(text, _APART)
@@ -118,7 +118,7 @@ def _together(text: str) -> tuple[tuple[int, int], ...]:
 
 
 def _cut(begin: int, end: int, places: tuple[tuple[int, int], ...]) -> Iterator[tuple[int, int, bool]]:
-    """Yield the pieces of a run of text, each with whether it is kept."""
+    """Yield (start, end, whether kept) of the pieces of a run of text."""
     ends = sorted({begin, end, *(place for pair in places for place in pair if begin < place < end)})
     for first, last in pairwise(ends):
         yield first, last, _inside(first, places)

@@ -1,7 +1,7 @@
-"""Runs of a sentence as HTML: letters slanted, powers raised, what no line may break and what is typed held together.
+"""The runs of a sentence as HTML: symbols in italics, raised powers, parts to keep on one line, typed text.
 
-Enters: runs, as `report/text/text_runs.py` makes them; a text; a cell, which is one or the other.  Leaves: escaped HTML.
-Used by `templates.py`, which gives them to `reports/parts.html.j2`: a page asks for them some thousand times.
+Enters: runs, as `report/text/text_runs.py` makes them; a text; a cell (either of these).  Leaves: escaped HTML.
+Used by `templates.py`, which passes them to `reports/parts.html.j2`; a page calls them about a thousand times.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from markupsafe import Markup
 from coursework.words.line_ends import line_groups
 
 _ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&#34;", "'": "&#39;"})
-# Around what no line may break: an element of three letters that says nothing of its content, two hundred times a page.
+# The element around text to keep on one line: it has a short name and no meaning, and a page has two hundred of it.
 _BEGIN, _END = "<bdi>", "</bdi>"
 _FORMS = {"t": "{}", "o": '<span class="paper">{}</span>', "p": "<sup>{}</sup>"}
 
 
 def said(runs: Sequence[dict[str, str]]) -> Markup:
-    """Return runs as HTML; neighbours in one other language than the page's stand in one element.
+    """Return runs as HTML; consecutive runs in another language than the page's share one element.
 
     >>> said([{"v": "φ", "s": "3"}, {"t": " is <small>"}, {"p": "2"}])
     Markup('<i>φ</i><sub>3</sub> is &lt;small&gt;<sup>2</sup>')

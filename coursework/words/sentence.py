@@ -1,6 +1,6 @@
-"""One finding as a text that still knows what it was made of.
+"""A text that still knows its key and the values it was made of.
 
-Enters: English text, its key in the words files, the values it speaks about.  Leaves: `Sentence`.
+Enters: English text, its key in the words files, the values in it.  Leaves: `Sentence`.
 Used by `errors.py`, which carries it, and `sentences.py`, which makes it.
 """
 
@@ -17,13 +17,13 @@ class Sentence(str):
     values: Mapping[str, object]
 
     def __new__(cls, text: str, key: str, values: Mapping[str, object]) -> Sentence:
-        """Return the text with what it was made of."""
+        """Return the text with its key and values."""
         made = super().__new__(cls, text)
         made.key, made.values = key, values
         return made
 
     def plain(self) -> dict[str, Any]:
-        """Return the values for a JSON file; a sentence among them is its text, what is neither text nor number as text.
+        """Return the values for a JSON file; numbers stay numbers, everything else becomes a text.
 
         >>> Sentence("row 3: 1.5 rad", "told", {"row": 3, "found": (1.5, Sentence("rad", "unit", {}))}).plain()
         {'row': 3, 'found': [1.5, 'rad']}
@@ -31,7 +31,7 @@ class Sentence(str):
         return {name: _plain(value) for name, value in self.values.items()}
 
     def __getnewargs__(self) -> tuple[str, str, Mapping[str, object]]:  # type: ignore[override]
-        """Return what a copy in another process is made from."""
+        """Return the arguments from which a copy in another process is made."""
         return str(self), self.key, self.values
 
 

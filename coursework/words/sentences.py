@@ -1,7 +1,7 @@
-"""What the tool finds, in sentences that can be said in any language.
+"""The findings of the tool as sentences that can be written in any language.
 
-Enters: a key of `reports/words.<language>.toml` and what the sentence speaks about.  Leaves: `Sentence`, English text for
-whoever prints it, which still knows key and parts for whoever writes a page in another language.
+Enters: a key of `reports/words.<language>.toml` and the values in the sentence.  Leaves: `Sentence`, English text to print, which
+still knows its key and values, so that a page can write it in another language.
 Used by every floor above; no finding that reaches a page is written in Python.
 """
 
@@ -22,8 +22,8 @@ from coursework.words.sentence import Sentence
 from coursework.words.words_file import read_words
 
 ENGLISH = "en"
-# Name of a rule -> the form beside a whole number; "other" serves for a number that is not whole and for what the words file
-# does not have.
+# Name of a rule -> the plural form for a whole number.  "other" is used for a number that is not whole and for a form that the
+# words file does not have.
 PLURALS: dict[str, Callable[[int], str]] = {
     "one-other": lambda n: "one" if n == 1 else "other",
     "one-few-many": lambda n: (
@@ -31,28 +31,28 @@ PLURALS: dict[str, Callable[[int], str]] = {
     ),
     "other": lambda n: "other",
 }
-_ROUND = ":r}"  # a format of our own, see `_Number`
-_NOUN = ";"  # another: "{more:.2g;раз|раза|раз}", see `_Counting`
+_ROUND = ":r}"  # our own format of numbers, see `_Number`
+_NOUN = ";"  # our own format of a noun: "{more:.2g;раз|раза|раз}", see `_Counting`
 _UNIT = re.compile("[A-Za-zµ]+")  # rad and s of "rad/s²"
 FORMS = frozenset({"one", "few", "many", "other"})
 
 
 @dataclass(frozen=True, slots=True)
 class Phrases:
-    """The words file of one language; `on_paper`: for a reader who has no command line."""
+    """The words file of one language; `on_paper` is True for readers without a command line."""
 
     language: str
     entries: Mapping[str, Any]
     on_paper: bool = False
-    _known: dict[str, object] = field(default_factory=dict, repr=False, compare=False)  # what was looked up so far
+    _known: dict[str, object] = field(default_factory=dict, repr=False, compare=False)  # cache of lookups
 
     def has(self, key: str) -> bool:
-        """Return whether there is such a sentence."""
+        """Return whether this language has a sentence with this key."""
         found = self._found(key)
         return isinstance(found, str) or (isinstance(found, dict) and not FORMS.isdisjoint(found))
 
     def beside(self, key: str, number: object) -> str:
-        """Return the key of the form beside a number, `other` where it has none of its own; the key where there are no forms."""
+        """Return the key of the plural form for a number ("other" if it lacks that form), or `key` if it has no forms."""
         forms = self._found(key)
         if forms is None and self.language != ENGLISH:
             return load_phrases().beside(key, number)
@@ -62,7 +62,7 @@ class Phrases:
         return f"{key}.{form if form in forms else 'other'}"
 
     def template(self, key: str) -> str:
-        """Return a sentence with its gaps, in English where this language has none yet.  Raises `KeyError` for an unknown key."""
+        """Return a sentence with its gaps, in English if this language lacks it.  Raises `KeyError` for an unknown key."""
         found = self._found(key)
         if isinstance(found, str):
             return found
@@ -71,7 +71,7 @@ class Phrases:
         return load_phrases().template(key)
 
     def filled(self, key: str, template: str, values: Mapping[str, object]) -> str:
-        """Return a template with its gaps filled.  Raises `InputError` for a gap that the program does not know."""
+        """Return a template with its gaps filled.  Raises `InputError` for a gap that has no value."""
         if self.language != ENGLISH:
             template = template.replace(" {", f"{OPEN_SPACE}{{").replace("} ", f"}}{OPEN_SPACE}")
         try:
@@ -82,28 +82,28 @@ class Phrases:
             raise InputError(say("fault.L001", language=self.language, key=key, error=str(error), known=known)) from error
 
     def written(self, text: str) -> str:
-        """Return a `Sentence` in this language; any other text as it is."""
+        """Return a `Sentence` in this language, any other text unchanged."""
         if not isinstance(text, Sentence) or (self.language == ENGLISH and not self.on_paper):
             return text
         if not (self.has(text.key) or load_phrases().has(text.key)):
-            return str(text)  # the title of a record, which this language does not translate
+            return str(text)  # such as the title of a record, which is not translated
         return self.composed(text.key, text.values)
 
     def composed(self, key: str, values: Mapping[str, object]) -> str:
-        """Return the sentence of a key with its gaps filled."""
+        """Return the sentence of a key, in the plural form for `number`, with its gaps filled."""
         template = self.template(self.beside(key, values["number"]) if "number" in values else key)
         parts = values.get("parts")
         if isinstance(parts, tuple):
             return template.join(map(self.written, parts))
-        marked = self.language != ENGLISH or _ROUND in template  # else Python writes a number as it is to be read
+        marked = self.language != ENGLISH or _ROUND in template  # else Python's own format of numbers is right
         return self.filled(key, template, {name: self._filling(name, value, marked) for name, value in values.items()})
 
     def said(self, key: str, /, **values: object) -> str:
-        """Return the sentence of a key in this language, for a template that says it itself."""
+        """Return the sentence of a key in this language, for use in templates."""
         return self.composed(key, values)
 
     def throughout(self, value: Any) -> Any:
-        """Return nested dicts, lists and tuples with every `Sentence` in them in this language."""
+        """Return nested dicts, lists and tuples with every `Sentence` in them translated to this language."""
         if isinstance(value, str):
             return self.written(value)
         if isinstance(value, dict):
@@ -111,7 +111,7 @@ class Phrases:
         return type(value)(map(self.throughout, value)) if type(value) in {list, tuple} else value
 
     def number(self, value: float, spec: str) -> str:
-        """Return a number in a format such as ".4g" with the decimal sign of this language."""
+        """Return a number in a format such as ".4g", with the decimal sign of this language."""
         return format(_Number(value, self.template("decimal")), spec)
 
     def listing(self, parts: Sequence[str]) -> str:
@@ -121,7 +121,7 @@ class Phrases:
         return closed_up(between.join([self.template("join.comma").join(first), last] if first else [last]))
 
     def unit(self, unit: str) -> str:
-        """Return a unit such as "rad/s" as this language writes it; one that the words file does not have part by part."""
+        """Return a unit such as "rad/s" in this language, translated part by part if the words file lacks the whole."""
         known = self.entries.get("units", {})
         return str(known[unit]) if unit in known else _UNIT.sub(lambda part: str(known.get(part[0], part[0])), unit)
 
@@ -137,7 +137,7 @@ class Phrases:
         return found
 
     def for_paper(self) -> Phrases:
-        """Return the same words with those of [paper] in the place of what is typed on a command line."""
+        """Return the same phrases with those of [paper] in place of texts that mention the command line."""
         return Phrases(self.language, self.entries, on_paper=True)
 
     def _filling(self, name: str, value: object, marked: bool) -> object:
@@ -158,15 +158,16 @@ def _entry(entries: Mapping[str, Any], key: str) -> object:
 
 
 class _Counting(Formatter):
-    """Fills gaps that end in a noun, "{more:.2g;раз|раза|раз}", and sets behind the number the form that belongs to it as it
-    is printed: one, few, many, and that of a number which is not whole (like few where it is left out).
+    """A formatter for gaps with a noun, "{more:.2g;раз|раза|раз}".
+
+    It appends the form of the noun that fits the number as printed: one, few, many, or that of fractions ("few" if left out).
     """
 
     def __init__(self, phrases: Phrases) -> None:
         self._phrases = phrases
 
     def format_field(self, value: Any, format_spec: str) -> str:
-        """Return a value in its format, with its noun."""
+        """Return a value in its format, followed by its noun."""
         spec, _, nouns = format_spec.partition(_NOUN)
         text = str(format(value, spec))
         if not nouns:
@@ -185,9 +186,9 @@ class _Counting(Formatter):
 
 
 class _Number(float):
-    """A number that is written with the decimal sign of a language, whatever its format.
+    """A number that is written with the decimal sign of a language in any format.
 
-    The format "r" writes a round number as it is, without a power of ten and zeros behind: 0.0002.
+    The format "r" writes a number without a power of ten and without trailing zeros: 0.0002.
     """
 
     mark: str
@@ -203,7 +204,7 @@ class _Number(float):
 
 
 def load_phrases(language: str = ENGLISH) -> Phrases:
-    """Return the words of a language.  Raises `InputError` where there is no such file."""
+    """Return the phrases of a language.  Raises `InputError` if it has no words file."""
     return _phrases(folder("reports"), language)
 
 
@@ -211,7 +212,7 @@ def load_phrases(language: str = ENGLISH) -> Phrases:
 def _phrases(place: Path, language: str) -> Phrases:
     name = f"words.{language}.toml"
     entries: dict[str, Any] = {}
-    for path in dict.fromkeys((folder_of_package(REPORTS) / name, place / name)):  # own words stand before the package's
+    for path in dict.fromkeys((folder_of_package(REPORTS) / name, place / name)):  # own words replace the package's
         if path.is_file():
             entries = _over(entries, _read(path, language))
     if not entries:
@@ -224,30 +225,30 @@ def _phrases(place: Path, language: str) -> Phrases:
 def _read(path: Path, language: str) -> dict[str, Any]:
     try:
         return read_words(path.read_text(encoding="utf-8"))
-    except ValueError as error:  # no TOML, or no UTF-8
+    except ValueError as error:  # not TOML or not UTF-8
         if language == ENGLISH:
-            raise  # in which it would have to be told
+            raise  # the error itself could not be written
         raise InputError(say("fault.L003", language=language, error=str(error))) from error
 
 
 def _over(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
-    """Return the sentences of two files, those of the upper one where both have them."""
+    """Return the sentences of two files, those of `above` where both have a key."""
     both = {key: _over(below[key], value) for key, value in above.items()
             if isinstance(value, dict) and isinstance(below.get(key), dict)}  # fmt: skip
     return below | above | both
 
 
 def say(key: str, /, **values: object) -> Sentence:
-    """Return a finding, such as `say("check.STOP.pass", rows=25)`.  Raises `KeyError` for an unknown key."""
+    """Return the English sentence of a key, such as `say("check.STOP.pass", rows=25)`.  Raises `KeyError` for an unknown key."""
     return Sentence(load_phrases().composed(key, values), key, values)
 
 
 def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
     """Return ' Did you mean "…"?' with the closest known word, or an empty text; `alike` is 1 for the same word.
 
-    Large letters and small ones are alike.
+    Upper and lower case do not matter.
     """
-    import difflib  # only a mistake pays for it
+    import difflib  # imported here, as only mistakes need it
 
     found = [name for name in known if name.casefold() == word.casefold() and name != word and alike < 1]
     found = found or difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
@@ -255,7 +256,7 @@ def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
 
 
 def ranges(numbers: Iterable[int], most: int = 8) -> tuple[str, ...]:
-    """Return whole numbers in order as a person writes them, of many the first.
+    """Return sorted whole numbers as ranges for a person, at most `most` of them, then "…".
 
     >>> ranges([4, 7, 8, 9, 12])
     ('4', '7–9', '12')
@@ -277,10 +278,10 @@ def either(words: Sequence[str]) -> str:
 
 
 def say_count(key: str, number: int, /, **values: object) -> Sentence:
-    """Return the finding in the form that stands beside a number ("key.one", "key.other" …), with {number}."""
+    """Return the sentence in the plural form for a number ("key.one", "key.other" …), which fills {number}."""
     return say(key, number=number, **values)
 
 
 def joined(parts: Iterable[str], between: str = "join.sentences") -> Sentence:
-    """Return findings one behind the other; `between` is the key of what stands between them.  Empty ones are left out."""
+    """Return texts joined into one sentence; `between` is the key of the separator.  Empty texts are left out."""
     return say(between, parts=tuple(part for part in parts if part))

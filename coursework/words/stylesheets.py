@@ -1,7 +1,7 @@
-"""Of a page's stylesheet, the rules that the page has something for.
+"""Removes the rules of a page's stylesheet that nothing on the page needs.
 
-Enters: a finished page.  Leaves: the page without rules for elements, classes, ids and attributes that occur nowhere in it.
-Used by the report and by the pages of assigning and grading; not by the desk, whose pages change.
+Enters: a finished page.  Leaves: the page without rules for elements, classes, ids and attributes that do not occur in it.
+Used by the report and by the pages of assigning and grading; not by the desk, whose pages change while shown.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _ASKED = re.compile(r"""[.#](?P<name>[\w-]+)|\[(?P<attribute>[\w-]+(?:="[^"]*")?
 
 
 def fitted(page: str) -> str:
-    """Return a page with the rules of its stylesheet that may concern something on it, and the variables that they name.
+    """Return a page with only those rules of its stylesheet that may apply to it, and the variables used in them.
 
     >>> fitted('<style>.a{top:0}.b,h1{top:1px}@media print{.c{top:2px}}</style><p class="b">')
     '<style>.b{top:1px}</style><p class="b">'
@@ -32,7 +32,7 @@ def fitted(page: str) -> str:
     if sheet is None:
         return page
     rest = page[: sheet.start()] + page[sheet.end() :]
-    # A script may make any element that it names, and give it any class.
+    # A script may create any element and set any class that it names.
     made = {word for script in _SCRIPT.findall(rest) for word in _NAME.findall(script)}
     found: dict[str, Container[str]] = {
         "attribute": rest,
@@ -62,7 +62,7 @@ def fitted(page: str) -> str:
 
 
 def _listed(selectors: str) -> list[str]:
-    """Return the selectors of a list, whose own brackets may hold lists again."""
+    """Return the selectors of a list; brackets in them may contain lists again."""
     found, depth = [""], 0
     for piece in _COMMA.split(selectors):
         depth += (piece == "(") - (piece == ")")

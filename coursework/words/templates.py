@@ -1,6 +1,6 @@
-"""What every page starts from: the templates of `reports/`, and text cleaned of what would spoil a page.
+"""The templates of `reports/` from which every page is made, and text cleaned of what would spoil a page.
 
-Enters: the name of a template and what fills it; text of a student or a file.  Leaves: the page, escaped; plain text.
+Enters: the name of a template and its contents; text of a student or a file.  Leaves: the escaped page; plain text.
 Used by the report and by the pages of grading.
 """
 
@@ -23,21 +23,21 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     from jinja2 import Template
 
-READ = frozenset({".j2", ".toml", ".css", ".js", ".typ"})  # the kinds of pieces that are text
-LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
+READ = frozenset({".j2", ".toml", ".css", ".js", ".typ"})  # endings of the pieces that are text
+LONGEST = 2000  # most characters of one text; Typst would take half a minute for a word of 1 MB
 _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
 _UNBROKEN = rf"[^\s{HAN_HERE}-]{{25,}}"
-_SHORT = 24  # characters, below which no word needs a place to break
+_SHORT = 24  # a shorter text needs no place to break in its words
 _PIECE = re.compile(r"\S{1,12}")
-# Of a stylesheet: remarks, what stands around marks, zeros and marks that say nothing.
+# In a stylesheet: comments, blanks around signs, leading zeros and blanks that mean nothing.
 _BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,>])\s*|(?<=:)\s+|(?<=[\s,(:])0(?=\.\d)|^\s+""", re.DOTALL | re.MULTILINE)
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
 def filled(name: str, /, **content: Any) -> str:
-    """Return a template of `reports/` with its gaps filled; what is filled in is escaped.
+    """Return a template of `reports/` with its gaps filled; the contents are escaped.
 
-    Raises `InputError` where a piece of the instructor's own fails, such as by a gap that nothing fills, or lacks a part.
+    Raises `InputError` if a piece of the instructor's own fails, for example by an unknown gap or a missing part.
     """
     with _told():
         return _template(folder("reports"), name).render(**content)
@@ -51,7 +51,7 @@ def filled_part(name: str, part: str, /, **content: Any) -> str:
 
 @contextmanager
 def _told() -> Iterator[None]:
-    """Tell by which piece of the instructor's own a page failed; where it was none, the error is ours."""
+    """Raise `InputError` with the name of the instructor's piece by which a page failed; let other errors, our own, pass."""
     from jinja2 import TemplateError
 
     try:
@@ -60,7 +60,7 @@ def _told() -> Iterator[None]:
         raise
     except Exception as error:
         place = line_in_templates(error)
-        if not place and isinstance(error, TemplateError):  # what another template misses in an own one
+        if not place and isinstance(error, TemplateError):  # a template of the package lacks something in an own one
             place = (", ".join(name for name in templates_in_use() if name.endswith(".j2")), 0)
         if not place or not place[0]:
             raise
@@ -68,7 +68,7 @@ def _told() -> Iterator[None]:
 
 
 def failing_piece(name: str, line: int, error: str) -> Fault:
-    """Return what is told of an instructor's own piece that cannot be read or filled."""
+    """Return the fault of an instructor's own piece that cannot be read or filled."""
     return Fault(say("fault.C066", error=error), name, line)
 
 
@@ -84,7 +84,7 @@ def _template(place: Path, name: str) -> Template:
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
-        optimized=False,  # a page is filled once, seldom twice
+        optimized=False,  # a page is rarely filled more than once
     )
     looks.globals.update(said=said, said_text=said_text, said_cell=said_cell, look=partial(_look, place))
     return looks.get_template(name)
@@ -92,7 +92,7 @@ def _template(place: Path, name: str) -> Template:
 
 @lru_cache
 def _look(place: Path, *names: str) -> str:
-    """Return look.css and further stylesheets, without the remarks and margins that only their reader needs."""
+    """Return look.css and further stylesheets, without comments and unneeded blanks."""
     from markupsafe import Markup
 
     texts = ((place / f"{name}.css").read_text(encoding="utf-8") for name in ("look", *names))
@@ -100,7 +100,7 @@ def _look(place: Path, *names: str) -> str:
 
 
 def unreadable(piece: Path) -> Fault | None:
-    """Return why a text, a template or a words file cannot be read.  What Typst refuses is told when it does."""
+    """Return the fault of a text, template or words file that cannot be read, None if it can; Typst reports its own faults."""
     import tomllib
 
     from jinja2 import Environment, TemplateSyntaxError
@@ -124,12 +124,12 @@ def unreadable(piece: Path) -> Fault | None:
 
 
 def clean(text: str, longest: int = LONGEST) -> str:
-    """Return text without control, direction and unassigned characters, NFC, at most `longest` characters.
+    """Return text without control, direction and unassigned characters, in NFC, with at most `longest` characters.
 
-    Words beyond 24 letters get places to break (U+200B), so that none runs off the page.
+    Words of more than 24 characters get places to break (U+200B), so that none runs off the page.
     """
     if len(text) < _SHORT and text.isascii() and text.isprintable() and "  " not in text:
-        return text.strip()[:longest]  # nearly every cell of a table
+        return text.strip()[:longest]  # the case of nearly every table cell
     joined = unicodedata.normalize("NFC", text[: 4 * longest])
     if is_chinese(joined):
         joined = made_for(joined, _LINE_END).sub("", joined)

@@ -1,4 +1,4 @@
-"""A words file -> its sentences, in a fifth of the time of the standard reader, for which every command would wait.
+"""A words file -> its sentences, in a fifth of the standard reader's time, as every command has to wait for it.
 
 Enters: a text.  Leaves: nested dicts.  Used by `sentences.py`.
 """
@@ -17,21 +17,21 @@ _LINE = re.compile(
 
 
 def read_words(text: str) -> dict[str, Any]:
-    """Return what the standard reader does, which reads what is not tables, keys and texts of a line each.
+    """Return the contents of a words file, as `tomllib` does, which also reads files that are not plain.
 
-    Raises `ValueError` as it does.
+    A plain file has only tables and keys with texts of one line.  Raises `ValueError` as `tomllib` does.
     """
-    import tomllib  # only a command that says something pays for it
+    import tomllib  # imported here, as only commands that print something need it
 
     words = _plain_words(text, tomllib.loads)
     return tomllib.loads(text) if words is None else words
 
 
 def _plain_words(text: str, read: Callable[[str], dict[str, Any]]) -> dict[str, Any] | None:
-    """Return the sentences if every line is plain and says nothing twice; `read` reads a text with signs of its own."""
+    """Return the sentences if every line is plain and no key repeats, else None; `read` reads texts with escapes."""
     words: dict[str, Any] = {}
     table = words
-    dotted: set[int] = set()  # tables that keys with a dot made; no section may add to them
+    dotted: set[int] = set()  # tables created by dotted keys; no section may add to them
     opened: set[int] = set()
     at = 0
     for line in _LINE.finditer(text):

@@ -1,1 +1,1 @@
-"""The command line itself: options that commands share, what the shell offers, what is said of a line nobody can understand."""
+"""The command line itself: options that commands share, completion in the shell, messages for a misused command line."""

@@ -1,6 +1,6 @@
-"""What the shell offers behind the tab key.
+"""Completions that the shell offers for the tab key.
 
-Enters: what has been typed of a word.  Leaves: its completions.  Used by `options.py`.
+Enters: the part of a word typed so far.  Leaves: its completions.  Used by `options.py`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from coursework.words.sentences import say
 
 
 def variants(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:
-    """Return the catalogue's names with their titles, and the variant files and folders beside what has been typed."""
+    """Return the catalogue's names with their titles, and the variant files and folders that begin as typed."""
     listed = [CompletionItem(entry.name, help=entry.title) for entry in entries()]
     listed += [CompletionItem(name) for name in _files(typed)]
     return [item for item in listed if item.value.startswith(typed)]
@@ -37,7 +37,7 @@ def languages(_context: Context, _parameter: Parameter, typed: str) -> list[Comp
 
 
 def _files(typed: str) -> list[str]:
-    """Return the paths of .toml files and of folders in the folder that has been typed so far, folders with a slash."""
+    """Return the paths of .toml files and of folders (with a slash) in the folder typed so far."""
     place = typed[: typed.rfind("/") + 1]
     try:
         found = sorted(Path(place or ".").iterdir())

@@ -1,4 +1,4 @@
-"""The table of kinds of groups in the help of `coursework new`: what each takes, in which order, and what it means.
+"""The table of kinds of groups in the help of `coursework new`: the keys of each, in their order, with their meanings.
 
 Enters: a language.  Leaves: text.  Used by `options.py`.
 """
@@ -14,11 +14,11 @@ from coursework.variant.record.roles import roles, title
 from coursework.words.scripts import wide_letters
 from coursework.words.sentences import say
 
-_KIND, _KEY = 8, 13  # columns of the name of a kind, and of a key
+_KIND, _KEY = 8, 13  # widths of the columns for the name of a kind and for a key
 
 
 def kinds_table(language: str) -> str:
-    """Return the table.  Raises `InputError` for a language without words."""
+    """Return the table.  Raises `InputError` for a language without a words file."""
     speak(language)
     lines = [in_language(say("new.table"))]
     for kind in GROUPS:
@@ -31,6 +31,6 @@ def kinds_table(language: str) -> str:
 
 def _wrapped(head: str, text: str) -> list[str]:
     if wide_letters(text):
-        return [head + text]  # the terminal itself breaks what has no gaps between words
+        return [head + text]  # the terminal itself breaks text without gaps between words
     width = max(shutil.get_terminal_size().columns, 72)
     return textwrap.wrap(text, width, initial_indent=head, subsequent_indent=" " * len(head), break_on_hyphens=False)

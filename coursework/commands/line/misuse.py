@@ -1,6 +1,6 @@
-"""A command line that cannot be understood -> a fault with a code, in the language of the command.
+"""A misused command line -> a fault with a code, in the language of the command.
 
-Enters: what click refuses.  Leaves: a line on standard error, under the usage of the command.  Used by `program.py`.
+Enters: an exception of click.  Leaves: a line on standard error, below the usage of the command.  Used by `program.py`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ VARIABLE = "COURSEWORK_LANGUAGE"
 
 
 def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
-    """Print what is wrong with a command line, `words`, which may itself name the language."""
+    """Print what is wrong with the command line `words`, which may itself choose the language."""
     try:
         speak(_asked_for(words))
     except InputError:
@@ -30,7 +30,7 @@ def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
 
 
 def fault_of(error: click.ClickException) -> Sentence:
-    """Return the sentence for a kind of misuse; what click says of a rare one stands in it as it is."""
+    """Return the sentence for a kind of misuse; for a rare kind it contains click's own message."""
     if isinstance(error, click.NoSuchOption):
         hint = closest(error.option_name, list(error.possibilities or ()))
         return say("fault.C051", name=error.option_name, hint=hint)
@@ -53,14 +53,14 @@ def fault_of(error: click.ClickException) -> Sentence:
 
 
 def _name(error: click.BadParameter) -> str:
-    """Return an option, or what stands for an argument, as the help writes it."""
+    """Return the name of an option or argument as the help writes it."""
     if error.param is None or error.ctx is None:
         return str(error.param_hint or "")
     return error.param.get_error_hint(error.ctx).strip("'")
 
 
 def _asked_for(words: Sequence[str]) -> str:
-    """Return the language that a command line asks for, else that of the environment."""
+    """Return the language chosen on a command line, else that of the environment."""
     for place, word in enumerate(words):
         if word.startswith("--language="):
             return word.partition("=")[2]

@@ -1,6 +1,6 @@
-"""The options that several commands have in common, and what each does before a command begins.
+"""The options that several commands share, and what each does before a command begins.
 
-Enters: the words of a command line, through click.  Leaves: decorators of commands.  Only click is imported at start.
+Enters: the words of a command line, through click.  Leaves: decorators for commands.  Only click is imported at the start.
 Used by `cli.py`.
 """
 
@@ -15,12 +15,12 @@ from typing import Any
 
 import click
 
-# What a rubric may have; named here for the help, which reads nothing of the grading.
+# The keys of a rubric; listed here for the help, which imports nothing of the grading.
 RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusion, late"
 
 
 class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
-    """Formats that a command offers, commas between; the ones that are written only when asked for stand behind the others."""
+    """A comma-separated list of the formats of a command; formats that are written only on request come last."""
 
     name = "formats"
 
@@ -28,23 +28,23 @@ class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the
         self.user = user
 
     def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
-        """Return what the help shows."""
+        """Return the formats as the help shows them."""
         from coursework.report.output.formats import formats_for
 
         return ",".join(formats_for(self.user))
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
-        """Return the suffixes."""
+        """Return the suffixes of the formats."""
         return listed(ctx, param, value) if isinstance(value, str) else value
 
 
 def listed(_context: click.Context | None, _option: click.Parameter | None, value: str | None) -> tuple[str, ...]:
-    """Return the parts of a word with commas between."""
+    """Return the parts of a comma-separated word."""
     return tuple(part.strip() for part in value.split(",") if part.strip()) if value else ()
 
 
 def offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[Any]]:
-    """Return what completes a word in the shell; nothing is imported before the tab key is pressed."""
+    """Return the function that completes a word in the shell; it imports the completions only when called."""
 
     def complete(context: click.Context, parameter: click.Parameter, typed: str) -> list[Any]:
         from coursework.commands.line import completion
@@ -56,7 +56,7 @@ def offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[A
 
 
 class SchemeOption(click.Option):
-    """An option whose help lists the schemes; they are looked up when somebody asks for help."""
+    """An option whose help lists the schemes; they are looked up only when the help is printed."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         from coursework.variant.record.vocabulary import OF_FORCES, scheme_names
@@ -78,7 +78,7 @@ def _speaks(_context: click.Context, _option: click.Parameter, language: str) ->
 
 
 def spoken(*, passed_on: bool, option: str = "--language") -> Callable[[Callable[..., int]], Callable[..., int]]:
-    """Add the option of every command that says in which language it speaks; `passed_on` to one that makes pages."""
+    """Add the option for the language of a command; `passed_on` is True for commands that also make pages."""
     return click.option(
         option, "language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
         callback=_speaks, shell_complete=offered("languages"),
@@ -87,7 +87,7 @@ def spoken(*, passed_on: bool, option: str = "--language") -> Callable[[Callable
 
 
 def rubric_shown(context: click.Context, _option: click.Parameter, asked: bool) -> None:
-    """Print the default rubric and end, where that is asked for."""
+    """Print the default rubric and end the program, if the option is given."""
     if asked and not context.resilient_parsing:
         from coursework.words.data_folders import REPORTS, folder
 
@@ -96,7 +96,7 @@ def rubric_shown(context: click.Context, _option: click.Parameter, asked: bool) 
 
 
 def versions_shown(context: click.Context, _option: click.Parameter, asked: bool) -> None:
-    """Print what is installed of each extra and end, where that is asked for."""
+    """Print the installed packages of each extra and end the program, if the option is given."""
     if asked and not context.resilient_parsing:
         from coursework.commands.line.versions import tell_versions
 
@@ -105,7 +105,7 @@ def versions_shown(context: click.Context, _option: click.Parameter, asked: bool
 
 
 class CommandWithTemplates(click.Command):
-    """A command with `--templates`: the pieces stand before anything is said, wherever in the line the option is."""
+    """A command with `--templates`: the pieces are in use before anything is printed, wherever the option is in the line."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         given = [after for word, after in pairwise(args) if word == "--templates"]
@@ -122,10 +122,10 @@ class CommandWithTemplates(click.Command):
 
 
 class CommandWithKinds(click.Command):
-    """A command whose help ends with the table of kinds of groups, made from their records."""
+    """A command whose help ends with the table of kinds of groups, made from the records of the groups."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Read the language first: what is asked for help speaks it wherever it stands."""
+        """Move the language option to the front, so that the help is printed in that language wherever the option is."""
         spoken = [k for k, arg in enumerate(args) if arg == "--language" or (k and args[k - 1] == "--language")]
         spoken += [k for k, arg in enumerate(args) if arg.startswith("--language=")]
         return super().parse_args(ctx, [args[k] for k in spoken] + [arg for k, arg in enumerate(args) if k not in spoken])
@@ -138,7 +138,7 @@ class CommandWithKinds(click.Command):
 
 
 def templates(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
-    """Add `--templates` to a `CommandWithTemplates`; `passed_on` where the command itself asks for the folder."""
+    """Add `--templates` to a `CommandWithTemplates`; `passed_on` is True if the command itself needs the folder."""
     return click.option(
         "--templates", type=PATH, expose_value=passed_on,
         help="Folder of your own pieces of pages; each stands before the piece of reports/ of the same name.",
@@ -152,7 +152,7 @@ SET = click.option(
 
 
 def limited(command: Callable[..., int]) -> Callable[..., int]:
-    """Add the two limits of whatever computes."""
+    """Add the two options that limit time and memory to a command that computes."""
     above_zero = click.FloatRange(min=0, min_open=True)
     seconds = click.option(
         "--budget", type=above_zero, default=60.0, show_default=True, help="Most processor time of a variant, s."
@@ -164,7 +164,7 @@ def limited(command: Callable[..., int]) -> Callable[..., int]:
 
 
 def held_to_limits(command: Callable[..., int]) -> Callable[..., int]:
-    """Add the same to a command on one variant, which is held to them."""
+    """Add the same options to a command on one variant, and run the command within these limits."""
 
     @wraps(command)
     def watching(*, variant: str, budget: float, memory: float, **options: Any) -> int:

@@ -1,6 +1,6 @@
-"""`--templates DIR`: an instructor's own pieces of pages, looked at before they are used.
+"""`--templates DIR`: an instructor's own pieces of pages, checked before they are used.
 
-Enters: a folder, or None.  Leaves: a block in which they stand in.  Raises `InputError`.  Used by `options.py` and `several.py`.
+Enters: a folder, or None.  Leaves: a context that uses its pieces.  Raises `InputError`.  Used by `options.py` and `several.py`.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
-STYLES = ("reference.docx", "reference.odt")  # of a department, for its notes; the house's own are made
-MOST_BYTES = 4 * 2**20  # of one piece: a page with more does not open well anywhere
+STYLES = ("reference.docx", "reference.odt")  # a department's styles for notes; the package makes its own
+MOST_BYTES = 4 * 2**20  # most bytes of one piece, as larger pages open badly
 
 
 def with_templates(own: Path | None) -> AbstractContextManager[None]:
-    """Return the block in which the pieces of `own` stand before those of the package; nothing changes for None."""
+    """Return the context in which the pieces of `own` replace those of the package; None changes nothing."""
     if own is not None:
         _look_at(own)
     return templates_of(own)
@@ -34,7 +34,7 @@ def _look_at(own: Path) -> None:
     known = [path.relative_to(place).as_posix() for path in templates_in(place)]
     used = [
         name for name in found if name in known or PurePath(name).match("words.*.toml") or name in STYLES
-    ]  # words: of another language too
+    ]  # also words of another language
     if not used:
         advice = next((hint for name in found if (hint := closest(name, known))), "")
         raise InputError([Fault(say("fault.C062", advice=advice, known=tuple(sorted(known))), str(own))])

@@ -1,6 +1,6 @@
-"""`coursework --versions`: what is installed of each extra.
+"""`coursework --versions`: the installed packages of each extra.
 
-Enters: nothing.  Leaves: a line an extra.  Used by `options.py`.
+Enters: nothing.  Leaves: one line per extra.  Used by `options.py`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from coursework.words.sentences import ENGLISH, joined, say
 
 
 def tell_versions() -> None:
-    """Print the versions of the packages of each extra, and the line that installs those that are missing."""
+    """Print the package versions of each extra, and the command that installs missing packages."""
     speak(os.environ.get("COURSEWORK_LANGUAGE") or ENGLISH)
     tell(f"{OWN} {VERSION}, Python {platform.python_version()}")
     for extra, named in packages().items():

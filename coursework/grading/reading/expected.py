@@ -1,4 +1,4 @@
-"""What the reader may know of the task before it looks into a submission.
+"""What the reader may know about the task before it opens a submission.
 
 Enters: a variant and its Euler table.  Leaves: `Expected`, `Grid`.
 Used by the readers of this room (rows and units only) and by whoever marks.
@@ -12,9 +12,10 @@ from coursework.variant.record.variant import Variant
 
 @frozen
 class GridColumn:
-    """One column of the assigned table: name, SI unit (rad, m, 1/s, m/s), the key's values in SI.
+    """One column of the assigned table: its name, its SI unit (rad, m, 1/s, m/s) and the key's values in SI.
 
-    The reader looks at `values` for the unit of a column without one in its header and for whole turns, for nothing else.
+    The reader uses `values` only for the unit of a column whose header names none and for whole turns of an angle.  It uses the
+    first row also for the distances between points, to know which length a name such as AB means.
     """
 
     name: str
@@ -24,7 +25,7 @@ class GridColumn:
 
 @frozen
 class Grid:
-    """The assigned rows and columns: row k (from 1) stands at t = (k - 1)·step, in s; columns of `given` may be left out."""
+    """The assigned rows and columns: row k (from 1) is at t = (k - 1)·step, in s; a table may omit the columns in `given`."""
 
     step: float
     rows: int
@@ -38,13 +39,13 @@ class Grid:
 
     @property
     def units(self) -> tuple[tuple[str, str], ...]:
-        """Return (name, SI unit) of the columns."""
+        """Return the pair (name, SI unit) of each column."""
         return tuple((column.name, column.unit) for column in self.columns)
 
 
 @frozen
 class Expected:
-    """The grid, the variant whose names equations are written with, the names that answers may have."""
+    """The grid, the variant whose names the equations use, and the names that answers may have."""
 
     grid: Grid
     variant: Variant
@@ -52,9 +53,10 @@ class Expected:
 
 
 def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]], given: tuple[str, ...] = ()) -> Grid:
-    """Return the grid of a variant from its Euler table (`columns` by name, SI; fewer rows where the motion stops).
+    """Return the grid of a variant, with the values of its Euler table.
 
-    `given` are the columns that hold the same datum in every row.
+    `columns` gives the table by column name, in SI; it has fewer rows if the motion stops.
+    `given` names the columns that hold the same datum in every row.
     """
     rows = min(len(values) for values in columns.values())
     units = {name: variant.unit_of(name).replace("rad/s", "1/s") for name in variant.columns}

@@ -1,6 +1,6 @@
-"""How much of a submission is looked at, and how a reader gives up.
+"""Limits on how much of a submission is read, and the exception with which a reader gives up.
 
-Enters: nothing.  Leaves: the sizes of everything that is read; `Refused`.  Used by whatever reads or collects files.
+Enters: nothing.  Leaves: the limits for everything that is read; `Refused`.  Used by whatever reads or collects files.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ CELL_CHARACTERS = 500
 
 
 class Refused(Exception):
-    """A file cannot be marked as a table; `trouble` says why and what to do."""
+    """Raised if a file cannot be marked as a table; `trouble` says why and what to do."""
 
     def __init__(self, trouble: Trouble) -> None:
         super().__init__(str(trouble.text))
@@ -30,12 +30,12 @@ class Refused(Exception):
 
 
 def unreadable(code: str, /, **values: object) -> Refused:
-    """Return the refusal of a file that cannot be read; its sentence is `reading.trouble.<code>`."""
+    """Return the refusal of a file that cannot be read; its sentence has the key `reading.trouble.<code>`."""
     return Refused(Trouble("unreadable", code, say(f"reading.trouble.{code}", **values)))
 
 
 def other_kind(key: str, /, **values: object) -> Refused:
-    """Return the refusal of a file that is none of those that are read; its sentence is `reading.trouble.<key>`."""
+    """Return the refusal of a file of a kind that is not read; its sentence has the key `reading.trouble.<key>`."""
     return Refused(Trouble("unreadable", "other_kind", say(f"reading.trouble.{key}", **values)))
 
 
@@ -45,5 +45,5 @@ def doubtful(code: str, /, **values: object) -> Refused:
 
 
 def bounds(rows: int) -> tuple[int, int]:
-    """Return how many rows and columns of a file are read for a grid of `rows` rows: a transposed table has a column a row."""
+    """Return the most rows and columns read from a file for a grid of `rows` rows (a transposed table has one column per row)."""
     return max(ROWS, rows + 100), max(COLUMNS, rows + 10)

@@ -1,7 +1,7 @@
-"""The text of one cell -> a number, how it was printed, or why it has none.
+"""The text of one cell -> its number and how it was printed, or why it has no number.
 
 Enters: a cell's text and the file's decimal mark.  Leaves: `PrintedNumber`.
-Numbers are read by our own pattern, never by `float()` alone.
+Our own pattern decides what a number is, never `float()` alone.
 Used by whatever reads a file of a student or of a platform.
 """
 
@@ -22,13 +22,13 @@ _PLAIN = str.maketrans({
 })  # fmt: skip
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _POWER = re.compile(r"\s*(?:[·*xх]\s*10\s*\^?|\*\^)\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})[)}]?")
-# What people set round a number, "≈3.02", "**3.02**", "(3.02)", "3.02*", "3.02 ✓", and what they say beside it: how exact it is,
-# where it comes from.  A unit may stand there too; that of the column comes from its head or from the numbers themselves.
+# Signs that people put around a number ("≈3.02", "**3.02**", "(3.02)", "3.02*", "3.02 ✓") and remarks beside it on its accuracy
+# or source.  A unit may stand beside it too, but the unit of the column comes from its header or from the values.
 _BEFORE, _BEHIND = "≈≃≅~$*_`|([{'\"\\ ", "*_`$|)]};:,.!?'\"†‡§✓✔✗✘❌✅←◄\\ "
 _BESIDE = re.compile(
     r"\s*(?:(?:±|\+/-|\+-)\s?[0-9.,]{1,9}|\([0-9]{1,2}\)|[(\[][^()\[\]]{1,40}[)\]]|(?:←|<-|<=|//|#)\D{1,60}|[⁰¹²³⁴-⁹]{1,2})"
 )
-# An angle in degrees, minutes and seconds, 93°23'31", and to which decimal of a degree its last part tells it.
+# An angle in degrees, minutes and seconds, 93°23'31"; below, the decimals of a degree that minutes and seconds are taken to give.
 _SEXAGESIMAL = re.compile(
     r"([-+]?)([0-9]{1,4})\s*°\s*([0-5]?[0-9]|60)\s*['′](?:\s*([0-5]?[0-9]|60)(?:[.,]([0-9]{1,6}))?\s*(?:\"|″|''))?"
 )
@@ -59,11 +59,11 @@ _NUMBER = {".": _pattern(r"\.", ","), ",": _pattern(",", r"\.")}
 
 
 _STORED_DIGITS = 15
-ROUNDED = 0.505  # of the last place: what printing takes from a number
+ROUNDED = 0.505  # of one unit of the last place: the most that rounding for print changes a number
 
 
 class PrintedNumber(NamedTuple):
-    """A cell: its text, its number (NaN if `flag`), the decimal place of its last digit, its significant digits."""
+    """A cell: its text, its value (NaN if `flag`), the power of ten of its last digit, its count of significant digits."""
 
     text: str
     value: float
@@ -73,28 +73,30 @@ class PrintedNumber(NamedTuple):
 
     @property
     def is_number(self) -> bool:
-        """Return whether there is a number."""
+        """Return whether the cell holds a number."""
         return not self.flag
 
     @property
     def last_place(self) -> float:
-        """Return what one of the last digit is."""
+        """Return the value of one unit of the last digit."""
         return 10.0 ** max(self.place, -300)
 
     @property
     def stands_for_number(self) -> bool:
-        """Return whether a number stands here or stood here before a spreadsheet spoilt it."""
+        """Return whether the cell holds a number, or held one until a spreadsheet spoilt it."""
         return self.flag in {"", "error", "date", "formula"}
 
 
 def differ(first: PrintedNumber, second: PrintedNumber, factor: float = 1.0, other: float = 1.0) -> bool:
-    """Return whether two cells are numbers that no rounding makes equal; the factors turn each into one unit."""
+    """Return whether two cells are numbers that differ by more than rounding; the factors convert them to a common unit."""
     rounded = ROUNDED * (first.last_place * factor + second.last_place * other)
     return first.is_number and second.is_number and abs(first.value * factor - second.value * other) > rounded
 
 
 def plain_text(text: str) -> str:
-    """Return a cell's text as numbers are read: usual digits, minus and blanks, Mathcad's powers as e, nothing round the number.
+    """Return a cell's text in the form in which numbers are read.
+
+    Digits, minus and blanks become the usual ones, a power of ten becomes e, and signs around the number are removed.
 
     >>> [plain_text(text) for text in ("≈3,02", "**3.02**", "−3.02(1)", "3.02 рад/с", "1,2·10^-3 *", "3.02 m2")]
     ['3,02', '3.02', '-3.02', '3.02', '1,2e-3', '3.02 m2']
@@ -113,19 +115,19 @@ def plain_text(text: str) -> str:
 
 @lru_cache(maxsize=8192)
 def _matched(text: str) -> tuple[str, re.Match[str] | None, re.Match[str] | None]:
-    """Return a cell's plain text and how it reads with a decimal comma and with a point; a cell is asked about several times."""
+    """Return a cell's plain text and its matches with a decimal comma and with a point; cached: a cell is read several times."""
     plain = plain_text(text)
     return plain, _NUMBER[","].fullmatch(plain), _NUMBER["."].fullmatch(plain)
 
 
 def looks_numeric(text: str) -> bool:
-    """Return whether a cell is a number with either decimal mark."""
+    """Return whether a cell is a number with either decimal mark, or an angle in degrees, minutes and seconds."""
     plain, by_comma, by_point = _matched(text)
     return by_comma is not None or by_point is not None or _SEXAGESIMAL.fullmatch(plain) is not None
 
 
 def marks(texts: list[str]) -> tuple[int, int, int, int]:
-    """Return how many cells can only have a decimal comma, only a point, and could have either, by comma and by point."""
+    """Count the cells by decimal mark: only a comma fits, only a point fits, both fit and it has a comma, both and a point."""
     comma = point = either_comma = either_point = 0
     for text in texts:
         if "," not in text and "." not in text and "，" not in text and "．" not in text:
@@ -142,10 +144,10 @@ def marks(texts: list[str]) -> tuple[int, int, int, int]:
 
 
 def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
-    r"""Return what a cell says; `mark` is the file's decimal mark, `strict` where the file uses both.
+    r"""Return what a cell says; `mark` is the file's decimal mark, `strict` is True if the file uses both marks.
 
-    A cell that can only be read with the other mark is read with it; one that could mean two numbers follows the file's mark,
-    or counts as text where the file uses both marks.
+    A cell that only the other mark fits is read with that mark.  A cell that both marks fit is read with the file's mark;
+    with `strict` it counts as text if it contains only the other mark.
 
     >>> printed("1 234,50", ",")
     PrintedNumber(text='1 234,50', value=1234.5, place=-2, digits=6, flag='')
@@ -177,7 +179,7 @@ def _in_degrees(text: str, sign: str, degrees: str, minutes: str, seconds: str |
 
 
 def filled_in(text: str, mark: str) -> PrintedNumber:
-    """Return what a field of a form says, where nothing may stand beside the number.
+    """Return the number in a field of a form, where nothing may stand beside the number.
 
     >>> filled_in("85", ".").value, filled_in("85*", ".").flag
     (85.0, 'text')
@@ -199,8 +201,8 @@ def _read(text: str, match: re.Match[str]) -> PrintedNumber:
 
 
 def stored(text: str) -> PrintedNumber:
-    """Return a number as a spreadsheet stores it: at most 15 digits, the noise behind them rounded away."""
-    match = _NUMBER["."].fullmatch(text.strip().removesuffix(".0"))  # how some programs store a whole double
+    """Return a number that a spreadsheet stored; its place and digits count at most 15 digits, as the rest is noise."""
+    match = _NUMBER["."].fullmatch(text.strip().removesuffix(".0"))  # some programs store an integer so
     if not match:
         return PrintedNumber(text, math.nan, 0, 0, "error")
     read = _read(text, match)

@@ -1,6 +1,6 @@
-"""One submission -> what it holds: every file understood by its content, never by its name alone.
+"""One submission -> its contents; what each file is depends on its content, never on its name alone.
 
-Enters: `Submission`, `Expected`.  Leaves: `StudentWork`; never raises for what a student handed in (but `MemoryError`).
+Enters: `Submission`, `Expected`.  Leaves: `StudentWork`; nothing a student hands in makes it raise (except `MemoryError`).
 Used by whoever marks a submission, and by `precheck`.
 """
 
@@ -47,35 +47,35 @@ from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-_SHOWN = 40  # characters of a cell
+_SHOWN = 40  # most characters of a cell that are quoted
 _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
 
 
 @dataclass(slots=True)
 class _Found:
-    """What has been understood so far."""
+    """The contents of the submission found so far."""
 
     tables: list[tuple[Part, Table]] = field(default_factory=list)
-    refused: list[Trouble] = field(default_factory=list)  # files that stand where a table should
-    attached: list[Trouble] = field(default_factory=list)  # other files that are not read
+    refused: list[Trouble] = field(default_factory=list)  # files refused where a table was expected
+    attached: list[Trouble] = field(default_factory=list)  # other files that cannot be read
     equations: list[EquationLine] = field(default_factory=list)
-    beside: list[EquationLine] = field(default_factory=list)  # equations in the text of a table, where no file is of equations
+    beside: list[EquationLine] = field(default_factory=list)  # equations beside a table; used if `equations` is empty
     answers: list[AnswerLine] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
     entries: list[FileEntry] = field(default_factory=list)
     review: Sentence | None = None
-    unread: int = 0  # lines that were not tried
+    unread: int = 0  # number of lines that were not tried
     unopened: Sentence | None = None
 
     def take(self, lines: Lines, equations: list[EquationLine]) -> None:
-        """Add what stands in a text, its equations to one of the two lists."""
+        """Add the answers and equations of a text; `equations` is the list of this object that takes the equations."""
         equations += lines.equations
         self.answers += lines.answers
         self.unread += lines.unread
 
 
 def read_submission(submission: Submission, expected: Expected) -> StudentWork:
-    """Return what a submission holds."""
+    """Return the table, equations and answers of a submission."""
     found = _Found(notes=list(submission.notes), review=submission.review)
     files = [inner for file in submission.files for inner in _opened(file, found)]
     for file in files[FILES:]:
@@ -101,7 +101,7 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
 
 
 def _in_unit_of(table: Table | None, line: EquationLine) -> EquationLine:
-    """Return a line without the readings that hold where angles are in degrees, unless those of the table are."""
+    """Return a line without its readings in degrees, unless the table has a column in degrees."""
     turned = [other for other in line.others if other.in_degrees]
     if not turned or table is None or all(column.unit != "deg" for column in table.columns):
         return replace(line, others=tuple(other for other in line.others if not other.in_degrees))
@@ -109,7 +109,7 @@ def _in_unit_of(table: Table | None, line: EquationLine) -> EquationLine:
 
 
 def _opened(file: SubmittedFile, found: _Found) -> list[SubmittedFile]:
-    """Return a file, or what is in it where it is a plain zip; opened once, in memory."""
+    """Return the file itself, or the files inside it if it is a plain zip (opened only one level deep, in memory)."""
     if not file.content.startswith(b"PK") or file.trouble:
         return [file]
     try:
@@ -152,7 +152,7 @@ def _read(file: SubmittedFile, is_alone: bool, expected: Expected, found: _Found
 
 
 def _other_kind(kind: str, key: str = "other_kind") -> Refused:
-    """Return the refusal of a file by what it really is, with what to save it as."""
+    """Return the refusal of a file of this kind, which tells the student how to save it instead."""
     if kind in {OLD_EXCEL, OLD_WORD}:
         return unreadable("old_excel" if kind == OLD_EXCEL else "old_word")
     return other_kind("picture" if kind in PICTURES else key, kind=kind)
@@ -180,7 +180,7 @@ def _read_archive(file: SubmittedFile, could_be_table: bool, expected: Expected,
 def _read_document(
     document: Document, file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found
 ) -> tuple[_Kind, ...]:
-    """Read what stands in a document, which may be of several kinds."""
+    """Read a document, which may hold a table, equations and answers, into `found` and return its kinds."""
     tables, refused = tables_of_document(document, file.name, expected.grid)
     lines = lines_of_document(document, file.name, expected)
     found.tables += tables
@@ -193,7 +193,7 @@ def _read_document(
             found.refused.append(refused.trouble)
     if document.kind == "pdf" and kinds:
         found.notes.append(note("from_pdf", name=file.name))
-    if not kinds and document.kind in FORMATTED:  # for a person to look at
+    if not kinds and document.kind in FORMATTED:  # a person has to look at it
         raise _other_kind(FORMATTED[document.kind], "empty_document")
     return kinds or _nothing_in(file, could_be_table, found)
 
@@ -204,7 +204,7 @@ def _kinds(tables: Sequence[object], lines: Lines) -> tuple[_Kind, ...]:
 
 
 def _nothing_in(file: SubmittedFile, could_be_table: bool, found: _Found) -> tuple[_Kind, ...]:
-    """Leave a file aside in which nothing was found.  Raises `Refused` where a table should stand."""
+    """Note that nothing was found in a file.  Raises `Refused` if the file could be a table."""
     if could_be_table:
         raise unreadable("no_table", name=file.name)
     found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))
@@ -247,7 +247,7 @@ def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> Non
 
 
 def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]:
-    """Return the table that counts: the one that weighs most; two equally good and different ones need a person."""
+    """Return the table with the greatest weight, or the trouble if there is none or if two different ones weigh the same."""
     if not found.tables:
         instead = found.refused or ([] if found.equations or found.answers else found.attached)
         if instead:
@@ -255,7 +255,7 @@ def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]
         return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
     tables = [table for _, table in found.tables]
     wholes = joined([part for part, _ in found.tables], grid)
-    if len(wholes) < len(tables):  # halves of one in several files
+    if len(wholes) < len(tables):  # some files hold parts of one table
         tables = [table for _, table in read_parts(wholes, grid) if isinstance(table, Table)] or tables
     best, *others = sorted(tables, key=lambda table: (table.weight, _decimals(table)), reverse=True)
     equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
@@ -270,7 +270,7 @@ def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]
 
 
 def _unread_cells(table: Table) -> Sentence | None:
-    """Return why a person must look where cells hold something with digits that is no number, None where none does."""
+    """Return why a person must look at cells whose text has digits but is no number, None if there are none."""
     unread = [
         (row, column.name, text)
         for column in table.columns
@@ -284,7 +284,7 @@ def _unread_cells(table: Table) -> Sentence | None:
 
 
 def _named(table: Table) -> str | Sentence:
-    """Return the file of a table, and where in it the table stands."""
+    """Return the name of a table's file, with the place of the table in it if known."""
     return say("reading.place.in_file", place=table.place, file=table.reading.file) if table.place else table.reading.file
 
 

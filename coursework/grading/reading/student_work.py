@@ -1,4 +1,4 @@
-"""What a submission turned out to hold: its table on the assigned grid, its equations, its answers, and how each was read.
+"""The contents of a submission: its table on the assigned grid, its equations, its answers, and how each was read.
 
 Enters: nothing.  Leaves: `StudentWork`, `Table`, `TableColumn`, `Reading`, `EquationLine`, `AnswerLine`, `Trouble`.
 Made by the readers of this room; read by whoever marks.
@@ -18,18 +18,18 @@ from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# Why a cell has no number: nothing there, an error of the spreadsheet, a date it made of a number, some other text,
-# a formula that was never computed.  "" = it has one.
+# Why a cell has no number: it is empty, an error of the spreadsheet, a number that the spreadsheet made a date, other text, or
+# a formula that was never computed.  "" = it has a number.
 Flag = Literal["", "missing", "error", "date", "text", "formula"]
 
 
 @frozen
 class TableColumn:
-    """One column on the assigned grid; every tuple has one entry a row of the grid.
+    """One column on the assigned grid; every tuple has one entry per row of the grid.
 
-    `values` in SI (whole turns taken off), NaN where missing; `last_place` is u, the unit of the cell's last digit, in SI;
-    `texts` as handed in; `decimals` as printed, in the unit of the file.  `at` counts the columns of the file from 1; `turns`,
-    () for none, are the whole turns taken off in each row.
+    `values` are in SI without whole turns, NaN where missing; `last_place` is u, the unit of each cell's last digit, in SI.
+    `texts` are as handed in; `decimals` is their number as printed, in the unit of the file.  `at` is the number of the column in
+    the file, from 1.  `turns` are the whole turns subtracted in each row, () if none.
     """
 
     name: str
@@ -46,7 +46,7 @@ class TableColumn:
 
 @frozen
 class Reading:
-    """How a file was understood: exactly the keys of `reading` in grades.json."""
+    """How a file was read: exactly the keys of `reading` in grades.json."""
 
     file: str
     encoding: str
@@ -61,7 +61,7 @@ class Reading:
 
     @property
     def separated(self) -> Sentence:
-        """Return what parts the cells, for a person."""
+        """Return the name of the separator between cells, for a person."""
         known = self.separator if self.separator in {"cells", "tab", "blanks"} else "sign"
         return say(f"reading.separated.{known}", sign=self.separator)
 
@@ -72,7 +72,7 @@ class Reading:
 
 @frozen
 class OwnTimes:
-    """All rows of a table whose times have a `step` (s) of their own: values and units of the last place by column, in SI."""
+    """All rows of a table that uses its own time `step` (s): for each column its values and units of the last place, in SI."""
 
     step: float
     columns: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]]
@@ -80,11 +80,11 @@ class OwnTimes:
 
 @frozen
 class Table:
-    """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in.
+    """A student's table on the assigned grid; `columns` are in the order of the file, missing ones are left out.
 
-    `own` has every row where the times are not the grid's, in the order of time; `place` is where it stands in a document, None
-    where the file is the table.  `strange` counts the cells that are read by position under heads that name something else;
-    `asked` is why a person must look at those, unless what stands in them is right.
+    `own` has all rows in the order of time if the student's step differs from the grid's.  `place` says where in a document the
+    table stands, None if the file is the table.  `strange` counts the cells read by position under heads that name something
+    else; `asked` is the question to a person about columns whose heads are not understood, needed unless their cells are right.
     """
 
     reading: Reading
@@ -103,20 +103,21 @@ class Table:
 
     @property
     def weight(self) -> float:
-        """Return how much speaks for this one of several tables: its cells, strange ones a quarter."""
+        """Return the weight of the table in the choice between several: its number of cells, strange cells counting a quarter."""
         return self.cells - 0.75 * self.strange
 
     def column(self, name: str) -> TableColumn | None:
-        """Return a column by the key's name, None where it is missing."""
+        """Return the column with this name of the key, None if it is missing."""
         return next((column for column in self.columns if column.name == name), None)
 
 
 @frozen
 class EquationReading:
-    """One way to read a line: its `tree`, left - right, and the text that was read in its place, "" for the line as it stands.
+    """One way to read a line: `tree` is left - right; `text` is the repaired text that was read, "" if the line as it stands.
 
-    `guessed` where something was added that does not stand there; `is_loose` where the line may mean something else, so that it
-    counts only where it is right.  `in_degrees` where the line turns degrees into radians: right beside a table in degrees.
+    `guessed` is True if something was added that the line does not contain.  `is_loose` is True if the line may mean something
+    else, so that the reading counts only if it is right.  `in_degrees` is True if the reading converts degrees to radians, which
+    is correct beside a table in degrees.
     """
 
     tree: Formula
@@ -128,12 +129,12 @@ class EquationReading:
 
 @frozen
 class EquationLine:
-    """One line of equations: `text` as handed in; its `tree`, left - right, once read, else the fault and its column.
+    """One line of equations: `text` as handed in, and its `tree` (left - right), or the `fault` if it could not be read.
 
-    `repaired` is the text that was read in its place, "" for the line as it stands; `guessed` where something was added;
-    `others` are further ways to read the line, of which one that is right is what was meant; `relates` says of a line nobody
-    could read that it names two symbols of the variant: it is an equation, and no prose.  `place` is where the line stands in
-    a document, for a person; one that `may_be_datum`, as "w1 = 6.5" in a report, is an equation only where it is right.
+    `repaired` is the text that was read instead, "" if the line as it stands; `guessed` is True if something was added to it.
+    `others` are further ways to read the line; if one of them is right, that one was meant.  `relates` is True for an unread line
+    that names two symbols of the variant: it is an equation, not prose.  `place` says where the line stands in a document, for a
+    person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if it is right.
     """
 
     file: str
@@ -150,7 +151,7 @@ class EquationLine:
 
     @property
     def difference(self) -> Formula:
-        """Return left - right of a line that was read."""
+        """Return left - right; the line must have been read."""
         assert self.tree is not None
         return self.tree
 
@@ -162,7 +163,7 @@ class EquationLine:
 
 @frozen
 class AnswerLine:
-    """One measured answer: its `value` in SI, None where it is blank or unreadable."""
+    """One measured answer: its `value` in SI, None if it is blank or unreadable."""
 
     name: str
     value: float | None
@@ -171,7 +172,7 @@ class AnswerLine:
 
 @frozen
 class Trouble:
-    """Why no table can be marked: nothing was handed in, it cannot be read, or a person must decide."""
+    """Why no table can be marked: none was handed in, it cannot be read, or a person must decide."""
 
     state: Literal["missing", "unreadable", "needs-review"]
     code: str
@@ -180,7 +181,7 @@ class Trouble:
 
 @frozen
 class FileEntry:
-    """One line of `files` in grades.json; `kinds` what stands in the file, `kind` the first of them."""
+    """One entry of `files` in grades.json; `kinds` lists what the file contains, `kind` is the first of them."""
 
     name: str
     kind: str
@@ -195,10 +196,10 @@ class FileEntry:
 
 @frozen
 class StudentWork:
-    """Everything that was understood of one submission: exactly one of `table` and `trouble` is there.
+    """Everything found in one submission; exactly one of `table` and `trouble` is None.
 
-    `equations` is None where no equation was handed in; `answers` has the answers that stood in the files; `unopened` says why
-    some file could not be looked into that may hold what is missing.
+    `equations` is None if no equation was handed in; `answers` are those found in the files.  `unopened` says why a file that may
+    hold the missing part could not be opened.
     """
 
     files: tuple[FileEntry, ...]

@@ -1,4 +1,4 @@
-"""What a student handed in, before anybody has looked inside.
+"""What a student handed in, before any file is interpreted.
 
 Enters: nothing.  Leaves: `Submission`, `SubmittedFile`, `Note`; plain data that may cross to another process.
 Used by every part of this room.
@@ -16,7 +16,7 @@ from coursework.words.sentences import say
 
 @frozen
 class Note:
-    """Something the reader noticed and that costs no marks; `code` is one of grades.json's codes."""
+    """A remark of the reader that costs no marks; `code` is one of the note codes of grades.json."""
 
     code: str
     text: Sentence
@@ -27,15 +27,15 @@ class Note:
 
 
 def note(code: str, key: str = "", /, **values: object) -> Note:
-    """Return a note; its sentence is `reading.note.<key or code>`."""
+    """Return a note; its sentence has the key `reading.note.<key or code>`."""
     return Note(code, say(f"reading.note.{key or code}", **values))
 
 
 @frozen
 class SubmittedFile:
-    """One file as it was handed in: `name` for people only (never a path to write to), `content` read once, its hash.
+    """One file as handed in: `name` is for people only (never a path to write to), `content` its bytes, `sha256` their hash.
 
-    `trouble` says why the content is not there or only its beginning (locked, too large); such a file is listed, not read.
+    `trouble` says why the content is missing or cut off (locked, too large); such a file is listed but not read.
     `size` is the number of bytes of the whole file.
     """
 
@@ -50,15 +50,15 @@ class SubmittedFile:
 
 
 def submitted_file(name: str, content: bytes, trouble: Sentence | None = None, size: int | None = None) -> SubmittedFile:
-    """Return the record of a file whose bytes were just read."""
+    """Return the record of a file with its content; `size` is needed only if the content is not the whole file."""
     return SubmittedFile(name, content, len(content) if size is None else size, trouble)
 
 
 @frozen
 class Submission:
-    """All files of one student; `id` verbatim (NFC), `name` as the platform or roster says it.
+    """All files of one student; `id` is kept verbatim (in NFC), `name` is as the platform or roster gives it.
 
-    `review` is why a person must look before anything counts (two submissions without a time, two ids that are one).
+    `review` says why a person must look first (two submissions without a time, two ids that are the same), None if not needed.
     """
 
     id: str

@@ -1,1 +1,1 @@
-"""Documents of word processors, notebooks, JSON, Markdown and PDF -> the tables and lines of text in them."""
+"""Word processor documents, notebooks, JSON, Markdown and PDF -> the tables and lines of text in them."""

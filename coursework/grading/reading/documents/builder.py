@@ -1,6 +1,6 @@
-"""Paragraphs, tables and formulas as a word processor's file meets them -> a `Document`.
+"""The paragraphs, tables and formulas of a word processor's file, element by element -> a `Document`.
 
-Enters: what begins and ends, text.  Leaves: the document, filled.  A table inside a cell is a table of its own.
+Enters: starts and ends of elements, text.  Leaves: the filled document.  A table inside a cell is a separate table.
 Used by `docx.py`, `odt.py` and `rtf.py`.
 """
 
@@ -21,7 +21,7 @@ _EXPONENT = re.compile(r"[-−–]?\d{1,3}")
 
 @dataclass(slots=True)
 class _Paragraph:
-    """Pieces of text and formulas in their order; `is_below` after an index that was only set lower."""
+    """Pieces (text, whether it is a formula) in their order; `is_below` is True after an index made by lowering the letters."""
 
     pieces: list[tuple[str, bool]] = field(default_factory=list)
     length: int = 0
@@ -30,7 +30,7 @@ class _Paragraph:
 
 @dataclass(slots=True)
 class _Table:
-    """A table that is open."""
+    """An open table."""
 
     place: Sentence
     rows: list[list[Cell]] = field(default_factory=list)
@@ -40,7 +40,7 @@ class _Table:
 
 
 class DocumentBuilder:
-    """Fills a document; rows and columns beyond the bounds are left out."""
+    """Fills a document; rows and columns beyond the limits are left out."""
 
     def __init__(self, kind: str, most_rows: int, most_columns: int) -> None:
         self.document = Document(kind)
@@ -55,11 +55,11 @@ class DocumentBuilder:
         return bool(self._paragraphs)
 
     def open_paragraph(self) -> None:
-        """Begin a paragraph, perhaps one of a text box inside another."""
+        """Begin a paragraph; it may be inside another, as in a text box."""
         self._paragraphs.append(_Paragraph())
 
     def close_paragraph(self) -> None:
-        """End the paragraph that is open."""
+        """End the open paragraph."""
         if not self._paragraphs:
             return
         pieces = self._paragraphs.pop().pieces
@@ -78,7 +78,7 @@ class DocumentBuilder:
             add_lines(self.document, pieces, table.place)
 
     def text(self, text: str, position: str = "") -> None:
-        """Add text; `position` is "sub" or "super" where it is set lower or higher."""
+        """Add text; `position` is "sub" or "super" if it is set lower or higher."""
         if not self._paragraphs:
             self.open_paragraph()
         paragraph = self._paragraphs[-1]
@@ -93,7 +93,7 @@ class DocumentBuilder:
         paragraph.pieces.append((text, False))
 
     def formula(self, text: str) -> None:
-        """Add a formula, its rows apart."""
+        """Add a formula, with one line per row."""
         self.text(" ")
         self._paragraphs[-1].pieces.append((text[:LINE_CHARACTERS], True))
 
@@ -103,12 +103,12 @@ class DocumentBuilder:
         self._tables.append(_Table(place_of("table", number=self._table_number)))
 
     def open_row(self, skipped: int = 0) -> None:
-        """Begin a row; the first `skipped` columns are left free."""
+        """Begin a row; its first `skipped` columns are empty."""
         if self._tables:
             self._tables[-1].row = [Cell("")] * min(max(skipped, 0), self._most_columns)
 
     def close_cell(self, columns: int = 1, continued: bool = False, beside: bool = False) -> None:
-        """End a cell: it is repeated over the `columns` it spans, and is the one above or beside it where that goes on."""
+        """End a cell and repeat it over its `columns`; with `continued` or `beside` it repeats the cell above or before."""
         if not self._tables:
             return
         table = self._tables[-1]
@@ -123,7 +123,7 @@ class DocumentBuilder:
         table.cell = []
 
     def close_row(self, times: int = 1) -> None:
-        """End a row, which may stand there several times."""
+        """End a row and repeat it `times` times."""
         if not self._tables:
             return
         table = self._tables[-1]
@@ -133,13 +133,13 @@ class DocumentBuilder:
         table.row, table.cell = [], []
 
     def close_table(self) -> None:
-        """End the table that is open."""
+        """End the open table."""
         if self._tables:
             table = self._tables.pop()
             self.document.add_table((row for row in table.rows if any(cell.text for cell in row)), table.place)
 
     def finished(self) -> Document:
-        """Return the document, with what was still open."""
+        """Return the document, after closing everything that is still open."""
         while self._tables:
             self.close_cell()
             self.close_row()
@@ -150,7 +150,7 @@ class DocumentBuilder:
 
 
 def add_lines(document: Document, pieces: list[tuple[str, bool]], place: Sentence) -> None:
-    """Add a paragraph's lines: each equation in it that stands as a formula, and what is left; else all of it as one text."""
+    """Add a paragraph: if its formulas have equations, these and the remaining text as separate lines, else one text."""
     formulas = [line for text, is_formula in pieces if is_formula for line in equations_in(text)]
     if any("=" in line for line in formulas):
         for line in formulas:

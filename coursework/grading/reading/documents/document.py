@@ -1,6 +1,6 @@
-"""What is taken out of a document before anybody knows what it means: tables of cells, lines of text, each with its place.
+"""The content extracted from a document before it is interpreted: tables of cells and lines of text, each with its place.
 
-Enters: nothing.  Leaves: `Document`, `DocumentTable`, `DocumentLine`, bounded while they are filled.
+Enters: nothing.  Leaves: `Document`, `DocumentTable`, `DocumentLine`, limited in size while they are filled.
 Used by the readers of this room.
 """
 
@@ -16,20 +16,20 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# Documents that a program made for people to look at, by what they are called.
+# Kinds of formatted documents, with their names for people.
 FORMATTED = {"docx": "Word", "odt": "OpenDocument text", "rtf": "RTF", "pdf": "PDF"}
 MOST_TABLES, MOST_LINES, MOST_CELLS = 100, 20_000, 100_000
-MOST_CHARACTERS = 4_000_000  # of all lines, as of a text
+MOST_CHARACTERS = 4_000_000  # of all lines together
 
 
 def place_of(kind: str, /, **values: object) -> Sentence:
-    """Return where something stands, for a person: `reading.place.<kind>`."""
+    """Return the description of a place, for a person; its key is `reading.place.<kind>`."""
     return say(f"reading.place.{kind}", **values)
 
 
 @frozen
 class DocumentTable:
-    """One table as rows of cells (ragged)."""
+    """One table as rows of cells, of different lengths."""
 
     rows: tuple[tuple[Cell, ...], ...]
     place: Sentence
@@ -37,7 +37,7 @@ class DocumentTable:
 
 @frozen
 class DocumentLine:
-    """One line of text; `is_formula` where the document itself says so."""
+    """One line of text; `is_formula` is True if the document marks it as a formula."""
 
     text: str
     place: Sentence
@@ -46,10 +46,10 @@ class DocumentLine:
 
 @dataclass(slots=True)
 class Document:
-    """Tables and lines in the order in which they are looked at; `kind` names the encoding in grades.json.
+    """Tables and lines in the order in which they are read; `kind` is the encoding in grades.json.
 
-    `texts` are pieces of plain text that may hold a table of their own; where `first_counts`, the first of several tables with
-    equally many cells is the one that is meant; not `is_whole` where the text may hold a table that no mark of its own tells.
+    `texts` are pieces of plain text that may contain a table.  With `first_counts`, the first of several tables with equally many
+    cells is used.  `is_whole` is False if the text may contain a table without any markup.
     """
 
     kind: str
@@ -62,14 +62,14 @@ class Document:
     cells: int = 0
 
     def add_line(self, text: str, place: Sentence, is_formula: bool = False) -> None:
-        """Add a line that is not blank; further ones than a document may have are left out."""
+        """Add a line unless it is blank or the document already has the most lines or characters allowed."""
         text = plain_signs(text[:LINE_CHARACTERS]).replace("{,}", ",").strip()
         self.characters += len(text)
         if text and len(self.lines) < MOST_LINES and self.characters <= MOST_CHARACTERS:
             self.lines.append(DocumentLine(text, place, is_formula))
 
     def add_table(self, rows: Iterable[Sequence[Cell]], place: Sentence) -> None:
-        """Add a table with at least two columns; a single row may be where the table before goes on."""
+        """Add a table with at least two columns; a single row is kept too, as it may continue the table before it."""
         kept = tuple(tuple(row) for row in rows)
         self.cells += sum(map(len, kept))
         if max(map(len, kept), default=0) > 1 and len(self.tables) < MOST_TABLES and self.cells <= MOST_CELLS:

@@ -1,4 +1,4 @@
-"""A Word file -> its tables, paragraphs and native equations, by `zipfile` and `expat`.
+"""A Word file -> its tables, paragraphs and native equations, read with `zipfile` and `expat`.
 
 Enters: an `Archive`.  Leaves: `Document`.  Raises `Refused`.  Pictures, macros, embedded objects and other parts are not opened.
 Used by `read_document.py`.
@@ -18,28 +18,28 @@ from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.xml_events import stream, whole
 
 _MAIN = re.compile(r"word/document\d*\.xml")
-_SKIPPED = {"Fallback", "del", "moveFrom"}  # what stands there twice, and what was taken out
+_SKIPPED = {"Fallback", "del", "moveFrom"}  # copies of other content, and deleted or moved text
 _WITH_ATTRIBUTES = {"tab", "br", "cr", "gridSpan", "vMerge", "gridBefore", "vertAlign", "sym", "begChr", "endChr", "chr"}
 _WANTED = dict.fromkeys(omml.ELEMENTS | _SKIPPED | {"p", "tbl", "tr", "tc", "noBreakHyphen"}, False)
 _WANTED |= dict.fromkeys(_WITH_ATTRIBUTES, True)
-_ONE = (1, False)  # a cell of one column that does not go on from above
+_ONE = (1, False)  # a cell that spans one column and does not continue the one above
 _POSITIONS = {"superscript": "super", "subscript": "sub"}
 
 
 def main_part(archive: Archive) -> str | None:
-    """Return the part with the text of a Word file, None where an archive is no such file."""
+    """Return the name of the part with the text of a Word file, None if the archive is no Word file."""
     return next((name for name in sorted(archive.parts) if _MAIN.fullmatch(name)), None)
 
 
 def document_of_docx(archive: Archive, part: str, most_rows: int, most_columns: int) -> Document:
-    """Return what stands in a Word file."""
+    """Return the tables, paragraphs and equations of a Word file."""
     reader = _Reader(DocumentBuilder("docx", most_rows, most_columns))
     stream(archive.chunks(part), reader, _WANTED)
     return reader.builder.finished()
 
 
 class _Reader:
-    """Follows the elements of `word/document.xml`."""
+    """Handles the elements of `word/document.xml`."""
 
     def __init__(self, builder: DocumentBuilder) -> None:
         self.builder = builder
@@ -47,8 +47,8 @@ class _Reader:
         self.skipping = self.formulas = 0
         self.is_text = False
         self.position = ""
-        self.cells: list[tuple[int, bool]] = []  # for each open cell: the columns it spans, whether the one above goes on
-        # What begins and ends most often is looked up: a table has a thousand of each.
+        self.cells: list[tuple[int, bool]] = []  # per open cell: columns it spans, whether it continues the one above
+        # The most frequent elements are looked up here, as a table has a thousand of each.
         self.begins: dict[str, Callable[[], None]] = {
             "t": self._begin_text, "r": self._begin_run, "p": builder.open_paragraph, "tc": self._begin_cell,
             "tr": builder.open_row, "tbl": builder.open_table,
@@ -71,7 +71,7 @@ class _Reader:
             self._detail(name, attributes)
 
     def _begin_inside(self, name: str, attributes: dict[str, str]) -> None:
-        """Meet an element inside a formula or inside what is skipped."""
+        """Handle the start of an element inside a formula or inside skipped content."""
         if self.skipping or name in _SKIPPED:
             self.skipping += name in _SKIPPED
         elif self.formula is not None and name in omml.ELEMENTS:
@@ -89,7 +89,7 @@ class _Reader:
             self.cells[-1] = self.cells[-1][0], value != "restart"
         elif name == "gridBefore":
             self.builder.open_row(whole(value, 0))
-        elif name == "tab" and not attributes:  # with attributes it is where a tab would stop
+        elif name == "tab" and not attributes:  # with attributes it defines a tab stop
             self.builder.text("\t")
         elif name in {"br", "cr"} and attributes.get("type") is None:
             self.builder.text("\n")
@@ -143,7 +143,7 @@ class _Reader:
 
 
 def _symbol(attributes: dict[str, str]) -> str:
-    """Return the letter of a symbol's font."""
+    """Return the letter of a symbol element, which gives a font and a code."""
     code = attributes.get("char", "")
     if not re.fullmatch("[0-9A-Fa-f]{4}", code):
         return ""

@@ -1,6 +1,6 @@
-"""JSON that a program wrote -> the tables in it, as columns, records or rows with a head, and its named values.
+"""JSON written by a program -> its tables, given as columns, records or rows with a head, and its named values.
 
-Enters: text.  Leaves: `Document`.  Raises `Refused`.  Every form of pandas' `to_json` is one of these.
+Enters: text.  Leaves: `Document`.  Raises `Refused`.  All forms of pandas' `to_json` are understood.
 Used by `read_document.py`.
 """
 
@@ -16,26 +16,26 @@ from coursework.grading.reading.limits import CELL_CHARACTERS
 
 LEVELS = 6
 _MOST_VALUES, _MOST_RECORDS, _MOST_NAMES = 20_000, 10_000, 1000
-_FEW = 10  # numbers of one row under one name
+_FEW = 10  # most numbers that one name may have in a row
 _NOT_NUMBERS = {"NaN", "Infinity", "-Infinity"}
 
 
 def document_of_json(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
-    """Return what stands in a JSON file; `kind` names its encoding."""
+    """Return the tables and named values of a JSON file; `kind` names its encoding."""
     reader = _Reader(Document(kind), most_rows, most_columns)
     reader.read(read_json(text, LEVELS), "")
     return reader.document
 
 
 class _Reader:
-    """Walks the data, at most as deep as they may be nested."""
+    """Walks through the data; `LEVELS` limits how deeply they are nested."""
 
     def __init__(self, document: Document, most_rows: int, most_columns: int) -> None:
         self.document, self.most_rows, self.most_columns = document, most_rows, most_columns
         self.visited = 0
 
     def read(self, value: Any, path: str) -> None:
-        """Add what stands in a value; `path` are the names that lead to it."""
+        """Add the tables and lines of a value; `path` has the names that lead to it."""
         self.visited += 1
         if self.visited > _MOST_VALUES:
             return
@@ -55,7 +55,7 @@ class _Reader:
                 self._named("", inner, f"{path}[{number}]")
 
     def _named(self, name: str, value: Any, path: str) -> None:
-        """Add a text that may be an equation, a named number that may be an answer, or what is inside."""
+        """Add a text (perhaps an equation), a named number (perhaps an answer), or the contents of a list or object."""
         self.visited += 1
         if isinstance(value, (JsonObject, list)):
             self.read(value, path)
@@ -70,7 +70,7 @@ class _Reader:
                 self.document.add_line(f"{name} = {line}" if name and "=" not in line else line, place)
 
     def _rows(self, value: Any) -> list[Sequence[Cell]]:
-        """Return a value as rows of cells, a head first where there is one; nothing where it is no table."""
+        """Return a value as rows of cells, with a row of heads first if it has names; [] if it is no table."""
         if isinstance(value, list):
             return _records(value) if all(isinstance(row, JsonObject) for row in value) else _lists(value)
         if not isinstance(value, JsonObject):
@@ -82,7 +82,7 @@ class _Reader:
         return self._columns(value)
 
     def _columns(self, value: JsonObject) -> list[Sequence[Cell]]:
-        """Return columns by name: each a list, or numbered entries; records by number are the same the other way round."""
+        """Return the rows of an object of columns, each a list or numbered entries; also of an object of numbered records."""
         pairs = [pair for name, inner in value.pairs for pair in _spread(name, inner)]
         found = [(name, inner) for name, inner in pairs if isinstance(inner, (list, JsonObject)) and not _is_texts(inner)]
         columns = [(name, inner) for name, inner in found if _flat(inner)]
@@ -100,7 +100,7 @@ class _Reader:
 
 
 def _records(records: list[Any]) -> list[Sequence[Cell]]:
-    """Return records as rows below their names; a name that stands twice in a record is two columns."""
+    """Return records as rows under a row of their names; a name that occurs twice in a record makes two columns."""
     names: dict[tuple[str, int], int] = {}
     rows: list[list[Cell]] = []
     for record in records[:_MOST_RECORDS]:
@@ -118,7 +118,7 @@ def _records(records: list[Any]) -> list[Sequence[Cell]]:
 
 
 def _parted(name: str, value: Any) -> list[tuple[str, Any]]:
-    """Return an entry of a record, several short ones in the place of those in it: phi1, phi2, phi3 of phi, or by their names."""
+    """Return an entry of a record, or the entries inside it if it is short: phi1, phi2, phi3 for a list phi."""
     if isinstance(value, JsonObject) and len(value.pairs) <= _FEW:
         return list(value.pairs)
     if isinstance(value, list) and 1 < len(value) <= _FEW:
@@ -127,7 +127,7 @@ def _parted(name: str, value: Any) -> list[tuple[str, Any]]:
 
 
 def _spread(name: str, value: Any) -> list[tuple[str, Any]]:
-    """Return a column, or those that a list of lists is: a list a column, or a short list a row."""
+    """Return a column, or the columns of a list of lists: each list is a column if there are few lists, else a row."""
     lists = value if isinstance(value, list) and value and all(isinstance(inner, list) for inner in value) else []
     if len(lists) < 2 or len({len(inner) for inner in lists}) > 1:
         return [(name, value)]
@@ -143,7 +143,7 @@ def _lists(rows: list[Any]) -> list[Sequence[Cell]]:
 
 
 def _is_texts(value: Any) -> bool:
-    """Return whether a value is a text or a list of texts that holds an equation."""
+    """Return whether a value is a text with "=" or a list in which some text has one."""
     texts = value if isinstance(value, list) else [value]
     return any(isinstance(text, str) and not isinstance(text, JsonNumber) and "=" in text for text in texts)
 
@@ -158,7 +158,7 @@ def _entries(value: Any) -> list[Any]:
 
 
 def _is_label(name: str) -> bool:
-    """Return whether a name numbers a row: 0, 1, … or a time."""
+    """Return whether a name is a row number or a time."""
     return name.replace(".", "", 1).replace("-", "", 1).isdecimal()
 
 

@@ -1,4 +1,4 @@
-"""JSON text -> lists, objects and scalars, with what an ordinary reader loses: the digits of numbers, names that stand twice.
+"""JSON text -> lists, objects and scalars, without losing the digits of numbers or repeated names as other readers do.
 
 Enters: text.  Leaves: lists, `JsonObject`s, `JsonNumber`s, texts, booleans, None.  Raises `Refused`.
 Used by `json_data.py` and `notebook.py`.
@@ -18,32 +18,32 @@ _SIGN = re.compile(rf"{_TEXT.pattern}|[\[{{]|[\]}}]", re.DOTALL)
 
 
 class JsonNumber(str):
-    """A number as it is written; NaN and Infinity too."""
+    """A number as written in the file, including NaN and Infinity."""
 
     __slots__ = ()
 
 
 @frozen
 class JsonObject:
-    """Names and values in their order; a name may stand there twice."""
+    """Pairs (name, value) in their order; a name may occur twice."""
 
     pairs: tuple[tuple[str, Any], ...]
 
     def value(self, name: str) -> Any:
-        """Return the value of a name, None where it is not there."""
+        """Return the first value of a name, None if there is none."""
         return next((value for key, value in self.pairs if key == name), None)
 
 
 def is_json(text: str) -> bool:
-    """Return whether a text begins as data of a program do: an object, or a list of them, of lists, texts or numbers."""
-    number = r"(?:null|NaN|-?\d[\d.eE+-]*)\s*(?:,|\]\s*(?:[,\]]|\Z))"  # of a list: [16] before an equation is its number
+    """Return whether a text begins like JSON: an object, or a list of objects, lists, texts or numbers."""
+    number = r"(?:null|NaN|-?\d[\d.eE+-]*)\s*(?:,|\]\s*(?:[,\]]|\Z))"  # in a list; but [16] before an equation is its label
     begins = rf'[\ufeff\s]*(?:\{{\s*["}}]|(?:\[\s{{0,9}}){{3}}|(?:\[\s{{0,9}}){{1,2}}(?:[{{"\]]|{number}))'
     begun = text[:2000]
-    return re.match(begins, begun) is not None and not re.search(r"[*(=]", _TEXT.sub("", begun))  # as a matrix of formulas has
+    return re.match(begins, begun) is not None and not re.search(r"[*(=]", _TEXT.sub("", begun))  # signs of a matrix of formulas
 
 
 def read_json(text: str, levels: int) -> Any:
-    """Return what a text holds.  Raises `Refused` where it is damaged, or has more than `levels` levels of brackets."""
+    """Return the data in a text.  Raises `Refused` if it is damaged or nested deeper than `levels` brackets."""
     depth = 0
     for found in _SIGN.finditer(text):
         sign = found[0][0]
@@ -57,7 +57,7 @@ def read_json(text: str, levels: int) -> Any:
         lines = [line for line in bare.split("\n") if line.strip()]
         if len(lines) < 2 or not all(line.rstrip(", \t")[-1:] in ("}", "]") for line in lines):
             raise unreadable("json_damaged") from error
-        try:  # a record a line
+        try:  # one record per line
             return _loaded("[" + ",".join(line.rstrip(", \t") for line in lines) + "]")
         except (ValueError, RecursionError):
             raise unreadable("json_damaged") from error

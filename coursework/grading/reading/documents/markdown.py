@@ -1,6 +1,6 @@
 """Markdown -> its pipe tables, formulas and lines of text.
 
-Enters: text.  Leaves: `Document`, None for a text without a pipe table and without `$…$`.
+Enters: text.  Leaves: `Document`; `is_markdown` tells whether a text has a pipe table or `$…$`.
 Used by `read_document.py` and, for the cells of a notebook, by `notebook.py`.
 """
 
@@ -16,7 +16,7 @@ from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 from coursework.words.sentence import Sentence
 
-_RULE = re.compile(r"\|?:?-+:?(?:\|:?-+:?)*\|?")  # of a line without its blanks
+_RULE = re.compile(r"\|?:?-+:?(?:\|:?-+:?)*\|?")  # matched against a line without blanks
 _DISPLAYED, _INLINE = re.compile(r"\$\$([^$]{1,4000})\$\$"), re.compile(r"(?<![\\$])\$([^$\n]{1,2000})\$")
 _MARKUP = re.compile(r"^[ \t]*(?:(?:#{1,6}[ \t]+|>[ \t]?|[*+][ \t]+(?=\S))+)?(?:\*\*)?|\*\*[ \t]*$|`{1,3}\w{0,20}$|`")
 _ESCAPED = re.compile(r"\\(?=[*_#|<>\[\]()+-])")
@@ -31,19 +31,19 @@ def is_markdown(text: str) -> bool:
 
 
 def _is_rule(line: str) -> bool:
-    """Return whether a line parts the heads of a pipe table from its rows."""
+    """Return whether a line is the rule between the heads and the rows of a pipe table."""
     return "-" in line and len(line) <= LINE_CHARACTERS and bool(_RULE.fullmatch("".join(line.split())))
 
 
 def document_of_markdown(text: str, kind: str) -> Document:
-    """Return what stands in a Markdown file; `kind` names its encoding."""
+    """Return the tables, formulas and lines of a Markdown file; `kind` names its encoding."""
     document = Document(kind, is_whole=False)
     add_markdown(document, text, lambda line: place_of("line", line=line))
     return document
 
 
 def add_markdown(document: Document, text: str, place: Callable[[int], Sentence]) -> None:
-    """Add the tables and lines of a Markdown text; `place` says where its line (from 1) stands."""
+    """Add the tables and lines of a Markdown text; `place` gives the description of a line by its number (from 1)."""
     lines = [line[:LINE_CHARACTERS] for line in text.split("\n")]
     at = 0
     kept: list[str] = []
@@ -67,7 +67,7 @@ def _cells(line: str) -> list[Cell]:
 
 
 def _add_text(document: Document, text: str, place: Callable[[int], Sentence]) -> None:
-    """Add formulas set apart, which may run over several lines, and the lines between them."""
+    """Add the displayed formulas, which may extend over several lines, and the lines between them."""
     end, number = 0, 1
     for found in _DISPLAYED.finditer(text):
         _add_plain(document, text[end : found.start()], number, place)
@@ -96,7 +96,7 @@ def _add_plain(document: Document, text: str, first: int, place: Callable[[int],
 
 
 def _rows(formula: str) -> str:
-    r"""Return a formula with a line a row: \\ ends one, a break of the text does not; without its environment."""
+    r"""Return a formula without its environment, with one line per row: only \\ ends a row, a line break does not."""
     formula = matrices_in_one_piece(formula)
     bare = re.sub(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\{[lcr|]*\})?", " ", formula.replace("\n", " "))
     return re.sub(r"\\\\(?:\s*\[[^\]]{0,20}\])?", "\n", bare).replace("&", " ")

@@ -1,6 +1,6 @@
-"""A notebook of Jupyter -> the tables that its outputs show, from the last to the first, and the text of its Markdown cells.
+"""A Jupyter notebook -> the tables in its outputs, from the last to the first, and the text of its Markdown and raw cells.
 
-Enters: text.  Leaves: `Document`, None for any other text.  Code is neither run nor read: no number comes from it.
+Enters: text.  Leaves: `Document`.  Raises `Refused`.  Code is neither run nor read: no number comes from it.
 Used by `read_document.py`.
 """
 
@@ -17,7 +17,7 @@ from coursework.grading.reading.documents.markdown import add_markdown
 from coursework.grading.reading.files.html_text import text_of
 
 _MOST_CELLS, _MOST_OUTPUTS = 2000, 200
-_LEVELS = 12  # of what surrounds the texts in a notebook; nothing deeper is looked at
+_LEVELS = 12  # most levels of brackets; a notebook with more is refused
 _ANSI = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
@@ -27,7 +27,7 @@ def is_notebook(text: str) -> bool:
 
 
 def document_of_notebook(text: str, kind: str) -> Document:
-    """Return what a notebook shows.  Raises `Refused` where it is damaged or nested beyond all bounds."""
+    """Return the outputs and texts of a notebook.  Raises `Refused` if it is damaged or nested too deeply."""
     document = Document(kind, first_counts=True)
     whole = read_json(text, _LEVELS)
     cells = _items(whole, "cells")[:_MOST_CELLS]
@@ -50,7 +50,7 @@ def document_of_notebook(text: str, kind: str) -> Document:
 
 
 def _outputs(cell: Any) -> Iterator[str]:
-    """Give the texts that a cell shows; what is printed piece by piece is one text."""
+    """Yield the output texts of a cell; text printed in several pieces is joined."""
     for is_printed, group in groupby(_items(cell, "outputs"), lambda output: _text(output, "output_type") == "stream"):
         if is_printed:
             yield _ANSI.sub("", "".join(_joined(_value(output, "text")) for output in group))
@@ -82,7 +82,7 @@ def _items(of: Any, name: str) -> list[Any]:
 
 
 def _joined(value: Any) -> str:
-    """Return a text of a notebook, which may be kept line by line."""
+    """Return a text of a notebook, which may be stored as a list of lines."""
     if isinstance(value, str):
         return value
     return "".join(part for part in value if isinstance(part, str)) if isinstance(value, list) else ""

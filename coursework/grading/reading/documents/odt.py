@@ -1,4 +1,4 @@
-"""An OpenDocument text -> its tables, paragraphs and formulas, by `zipfile` and `expat`.
+"""An OpenDocument text -> its tables, paragraphs and formulas, read with `zipfile` and `expat`.
 
 Enters: an `Archive`.  Leaves: `Document`.  Raises `Refused`.  Of embedded objects only formulas are opened.
 Used by `read_document.py`.
@@ -18,7 +18,7 @@ from coursework.grading.reading.files.xml_events import stream, whole
 
 _MOST_FORMULAS = 300
 _KIND = b"application/vnd.oasis.opendocument.text"
-_SKIPPED = {"annotation", "note", "tracked-changes", "image"}  # `annotation` outside a formula is somebody's remark
+_SKIPPED = {"annotation", "note", "tracked-changes", "image"}  # outside a formula, `annotation` is a comment
 _PARAGRAPHS = {"p", "h"}
 _CELLS = {"table-cell", "covered-table-cell"}
 _WITH_ATTRIBUTES = {
@@ -40,7 +40,7 @@ def is_odt(archive: Archive) -> bool:
 
 
 def document_of_odt(archive: Archive, most_rows: int, most_columns: int) -> Document:
-    """Return what stands in an OpenDocument text."""
+    """Return the tables, paragraphs and formulas of an OpenDocument text."""
     refuse_encrypted(archive)
     reader = _Reader(archive, DocumentBuilder("odt", most_rows, most_columns))
     stream(archive.chunks(CONTENT), reader, _WANTED)
@@ -48,18 +48,18 @@ def document_of_odt(archive: Archive, most_rows: int, most_columns: int) -> Docu
 
 
 class _Reader:
-    """Follows the elements of `content.xml`."""
+    """Handles the elements of `content.xml`."""
 
     def __init__(self, archive: Archive, builder: DocumentBuilder) -> None:
         self.archive, self.builder = archive, builder
         self.formula: FormulaTree | None = None
         self.skipping = self.paragraphs = self.formulas = 0
         self.style = ""
-        self.positions: dict[str, str] = {}  # styles of letters that are set lower or higher
+        self.positions: dict[str, str] = {}  # style name -> "sub" or "super"
         self.spans: list[str] = []
         self.cells: list[tuple[str, dict[str, str]]] = []
         self.rows: list[int] = []
-        self.covered = 0  # cells to come that the last one covers beside it
+        self.covered = 0  # number of following cells that the last cell covers to its right
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
         if self.formula is not None:
@@ -98,7 +98,7 @@ class _Reader:
             self.builder.text({"s": " ", "tab": "\t"}.get(name, "\n"))
 
     def _object(self, href: str) -> None:
-        """Read a formula that is a part of its own; whatever else is embedded is left alone."""
+        """Read a formula that is stored in a part of its own; other embedded objects are not opened."""
         part = posixpath.normpath(posixpath.join(href.removeprefix("./"), CONTENT))
         self.formulas += 1
         if part in self.archive.parts and part != CONTENT and self.formulas <= _MOST_FORMULAS:
@@ -136,7 +136,7 @@ class _Reader:
             self.builder.close_table()
 
     def _close_cell(self, name: str, cell: dict[str, str]) -> None:
-        """End a cell; what a merged one covers beside it is there already, what it covers below is the one above."""
+        """Close a cell; the cells covered by a merged one are there already on its right, and repeat the one above below it."""
         if name == "covered-table-cell":
             repeated = _times(cell, "number-columns-repeated")
             beside = min(self.covered, repeated)

@@ -1,6 +1,6 @@
-"""A page of HTML or a LaTeX file with tables -> its tables, the labels of its formulas, lines of text.
+"""An HTML page or a LaTeX file with tables -> its tables, the labels of its formulas, its lines of text.
 
-Enters: text.  Leaves: `Document`; nothing of a page is run or fetched.  Takes time in proportion to the text.
+Enters: text.  Leaves: `Document`; nothing is executed or fetched.  The time is proportional to the length of the text.
 Used by `read_document.py`.
 """
 
@@ -16,16 +16,16 @@ from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.limits import CELL_CHARACTERS
 
 _TABLE = re.compile(r"<(/?)table\b[^<>]{0,2000}>", re.IGNORECASE)
-# A formula that is drawn says what it is to who cannot see it, or to the script that draws it; the mark tells its line below.
+# A drawn formula has its source in a label for screen readers or in a script; the mark identifies its line later.
 _DRAWN = re.compile(
     r'<[a-z]{1,10}(?= )(?=[^<>]{0,500} role="math")[^<>]{0,500} aria-label="([^"<>]{1,2000})"[^"<>]{0,100}>'
     r'|<script type="math/tex[^"<>]{0,30}">([^<>]{1,2000})</script>'
 )
 _MARK = "\ue000"
-_MOST_ENDS = 4 * MOST_TABLES  # of tables
+_MOST_ENDS = 4 * MOST_TABLES  # starts and ends of tables
 _TABULAR = re.compile(r"\\(begin|end)\s{0,9}\{(?:longtable|tabular[xy]?|supertabular|tblr)\*?\}")
 _BODY = "\\begin{document}"
-_TYPES = re.compile(r"\s*(?:\[[^\]]{0,20}\]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})")  # place, width and columns of a table
+_TYPES = re.compile(r"\s*(?:\[[^\]]{0,20}\]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})")  # placement, width and columns
 _ROW_END = re.compile(r"\\\\(?:\s{0,9}\[[^\]]{0,20}\])?|\\tabularnewline\b")
 _MOST_TYPES, _TYPES_WITHIN = 3, 2000
 _CELL_END = re.compile(r"(?<!\\)&")
@@ -46,12 +46,12 @@ _SPAN = re.compile(rf"\s*{_MARK}(\d+),(\d+){_MARK}")
 
 
 def has_tables(text: str) -> bool:
-    """Return whether a page of HTML or a LaTeX file has tables of its own."""
+    """Return whether an HTML page or a LaTeX file contains tables."""
     return bool(_TABLE.search(text) or _TABULAR.search(text))
 
 
 def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
-    """Return what stands in a page of HTML: a table inside another is a table of its own."""
+    """Return the tables and lines of an HTML page; a table inside another is a separate table."""
     document = Document(kind, is_whole=False)
     marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1] or found[2]}</p>", text)
     depth = end = 0
@@ -63,9 +63,9 @@ def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) ->
 
 
 def _spanned(rows: list[list[str]], most_columns: int) -> list[list[str]]:
-    """Return rows in which a cell stands in every column and row that it spans."""
+    """Return the rows with each cell repeated in all columns and rows that it spans."""
     out: list[list[str]] = []
-    below: dict[int, tuple[int, str]] = {}  # by column: in how many rows more which text stands
+    below: dict[int, tuple[int, str]] = {}  # column -> (number of further rows, text that spans them)
     for row in rows:
         cells: list[str] = []
         for text in (*row, None):
@@ -105,7 +105,7 @@ def _add_piece(document: Document, piece: str, is_table: bool, most_rows: int, m
 
 
 def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
-    """Return the tables of a LaTeX file and its lines, those of the tables and of the preamble left out."""
+    """Return the tables of a LaTeX file and the lines of its body outside the tables."""
     document = Document(kind, is_whole=False)
     end = text.find(_BODY) + len(_BODY) if _BODY in text else 0
     number, is_table = text.count("\n", 0, end) + 1, False
@@ -123,7 +123,7 @@ def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -
 
 
 def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:
-    """Return the rows between the two ends of a table."""
+    """Return the rows of a table's body."""
     for _ in range(_MOST_TYPES):
         found = _TYPES.match(body, 0, _TYPES_WITHIN)
         body = body[found.end() :] if found else body

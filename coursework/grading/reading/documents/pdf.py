@@ -1,7 +1,7 @@
-"""A PDF with text -> its tables and lines, by pdfplumber (extra `pdf`), bounded in pages, letters, inflated bytes and time.
+"""A PDF with text -> its tables and lines, read by pdfplumber (extra `pdf`), with limits on pages, letters, bytes and time.
 
-Enters: bytes.  Leaves: `Document`.  Raises `Refused`; without the extra it says which command installs it.
-Used by `read_document.py`, and by the batch, whose results depend on whether the extra is there.
+Enters: bytes.  Leaves: `Document`.  Raises `Refused`; without the extra, the refusal names the command that installs it.
+Used by `read_document.py`, and by the batch, as its results depend on whether the extra is installed.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, R
 
 EXTRA = "pdfplumber"
 PAGES, SECONDS, LETTERS = 30, 5.0, 150_000
-_THIN, _LONGEST = 1.5, 400.0  # points: the height of a bar, its length
-_FEWEST = 20  # letters below which a PDF has no text: a scan, photographs
+_THIN, _LONGEST = 1.5, 400.0  # points: the greatest height and length of a fraction bar
+_FEWEST = 20  # a PDF with fewer letters is a scan or photographs
 
 
 def is_pdf(content: bytes) -> bool:
-    """Return whether a file is a PDF; a few bytes may stand before its mark."""
+    """Return whether a file is a PDF; other bytes may precede its signature."""
     return b"%PDF-" in content[:1024] and not content.startswith(b"PK")
 
 
@@ -42,7 +42,7 @@ def is_readable() -> bool:
 
 
 def document_of_pdf(content: bytes, most_rows: int, most_columns: int) -> Document:
-    """Return what stands in a PDF."""
+    """Return the tables and lines of a PDF.  Raises `Refused`."""
     if not is_readable():
         raise doubtful("no_pdf_reader", command='pip install "coursework[pdf]"')
     try:
@@ -52,7 +52,7 @@ def document_of_pdf(content: bytes, most_rows: int, most_columns: int) -> Docume
         raise stopped.refused from None
     except (Refused, MemoryError):
         raise
-    except Exception as error:  # a library of others, on bytes that anybody may have written
+    except Exception as error:  # the library may raise anything for damaged or hostile files
         raise unreadable("pdf_password") if "Password" in repr(error) else other_kind("pdf_damaged") from error
 
 
@@ -82,7 +82,7 @@ def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
 
 
 def _bars(page: Any) -> list[Bar]:
-    """Return the thin bars of a page that may part a fraction."""
+    """Return the thin bars of a page that may be fraction bars."""
     drawn = itertools.islice(itertools.chain(page.lines, page.rects, page.curves), MOST_BARS + 1)
     return [
         Bar(float(bar["x0"]), float(bar["x1"]), (float(bar["y0"]) + float(bar["y1"])) / 2)
@@ -92,7 +92,7 @@ def _bars(page: Any) -> list[Bar]:
 
 
 def _letters(page: Any) -> Iterator[Letter]:
-    """Give the letters of a page that stand upright."""
+    """Yield the upright letters of a page."""
     for char in page.chars:
         if char["upright"] and char["text"]:
             yield Letter(
@@ -101,7 +101,7 @@ def _letters(page: Any) -> Iterator[Letter]:
 
 
 class _Stopped(BaseException):
-    """A bound was met inside the library, which would catch an ordinary exception."""
+    """Raised at a limit inside the library; a `BaseException`, as the library catches ordinary ones."""
 
     def __init__(self, code: str = "pdf_slow") -> None:
         super().__init__(code)
@@ -109,7 +109,7 @@ class _Stopped(BaseException):
 
 
 class _CountedZlib:
-    """`zlib` with all inflated bytes counted, as the library asks for it."""
+    """A replacement for `zlib` in the library that counts all inflated bytes."""
 
     error = zlib.error
 
@@ -140,7 +140,7 @@ class _CountedZlib:
 
 @contextmanager
 def _bounded() -> Iterator[None]:
-    """Let the library inflate no more than a submission may, and stop it in time; it offers neither bound itself."""
+    """Limit the bytes that the library inflates and the time it takes; it has no such limits itself."""
     pdftypes: Any = importlib.import_module("pdfminer.pdftypes")
     logging.getLogger("pdfminer").setLevel(logging.CRITICAL)
     thread = ctypes.c_ulong(threading.get_ident())
@@ -153,5 +153,5 @@ def _bounded() -> Iterator[None]:
         yield
     finally:
         timer.cancel()
-        raise_in(thread, None)  # one that was sent while the last page ended
+        raise_in(thread, None)  # cancel an exception sent at the last moment
         pdftypes.zlib = usual

@@ -1,8 +1,8 @@
-"""The letters of a PDF's page -> its lines, words and rows of cells, by where they stand.
+"""The letters of a PDF page -> its lines, words and rows of cells, by their positions.
 
-Enters: letters with their boxes, base lines and sizes, thin bars.  Leaves: `PageLine`s.  A letter set higher becomes a power,
-what stands above and below a short bar one piece of text where the bar is.  The lines of a table are no fractions: beside the
-bar of a fraction its equation goes on, on a base line a little below the bar.
+Enters: letters with boxes, base lines and sizes, thin bars.  Leaves: `PageLine`s.  A raised letter becomes a power; the letters
+above and below a short bar become one piece of text at the bar.  A rule of a table is not a fraction bar: an equation continues
+beside the bar of a fraction, on a base line a little below the bar.
 Used by `pdf.py`.
 """
 
@@ -19,17 +19,17 @@ from typing import NamedTuple
 from coursework.grading.reading.documents.signs import plain_signs
 from coursework.grading.reading.numbers import looks_numeric
 
-_SAME_LINE, _ATTACHED, _SMALLER = 0.12, 0.6, 0.88  # of the size of letters: base lines alike, an index's, its size
-_WORD_GAP, _CELL_GAP, _WIDE_GAP = 0.17, 0.62, 1.2  # of the size: between words, between cells, between equations in a line
+_SAME_LINE, _ATTACHED, _SMALLER = 0.12, 0.6, 0.88  # shares of the size: same base line, base line of an index, size of an index
+_WORD_GAP, _CELL_GAP, _WIDE_GAP = 0.17, 0.62, 1.2  # shares of the size: gaps between words, cells, equations
 _NAMING = re.compile(r"\d|^(?:№|#|[^\W\d]{1,2})(?:,|$)")
 MOST_BARS = 3000
-# Of the size of letters: how far base lines of the parts are from the bar, the equation's own below it, how much longer than
-# its parts a bar is, how near the equation goes on.
+# Shares of the size of letters: distance of the parts' base lines from the bar, height of the bar above the equation's base line,
+# excess of the bar's length over its parts, distance to the rest of the equation.
 _FAR, _AXIS, _LONGER, _NEAR = 1.6, (0.05, 0.45), 0.9, 1.5
 
 
 class Letter(NamedTuple):
-    """One letter: its text, left and right edge, base line (upwards) and size in points."""
+    """One letter: its text, left and right edge, base line (measured upwards) and size, in points."""
 
     text: str
     left: float
@@ -40,7 +40,7 @@ class Letter(NamedTuple):
 
 @dataclass(slots=True)
 class Word:
-    """Letters without a gap; `text` has powers as ^2."""
+    """Letters without a gap between them; `text` has powers as ^2."""
 
     text: str
     left: float
@@ -56,7 +56,7 @@ class PageLine:
 
     @property
     def text(self) -> str:
-        """Return the words with a blank between them, three where a gap as between two equations stands."""
+        """Return the words with one blank between them, three blanks at a gap as wide as between two equations."""
         gaps = [word.left - before.right > _WIDE_GAP * self.size for before, word in pairwise(self.words)]
         return "".join(
             f"{word.text}{'   ' if wide else ' '}" for word, wide in zip(self.words, [*gaps, False], strict=True)
@@ -64,7 +64,7 @@ class PageLine:
 
     @property
     def is_numbers(self) -> bool:
-        """Return whether the line is a row of a table: two numbers or more, hardly anything else."""
+        """Return whether the line is a row of a table: at least two numbers, and at least half of its words are numbers."""
         count = sum(looks_numeric(word.text) for word in self.words)
         return count >= 2 and 2 * count >= len(self.words)
 
@@ -77,7 +77,7 @@ class _Row:
 
 
 def lines_of(letters: Iterable[Letter]) -> list[PageLine]:
-    """Return the lines of a page from above."""
+    """Return the lines of a page, from top to bottom."""
     rows: list[_Row] = []
     for letter in sorted(letters, key=lambda letter: (-letter.base, letter.left)):
         if not rows or rows[-1].base - letter.base > _SAME_LINE * max(letter.size, rows[-1].size):
@@ -90,7 +90,7 @@ def lines_of(letters: Iterable[Letter]) -> list[PageLine]:
 
 
 def _attached(rows: list[_Row]) -> list[_Row]:
-    """Return the rows with those of indices and powers put into the line beside which they stand."""
+    """Return the rows, with rows of indices and powers merged into the line beside them."""
     kept: list[_Row] = []
     given: list[list[Letter]] = [[] for _ in rows]
     for place, row in enumerate(rows):
@@ -108,7 +108,7 @@ def _attached(rows: list[_Row]) -> list[_Row]:
 
 
 def _is_beside(row: _Row, line: _Row) -> bool:
-    """Return whether the first letter of a row stands behind a letter of the line."""
+    """Return whether the first letter of a row follows a letter of the line closely."""
     first = min(letter.left for letter in row.letters)
     return any(-0.5 * line.size < first - letter.right < 0.7 * line.size for letter in line.letters)
 
@@ -140,14 +140,14 @@ def _line(row: _Row) -> PageLine:
 
 
 def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
-    """Return the tables of a page as rows of texts, each with the line (from 0) it begins in.
+    """Return the tables of a page as rows of texts, each with the index of its first line (from 0).
 
-    Rows of numbers belong together as long as hardly any other line stands between them; a few lines above are their heads.
+    Rows of numbers belong to one table if at most two other lines are between them; up to four lines above are its heads.
     """
     numbers = [place for place, line in enumerate(lines) if line.is_numbers]
     runs: list[list[int]] = []
     for index, place in enumerate(numbers):
-        near = [len(lines[at].words) for at in numbers[max(index - 2, 0) : index + 2]]  # two rows of four, then two of five
+        near = [len(lines[at].words) for at in numbers[max(index - 2, 0) : index + 2]]  # two rows of four words, then two of five
         is_wider = len(near) == 4 and near[0] == near[1] != near[2] == near[3]
         begins = place - numbers[index - 1] > 1 and (is_wider or _first(lines[place]) < _first(lines[numbers[index - 1]]))
         if runs and place - runs[-1][-1] <= 3 and not begins:
@@ -157,7 +157,7 @@ def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
     tables = []
     end = 0
     for run in runs:
-        if len(run) > 1 or len(lines[run[0]].words) > 2:  # one row may be all that found room on a page
+        if len(run) > 1 or len(lines[run[0]].words) > 2:  # a page may have room for one row only
             start = max(run[0] - 4, end)
             tables.append((start, _rows(lines[start : run[-1] + 1])))
         end = run[-1] + 1
@@ -165,13 +165,13 @@ def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
 
 
 def _first(line: PageLine) -> float:
-    """Return the first number of a row: its time or its number, which begin again where another table does."""
+    """Return the first number of a row (its time or row number), which starts again in another table; 0 if it has none."""
     found = re.match(r"\d{1,9}(?:[.,]\d{1,9})?$", line.words[0].text)
     return float(found[0].replace(",", ".")) if found else 0.0
 
 
 def _rows(lines: Sequence[PageLine]) -> list[list[str]]:
-    """Return lines as rows below each other: each word goes into the column of numbers that it stands over or under."""
+    """Return lines as rows of cells: each word goes to the column of numbers above or below it."""
     widths = Counter(len(line.words) for line in lines if line.is_numbers)
     usual = max(widths, key=lambda width: (widths[width], width))
     whole = [line.words for line in lines if line.is_numbers and len(line.words) == usual]
@@ -186,7 +186,7 @@ def _rows(lines: Sequence[PageLine]) -> list[list[str]]:
 
 
 def _cells(line: PageLine) -> list[Word]:
-    """Return the words of a line put together where only a blank parts them; numbers stay apart."""
+    """Return the words of a line, joined where only a blank separates them; numbers stay separate."""
     cells: list[Word] = []
     for word in line.words:
         last = cells[-1] if cells else None
@@ -199,9 +199,9 @@ def _cells(line: PageLine) -> list[Word]:
 
 
 def _parted(cell: Word, line: PageLine, spans: Sequence[tuple[float, float]]) -> list[Word]:
-    """Return the heads of neighbouring columns that a narrow gap parts; a title over several columns stays one.
+    """Split a cell into the heads of neighbouring columns with a narrow gap; a title over several columns stays whole.
 
-    Each column gets words: a number in all of them but the time's, or else a letter or two; its side tells where it begins.
+    Each column must get words: all but the time's with a number, or else short names; the aligned side shows where each begins.
     """
     over = [span for span in spans if cell.left < span[1] and span[0] < cell.right]
     if len(over) < 2:
@@ -235,7 +235,7 @@ def _below(cells: Sequence[Word], spans: Sequence[tuple[float, float]]) -> list[
 
 
 class Bar(NamedTuple):
-    """A thin horizontal bar: left and right end, height above the page's foot, in points."""
+    """A thin horizontal bar: left and right end, height above the bottom of the page, in points."""
 
     left: float
     right: float
@@ -243,11 +243,11 @@ class Bar(NamedTuple):
 
 
 def with_fractions(letters: Sequence[Letter], bars: Sequence[Bar]) -> list[Letter]:
-    """Return the letters of a page with those above and below each bar of a fraction as one."""
+    """Return the letters of a page, with the letters of each fraction replaced by one text."""
     kept = sorted((letter for letter in letters if letter.text.strip()), key=lambda letter: letter.base)
     if not bars or len(bars) > MOST_BARS:
         return kept
-    for bar in sorted(set(bars), key=lambda bar: bar.right - bar.left):  # a fraction inside another first
+    for bar in sorted(set(bars), key=lambda bar: bar.right - bar.left):  # inner fractions first
         kept = _put_together(kept, bar)
     return kept
 
@@ -276,7 +276,7 @@ def _put_together(letters: list[Letter], bar: Bar) -> list[Letter]:
 
 
 def _goes_on_at(letter: Letter, bar: Bar) -> bool:
-    """Return whether a letter goes on the equation on the left or on the right of a bar."""
+    """Return whether a letter continues the equation to the left or right of a bar."""
     low, high = (share * letter.size for share in _AXIS)
     gap = max(bar.left - letter.right, letter.left - bar.right)
     return low < bar.height - letter.base < high and -1.0 < gap < _NEAR * letter.size

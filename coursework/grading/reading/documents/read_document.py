@@ -1,6 +1,6 @@
-"""One file -> the document in it, and what that holds: tables on the assigned grid, equations, answers.
+"""One file -> the document in it, and its contents: tables on the assigned grid, equations, answers.
 
-Enters: bytes, an `Archive` or a decoded text.  Leaves: `Document`; of one, `Table`s and `Lines`.  Raises `Refused`.
+Enters: bytes, an `Archive` or a decoded text.  Leaves: `Document`, and its `Table`s and `Lines`.  Raises `Refused`.
 Used by `read_submission.py`.
 """
 
@@ -36,10 +36,10 @@ from coursework.grading.reading.table.table import read_parts, weight
 from coursework.grading.reading.table.tables_of_file import parts_of_text
 
 _MOST_TEXTS = 200
-_TRIED = re.compile("[=:≈]")  # equations and answers
+_TRIED = re.compile("[=:≈]")  # signs of equations and answers
 _OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
 _WORD = re.compile(r"[^\W\d_]{3,}")
-_FEWEST_WORDS = 4  # that are no names
+_FEWEST_WORDS = 4  # so many words that are not names make a sentence
 _DOTTED = re.compile(r"([^\W\d_])\u0307_?([0-9₀-₉]{0,2})|\\dot\s?\{?\s?\\?([A-Za-z]{1,9})\s?\}{0,2}_?\{?(\d{0,2})")
 
 
@@ -63,7 +63,7 @@ def is_document(archive: Archive) -> bool:
 
 
 def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
-    """Return the document of a notebook, of JSON, of a page or a LaTeX file with tables, of Markdown, None for any other text."""
+    """Return the document of a notebook, JSON, HTML or LaTeX with tables, or Markdown; None for any other text."""
     if is_notebook(decoded.text):
         return document_of_notebook(decoded.text, decoded.encoding)
     if is_json(decoded.text):
@@ -75,7 +75,7 @@ def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
 
 
 def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
-    """Return the cells of a spreadsheet in which an equation may have been typed, as lines."""
+    """Return the text cells of a spreadsheet that may contain an equation or answer, as lines."""
     document = Document("cells")
     for sheet in sheets:
         for number, row in enumerate(sheet.rows, start=1):
@@ -87,9 +87,9 @@ def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
 
 
 def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[tuple[Part, Table]], Refused | None]:
-    """Return the tables on the grid, and why the largest of those that could not be read was refused.
+    """Return the tables read on the grid, and the refusal of the largest unreadable table, None if there is none.
 
-    A document without tables of cells may have one as text, line by line.
+    If a document has no tables of cells, its lines are searched for a table in plain text.
     """
     parts: list[Part] = []
     refused: list[tuple[float, Refused]] = []
@@ -116,10 +116,11 @@ def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[
 
 
 def lines_of_document(document: Document, name: str, expected: Expected) -> Lines:
-    """Return the equations and answers of a document; its prose is passed over.
+    """Return the equations and answers of a document; its prose is skipped.
 
-    Lines are numbered as they were taken out.  A report is full of "=": an equation is what names a velocity that is sought, or
-    what cannot be read and names two symbols of the variant; where it names nothing else it may be a datum.
+    Lines are numbered in the order of extraction.  As "=" is frequent in a report, a readable line counts as an equation only if
+    it names a sought velocity; if it names nothing else, it may be a datum.  An unreadable line counts if it names two symbols of
+    the variant and is a formula or names a sought velocity.
     """
     names = names_for(expected)
 
@@ -128,12 +129,12 @@ def lines_of_document(document: Document, name: str, expected: Expected) -> Line
 
     lines = read_lines("\n".join(_tried(document.lines)), name, expected, kept=placed)
     if all(line.may_be_datum for line in lines.equations):
-        lines.equations = []  # data alone, as of a program, are no work
+        lines.equations = []  # data alone, such as those of a program, are not student equations
     return lines
 
 
 def _tried(lines: Sequence[DocumentLine]) -> Iterator[str]:
-    r"""Give the lines in which an equation may stand, "" for the others; between \begin and \end all are part of one."""
+    r"""Yield the lines that may contain an equation, "" for the others; all lines between \begin and \end are kept."""
     depth = 0
     for line in lines:
         begun = depth + line.text.count("\\begin")
@@ -142,7 +143,7 @@ def _tried(lines: Sequence[DocumentLine]) -> Iterator[str]:
 
 
 def _with_bullet(line: EquationLine, names: Names) -> EquationLine:
-    """Return a line that begins with a minus and a blank: that may be the sign of a list."""
+    """Return a line that begins with "- " with the reading in which this is the mark of a list added."""
     if not line.text.startswith("- "):
         return line
     bare = read_line(line.text[2:], line.file, line.line, names)
@@ -153,7 +154,7 @@ def _with_bullet(line: EquationLine, names: Names) -> EquationLine:
 
 
 def _placed(line: EquationLine, at: DocumentLine, names: Names) -> EquationLine | None:
-    """Return an equation with its place, None for a line that is none."""
+    """Return an equation with its place, None if the line is no equation."""
     named, sought = names_of(line, names) - {*BUILT_IN}, {*names.expected.variant.sought}
     if line.tree is None:
         if _is_told(line.text, at, names) or _is_of_accelerations(line.text, names):
@@ -164,13 +165,13 @@ def _placed(line: EquationLine, at: DocumentLine, names: Names) -> EquationLine 
 
 
 def _is_told(text: str, at: DocumentLine, names: Names) -> bool:
-    """Return whether a line that cannot be read is a sentence with a number in it: "Find w2 and w3 from t = 0 to 0.6 s"."""
+    """Return whether an unreadable line is a sentence that contains a number: "Find w2 and w3 from t = 0 to 0.6 s"."""
     if at.is_formula or _OPERATION.search(text):
         return False
     return sum(not names.is_name(word) for word in _WORD.findall(text)) >= _FEWEST_WORDS
 
 
 def _is_of_accelerations(text: str, names: Names) -> bool:
-    """Return whether a line has a dot over a velocity: the equations differentiated once more."""
+    """Return whether a line has a dot over a velocity, as an equation of accelerations has."""
     dotted = (names.spellings.canonical("".join(part or "" for part in found.groups())) for found in _DOTTED.finditer(text))
     return any(name in names.expected.variant.sought for name in dotted)

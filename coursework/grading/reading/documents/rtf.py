@@ -1,7 +1,7 @@
 r"""RTF as WordPad, Word and LibreOffice write it -> its tables, paragraphs and equations.
 
-Enters: bytes.  Leaves: `Document`.  Raises `Refused`.  Pictures, objects and whatever is hidden are passed over.
-A table is known by \intbl, \cell and \row, one inside a cell by \itap, \nestcell and \nestrow.  Used by `read_document.py`.
+Enters: bytes.  Leaves: `Document`.  Raises `Refused`.  Pictures, objects and hidden text are skipped.
+A table is recognised by \intbl, \cell and \row, one inside a cell by \itap, \nestcell and \nestrow.  Used by `read_document.py`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _SKIPPED = {
     "footerr", "footerf", "footnote", "annotation", "themedata", "datastore", "nonshppict", "nonesttables", "listtable",
     "mmathPict", "fldinst", "revtbl", "rsidtbl", "generator", "listtext", "filetbl", "xmlnstbl", "mmathPr", "deleted",
 }  # fmt: skip
-_KEPT = {"nesttableprops", "moMath", "moMathPara"}  # destinations that older readers skip and that are read here
+_KEPT = {"nesttableprops", "moMath", "moMathPara"}  # optional destinations (marked \*) that are read here
 _BREAKS = {"par": "\n", "line": "\n", "tab": "\t", "page": "\n", "sect": "\n", "softline": "\n"}
 _LETTERS = {
     "emdash": "—", "endash": "–", "lquote": "'", "rquote": "’", "ldblquote": '"', "rdblquote": '"', "bullet": "•", "emspace": " ",
@@ -41,13 +41,13 @@ _FONT = re.compile(r"\\f([0-9]{1,5})(?=[^0-9])[^;{}]{0,300}?\\fcharset([0-9]{1,3
 
 @frozen
 class _Group:
-    """What holds between two braces."""
+    """The state that holds inside a pair of braces."""
 
     is_skipped: bool = False
     codec: str = ""
     position: str = ""
-    after_unicode: int = 1  # characters that stand for a \u where it is not understood
-    node: str = ""  # the part of an equation that the group is
+    after_unicode: int = 1  # number of fallback characters after each \u
+    node: str = ""  # the element of an equation that the group is, "" if none
 
 
 def is_rtf(content: bytes) -> bool:
@@ -56,14 +56,14 @@ def is_rtf(content: bytes) -> bool:
 
 
 def document_of_rtf(content: bytes, most_rows: int, most_columns: int) -> Document:
-    """Return what stands in an RTF file."""
+    """Return the tables, paragraphs and equations of an RTF file."""
     reader = _Reader(DocumentBuilder("rtf", most_rows, most_columns), content.decode("latin-1"))
     reader.read()
     return reader.finished()
 
 
 class _Reader:
-    """Follows control words and groups; what is open is kept in a list."""
+    """Handles control words and groups; open groups are kept in a list, without recursion."""
 
     def __init__(self, builder: DocumentBuilder, text: str) -> None:
         self.builder, self.source = builder, text
@@ -74,16 +74,16 @@ class _Reader:
         self.fonts = {int(font): _CHARSETS.get(int(charset), "") for font, charset in fonts}
         self.groups = [_Group()]
         self.formula: FormulaTree | None = None
-        self.waiting = bytearray()  # letters in a code page that come one by one
-        self.leaving = 0  # characters that only stand in for the \u before them
+        self.waiting = bytearray()  # bytes in a code page, collected until they are decoded together
+        self.leaving = 0  # number of fallback characters still to skip after a \u
         self.is_starred = self.is_first = False
-        self.level = 0  # of the tables a paragraph stands in
-        self.merges: list[tuple[bool, bool]] = []  # for each cell of a row: it goes on from the left, from above
+        self.level = 0  # number of nested tables around the paragraph
+        self.merges: list[tuple[bool, bool]] = []  # per cell of a row: continues the cell on the left, the one above
         self.merge = (False, False)
-        self.at: list[int] = []  # for each open table: the cells of the row so far
+        self.at: list[int] = []  # per open table: number of cells of the row so far
 
     def read(self) -> None:
-        """Read everything.  Raises `Refused` beyond all bounds."""
+        """Read the whole file.  Raises `Refused` if it has too many tokens or is nested too deeply."""
         place, tokens = 0, 0
         while match := _TOKEN.match(self.source, place):
             place = match.end()
@@ -106,7 +106,7 @@ class _Reader:
                 self._text(match[0])
 
     def finished(self) -> Document:
-        """Return the document."""
+        """Return the finished document."""
         self._flush()
         return self.builder.finished()
 
@@ -169,7 +169,7 @@ class _Reader:
             self._table_word(word, number)
 
     def _began(self, name: str) -> bool:
-        """Begin an equation or a part of one; return whether the group is one."""
+        """Begin an equation or an element of one if the group is such; return whether it is."""
         if self.formula is None and name == "oMath":
             self._to_level()
             self.formula = FormulaTree(name)
@@ -210,7 +210,7 @@ class _Reader:
         self.at[-1] += 1
 
     def _to_level(self) -> None:
-        """Open or end tables until as many are open as the paragraph stands in."""
+        """Open or close tables until as many are open as the paragraph is nested in."""
         while len(self.at) > self.level:
             self.builder.close_table()
             self.at.pop()
@@ -247,7 +247,7 @@ class _Reader:
                 self.waiting += text.encode("latin-1")
 
     def _flush(self) -> None:
-        """Put down what has come in a code page."""
+        """Decode and add the collected bytes."""
         if not self.waiting:
             return
         raw, codec = bytes(self.waiting), self.groups[-1].codec
@@ -257,7 +257,7 @@ class _Reader:
             return
         try:
             self._put(raw.decode(codec or self.usual, errors="replace"))
-        except LookupError:  # a code page that nobody knows
+        except LookupError:  # an unknown code page
             self._put(raw.decode("cp1252", errors="replace"))
 
     def _put(self, text: str) -> None:

@@ -1,4 +1,4 @@
-"""Letters that programs of texts write in place of plain ones: mathematical italics, the Symbol font, signs that are not seen.
+"""Letters that word processors write in place of plain ones: mathematical italics, the Symbol font, invisible signs.
 
 Enters: text.  Leaves: the same text in plain letters.  Used by the readers of this room.
 """
@@ -14,7 +14,7 @@ _SIGNS = str.maketrans({
     "\u2010": "-", "\u2011": "-", "\u2012": "-", "\u2013": "-", "\u2014": "-", "\u00a0": " ", "\u2028": " ", "\u2029": " ",
     "\u02d9": "\u0307", "\ufffc": " ", "\x0b": " ", "\x0c": " ", "\x00": " ",
 })  # fmt: skip
-# The Symbol font of Windows: Greek letters under Latin keys.
+# The Symbol font of Windows shows Greek letters for Latin ones.
 _SYMBOL = dict(zip("abgdezhqiklmnxoprstufcyw", "αβγδεζηθικλμνξοπρστυφχψω", strict=True)) | {
     "j": "φ",
     "J": "θ",
@@ -43,5 +43,5 @@ def _plain(letter: str) -> str:
 
 
 def symbol_font(letter: str) -> str:
-    """Return what the Symbol font shows for a letter of a keyboard."""
+    """Return the sign that the Symbol font shows for a letter."""
     return _SYMBOL.get(letter, letter)

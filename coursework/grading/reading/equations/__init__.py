@@ -1,1 +1,1 @@
-"""Lines of a submission as equations, answers, or a variant file."""
+"""Lines of a submission -> equations, answers, or a variant file."""

@@ -1,6 +1,6 @@
-"""`name = number unit` -> the answers a student measured in a drawing.
+"""`name = number unit` -> an answer that a student measured in a drawing.
 
-Enters: a line of text and the names of the rubric.  Leaves: `AnswerLine`, None where the line is no answer.
+Enters: a line of text and the names of the rubric.  Leaves: `AnswerLine`, None if the line is not an answer.
 Used by `lines.py`.
 """
 
@@ -25,7 +25,7 @@ _BLANK = {"", "-", "—", "–", "?", "…", "...", "_", "__", "___"}
 
 
 def read_answer(text: str, names: Sequence[str]) -> AnswerLine | None:
-    """Return the answer in a line.
+    """Return the answer in a line, None if it has none of the `names`.
 
     >>> read_answer("wAB = 3/4 рад/с", ["wAB"]).value
     0.75
@@ -52,7 +52,7 @@ def _form(text: str) -> str:
 
 
 def _value(text: str) -> float | None:
-    """Return a number in SI; one without a unit is in SI already."""
+    """Return a number in SI, None if it cannot be read; a number without a unit is in SI already."""
     match = _VALUE.fullmatch(text)
     if not match:
         return None
@@ -62,7 +62,7 @@ def _value(text: str) -> float | None:
 
 
 def _in_si(value: float, unit: str) -> float | None:
-    """Return a value in SI, None where its unit is neither one of the table nor one of force or moment."""
+    """Return a value in SI, None if its unit is unknown."""
     if not unit:
         return value
     if known := unit_of(unit):

@@ -1,6 +1,6 @@
-"""Lines of text, or a variant file -> the equations a student handed in, each a checked tree or a reason why not.
+"""Lines of text, or a variant file -> a student's equations, each as a checked tree or with the reason why it has none.
 
-Enters: text with the names of the variant.  Leaves: `EquationLine`s.  The text is data: nothing in it is evaluated.
+Enters: text with the names of the variant.  Leaves: `EquationLine`s.  The text is data: nothing in it is executed.
 Used by `read_submission.py`.
 """
 
@@ -24,32 +24,32 @@ from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import closest, say
 
-MORE_LINES = 20  # beyond twice the equations needed
+MORE_LINES = 20  # so many lines are read in addition to twice the equations needed
 WORD = re.compile(r"[^\W\d]\w*")
-_PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # of names written without a sign between them
+_PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—−]\s+")
-# A name and a formula: that of what is to vanish, as F(2) = r1*w1… is handed to a program that seeks roots.
+# A name and the formula of a residual, as in F(2) = r1*w1…, which is handed to a root finder.
 _FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[][\w\s,]{1,40}[)\]])?\s*=([^=]+)")
-TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # names that nobody knows are an equation all the same
+TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # a mark of an equation even if its names are unknown
 
 
 def most_lines(expected: Expected) -> int:
-    """Return how many equations of a submission are read."""
+    """Return the largest number of equations read from a submission."""
     return 2 * len(expected.variant.sought) + MORE_LINES
 
 
 def names_for(expected: Expected) -> Names:
-    """Return the names that equations may have."""
+    """Return the names that equations may use."""
     return Names(spellings_of(expected.variant, expected.grid.units), expected)
 
 
 def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
-    """Return one line as an equation: as it stands where the strict reader takes it, else in plain text, else with its fault.
+    """Return one line as an equation: as it stands if the strict reader accepts it, else repaired, else with its fault.
 
-    A line that can be meant in several ways has the others too: a label may be a number, a formula without a name the value of
-    any velocity.
+    A line that may be meant in several ways has the other readings in `others`: a label may be a number, and a formula without a
+    name may be the value of any velocity.
     """
     found, fault = _readings(text, names)
     for meant, in_degrees in ((of_radians(text), True), (of_one_component(text, names.expected.variant), False)):
@@ -60,7 +60,7 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
         first = firm[0]
         others = tuple(reading for reading in found if reading is not first)
         return EquationLine(file, line, text, first.tree, first.text, others=others, guessed=first.guessed)
-    assert fault is not None  # what has no firm reading was refused by the strict reader
+    assert fault is not None  # without a firm reading, the strict reader refused the line
     others = tuple(found) or _of_any_velocity(without_labels(text), names)
     if others and not found:
         example = f"{names.expected.variant.sought[0]} {without_labels(text).strip()}"[:80]
@@ -72,7 +72,7 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
 
 
 def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | None]:
-    """Return the ways to read a line, the likeliest first, and what is wrong with it as it stands, None where nothing is."""
+    """Return the readings of a line, the most likely first, and the fault of the line as it stands, None if it has none."""
     found: list[EquationReading] = []
     fault: Fault | None = None
     shortest = names.listed.sub("", without_labels(text)) if names.listed else text
@@ -91,7 +91,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
             sides = sides_of(candidate, names.spellings, closely=closely)
             read = _of_sides(sides, names)
             if isinstance(read, Fault):
-                # Every sign was understood, a name was not: that is the fault to tell, where the name stands as it is.
+                # Only a name was not understood: report this fault, at the place of the name in the line as handed in.
                 if read.place and not named:
                     fault = named = Fault(read.message, column=max(text.find(read.place), 0) + 1)
             else:
@@ -108,10 +108,10 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
 
 
 def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
-    """Return the equations that a chain of sides means: each side equals the last one that can be read.
+    """Return the equations that a chain of sides a = b = c means: each side equals the last readable one.  A fault if none.
 
-    A number at the end of a longer chain is its value in some row; what stands between sides and cannot be read leaves it open
-    whether the others are meant, but for a name at the beginning that says what the sum is: V_Cy = … = 0.
+    A non-zero number at the end of a longer chain is the value in some row and is dropped.  If a side cannot be read, the
+    readings are loose, unless that side is one name, which labels the sum: V_Cy = … = 0.
     """
     texts = sides.texts
     if len(texts) == 2:
@@ -137,18 +137,18 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
 
 
 def names_in(text: str, spellings: Spellings) -> set[str]:
-    """Return the declared names that stand in a text, in any spelling; t and pi are no names here."""
+    """Return the declared names in a text, in any spelling, except t and pi."""
     words = [piece for word in WORD.findall(plain(text, spellings)) for piece in (word, *_PIECE.findall(word))]
     return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
 
 
 def names_of(line: EquationLine, names: Names) -> set[str]:
-    """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
+    """Return the declared names in a line; if the line could not be read, those found in its text."""
     return names_in(line.text, names.spellings) if line.tree is None else {*line.tree.names()}
 
 
 def read_as_one(text: str, names: Names) -> EquationReading | Fault:
-    """Return a text as one equation, the likeliest reading, or its fault."""
+    """Return the most likely reading of a text as one equation, or its fault."""
     found, fault = _readings(text, names)
     if found:
         return found[0]
@@ -157,17 +157,17 @@ def read_as_one(text: str, names: Names) -> EquationReading | Fault:
 
 
 def _of_any_velocity(text: str, names: Names) -> tuple[EquationReading, ...]:
-    """Return what a formula of a spreadsheet may be, "=V1*SIN(…)": the value of any velocity that is sought."""
+    """Return the readings of a formula without a name, "=V1*SIN(…)": the value of each sought velocity, or a residual."""
     if not text.lstrip().startswith("=") or len(text) > reader.MAX_CHARACTERS:
         return ()
     formula = text.lstrip(" =")
     meant = [f"{velocity} = {formula}" for velocity in names.expected.variant.sought]
-    found = (read_as_one(text, names) for text in (*meant, f"0 = {formula}"))  # what a solver is to make nought, too
+    found = (read_as_one(text, names) for text in (*meant, f"0 = {formula}"))  # or a residual for a solver
     return tuple(replace(reading, guessed=True) for reading in found if not isinstance(reading, Fault))
 
 
 def read_constraints(source: Source, file: str, expected: Expected) -> list[EquationLine]:
-    """Return the equations of a variant file; files are strict, nothing in them is repaired."""
+    """Return the equations of a variant file; variant files are read strictly, without repair."""
     entries = source.data.get("constraint")
     names = names_for(expected)
     lines: list[EquationLine] = []
@@ -190,9 +190,9 @@ def read_constraints(source: Source, file: str, expected: Expected) -> list[Equa
 
 @frozen
 class Names:
-    """What names in a line may be: those of the variant in any spelling, and what others mean.
+    """What a name in a line may mean: a name of the variant in any spelling, or another known name.
 
-    `own` are the definitions of the same text; `listed` is what its lines begin with as a list does: no minus, no factor.
+    `own` are the definitions in the same text; `listed` matches the list mark that its lines begin with, no minus or factor.
     """
 
     spellings: Spellings
@@ -201,17 +201,17 @@ class Names:
     listed: re.Pattern[str] | None = None
 
     def declared(self, name: Formula) -> Formula:
-        """Return a name as the variant declares it."""
+        """Return a name as declared in the variant."""
         meant = self.spellings.canonical(name.name)
         return name if meant in {None, name.name} else replace(name, name=meant)
 
     def is_name(self, word: str) -> bool:
-        """Return whether a word means something here: a name, a function, several glued together, one of the student's own."""
+        """Return whether a word has a meaning: a name, a function, a chain of these, or a name that `meaning_of` knows."""
         return is_name(word, self.spellings) or meaning_of(word, self.expected, self.own) is not None
 
 
 def _strict(text: str, names: Names) -> Formula | Fault:
-    """Return left - right with declared names, or the fault; its `place` is the name nobody declared."""
+    """Return left - right with declared names, or the fault; the `place` of a fault is the undeclared name."""
     try:
         tree = Formula("-", reader.parse_equation(text))
     except FormulaFault as fault:

@@ -1,6 +1,6 @@
-"""What a line says round its equation: numbers, names of links and axes, words, remarks, units -> the equation alone.
+"""A line with numbers, names of links and axes, words, remarks and units around its equation -> the equation alone.
 
-Enters: a line in plain signs, which words are names.  Leaves: what may be the equation, the likeliest first.
+Enters: a line in plain signs, a test for names.  Leaves: the possible equations of the line, the most likely first.
 Used by `equations.py`.
 """
 
@@ -27,7 +27,7 @@ _LABEL_AT_END = re.compile(
 )
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
 _UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*$")
-_TO_BE_DONE = re.compile(r"\s\|\s*[-+*/:]\s*[\w.,()*]{1,20}\s*$")  # to both sides: "= 0 | *2"
+_TO_BE_DONE = re.compile(r"\s\|\s*[-+*/:]\s*[\w.,()*]{1,20}\s*$")  # an operation on both sides: "= 0 | *2"
 _SAYS_SO = re.compile(
     r"\s*(?:\b(?:holds?|is\s+(?:true|valid|satisfied)|gilt|ist\s+erfüllt|выполняется|справедливо|виконується|est\s+vérifiée)\b|成立)"
     r"[^=]{0,60}$",
@@ -43,20 +43,20 @@ _SAID_IN_WORDS = re.compile(r"\s[-–—]\s+([^\W\d_]{3,})(?:[\s,.]+[^\W\d_]{2,}
 _SAID = re.compile(
     r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
-_POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # of the words before: a point before a digit is the number's
+_POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
 _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
-_NUMBER_BEHIND = re.compile(r"\s+\d")  # which no factor has: "at point P 2*r3*w3"
+_NUMBER_BEHIND = re.compile(r"\s+\d")  # a number after a blank: "at point P 2*r3*w3"; no factor is followed by one
 _AXES = ("x", "y", "z", "ox", "oy")
-_PREPOSITIONS = (*"авзікосу",)  # of Cyrillic
-_LONG = 5  # letters of a word that is no symbol
-_SHORT = 3  # capitals up to this many are names: BC, AB
+_PREPOSITIONS = (*"авзікосу",)  # Cyrillic prepositions of one letter
+_LONG = 5  # a word of at least this many letters is not a symbol
+_SHORT = 3  # up to this many capitals are a name: BC, AB
 
 
 def label_of(text: str) -> str:
-    """Return the label at the beginning of a line, "" where there is none.
+    """Return the label at the beginning of a line, "" if there is none.
 
     >>> [label_of(text) for text in ("(16) -0.5*r3", "16) -", "[16] -", "Eq. 3: w1", "(1): w1", "2*w1 = 0", "(2*r1 + 1)*w1")]
     ['(16) ', '16) ', '[16] ', 'Eq. 3: ', '(1): ', '', '']
@@ -66,7 +66,7 @@ def label_of(text: str) -> str:
 
 
 def without_labels(text: str) -> str:
-    """Return a line without its label and its number at the end."""
+    """Return a line without the label at its beginning and the number of the equation at its end."""
     text = text[len(label_of(text)) :]
     found = _LABEL_AT_END.search(text)
     is_label = found and "=" in text[: found.start()].rstrip(" \t=")
@@ -74,7 +74,7 @@ def without_labels(text: str) -> str:
 
 
 def bare_equations(text: str, is_name: Callable[[str], bool]) -> Iterator[str]:
-    """Give what may be the equation of a line: without all that is said round it, without its label, the line itself.
+    """Yield the possible equations of a line: without everything around it, then without its label, then the whole line.
 
     >>> [next(bare_equations(text, {"w1", "w3"}.__contains__)) for text in ("(1) link 3: w3 = 2", "so w3 = 2*w1, 1/s")]
     ['w3 = 2', 'w3 = 2*w1']
@@ -89,7 +89,7 @@ def bare_equations(text: str, is_name: Callable[[str], bool]) -> Iterator[str]:
 
 
 def _begun(text: str, is_name: Callable[[str], bool]) -> str:
-    """Return a line from where its equation begins: behind an arrow, a colon, a bracket nobody opened, words."""
+    """Return a line from the start of its equation: after an arrow, a colon, an unopened closing bracket, or words."""
     before = text.rpartition("=")[0]
     for sign in (ARROW, ":"):
         if sign in before and "lambda" not in before:
@@ -105,7 +105,7 @@ def _begun(text: str, is_name: Callable[[str], bool]) -> str:
 
 
 def without_words(text: str, is_name: Callable[[str], bool]) -> str:
-    """Return a line without the words before its equation, what they have in parentheses, and the number of a link."""
+    """Return a line without the words before its equation, their remarks in parentheses, and the number of a link."""
     start = 0
     while (found := _WORDS.match(text, start)) and found.end() < len(text):
         if not _is_prose(found[1], is_name, start) and not _is_point(text, found, is_name, start):
@@ -120,7 +120,7 @@ def without_words(text: str, is_name: Callable[[str], bool]) -> str:
 
 
 def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
-    """Return whether a word of letters is no name and no abbreviation of one; `after` other words x is an axis, C a point."""
+    """Return whether a word is neither a name nor an abbreviation; after other words (`after` > 0) x is an axis, C a point."""
     is_axis = word.casefold() in _AXES
     if is_name(word) or word == "lambda":
         return is_axis and after > 0
@@ -130,12 +130,12 @@ def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
 
 
 def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
-    """Return whether a bracket holds a number of the sheet or words, and is no part of the equation."""
+    """Return whether parentheses hold a number of the task sheet or words, not a part of the equation."""
     return aside.strip().isdigit() or any(_is_prose(word, is_name, 1) for word in re.findall(r"[^\W\d_]\w*", aside))
 
 
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:
-    """Return whether what may be a name stands among words: a point, "am Punkt C gilt"; "в"; "velocity" of a head."""
+    """Return whether a possible name is part of prose: the point in "am Punkt C gilt", a preposition, "velocity" in a header."""
     following = _WORDS.match(text, found.end())
     among = following is not None and len(following[1]) > 1 and _is_prose(following[1], is_name, after)
     word = found[1]
@@ -145,13 +145,13 @@ def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], a
 
 
 def _without(label: re.Pattern[str], text: str) -> str:
-    """Return what follows a number that something parts from it, "" where none begins the line."""
+    """Return the text after a number that is set apart at the beginning of a line, "" if there is none."""
     found = label.match(text)
     return text[found.end() :] if found else ""
 
 
 def _ended(text: str, is_name: Callable[[str], bool]) -> str:
-    """Return an equation without what is said behind it: "= 0, since C keeps its height", a unit."""
+    """Return an equation without the remark or unit behind it, such as "= 0, since C keeps its height"."""
     if found := _VANISHES.search(text):
         return text[: found.end()]
     text = _SAYS_SO.sub("", _TO_BE_DONE.sub("", text))

@@ -1,8 +1,8 @@
-r"""LaTeX as students type it -> the plain signs that equations are read in.
+r"""LaTeX as students type it -> the plain signs in which equations are read.
 
-Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
-its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
-Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula of Markdown, `markdown.py`.
+Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; of an unknown command the word
+is left, which the strict reader refuses.  Nothing is executed; commands that the text itself defines are replaced.
+Used by `lines.py` (to find the lines), `plain_text.py` (to read a line) and, for formulas in Markdown, `markdown.py`.
 """
 
 from __future__ import annotations
@@ -42,12 +42,12 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
           **dict.fromkeys(("\\Rightarrow", "\\Longrightarrow", "\\implies", "\\rightarrow", "\\longrightarrow", "\\to",
                            "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
 _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
-MATRIX = "[]"  # round a matrix in one piece
-_MOST = 200  # fractions and dots in one line, environments in a text
+MATRIX = "[]"  # brackets around a matrix written in one piece
+_MOST = 200  # most fractions and most dots in a line; most environments in a text
 
 
 def logical_lines(text: str) -> list[tuple[int, str]]:
-    r"""Return the lines with their numbers (from 1); between \begin and \end a line ends at \\ and not where the text breaks.
+    r"""Return (number from 1, line) of the logical lines; between \begin and \end only \\ ends a line, a line break does not.
 
     >>> logical_lines("\\begin{align}\na &= b\n + c \\\\\nd &= e\n\\end{align}\nf = g")
     [(2, 'a &= b + c'), (4, 'd &= e'), (6, 'f = g')]
@@ -57,7 +57,7 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     if "\\" not in text:
         return list(enumerate(text.split("\n"), start=1))
     text = with_own_commands(text)
-    text = _PREAMBLE.sub(lambda found: "\n" * found[0].count("\n"), text).replace("\\end{document}", "")  # its lines end as text
+    text = _PREAMBLE.sub(lambda found: "\n" * found[0].count("\n"), text).replace("\\end{document}", "")  # prose of a document
     text = matrices_in_one_piece(text)
     lines: list[tuple[int, str]] = []
     inside, first, kept = False, 0, ""
@@ -80,12 +80,12 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
 
 
 def matrices_in_one_piece(text: str) -> str:
-    r"""Return a text in which no matrix has lines or columns of its own: [a, b; c, d] for \begin{pmatrix}a & b \\ c & d…"""
+    r"""Return the text with each matrix in one piece: [a, b; c, d] for \begin{pmatrix}a & b \\ c & d…"""
     return _MATRIX.sub(_as_matrix, text) if text.count("\\begin") < _MOST else text
 
 
 def _as_matrix(found: re.Match[str]) -> str:
-    r"""Return a matrix in one piece, "[a, b; c, d]" as MATLAB writes it; an array of equations, or a tall brace, as it stands."""
+    r"""Return a matrix in one piece, "[a, b; c, d]" as in MATLAB; leave an array of equations (after a brace) unchanged."""
     if "=" in found[2]:
         return found[0]
     rows = [
@@ -96,7 +96,7 @@ def _as_matrix(found: re.Match[str]) -> str:
 
 
 def without_latex(text: str) -> str:
-    r"""Return one line without commands.
+    r"""Return a line with its LaTeX commands replaced by plain signs.
 
     >>> without_latex(r"\dot{\varphi}_3 &= \frac{V_{My}}{r_3\left(2\cos\varphi_3 + \sin\varphi_3\right)} \tag{16}").split()
     ['φ̇_3', '=', '((V_{My})/(r_3', '(2', 'cos', 'φ_3', '+', 'sin', 'φ_3', ')))']
@@ -117,7 +117,7 @@ def without_latex(text: str) -> str:
 
 
 def _upright(found: re.Match[str]) -> str:
-    """Return what stands in another type: a name stays one, words are parted from what follows."""
+    """Return the content of a font command: a name stays in one piece, words are separated from what follows."""
     inner = found[1].strip()
     if not re.fullmatch(r"[\w\\^']*", inner):
         return f" {inner} "
@@ -125,7 +125,7 @@ def _upright(found: re.Match[str]) -> str:
 
 
 def _sign(command: str) -> str:
-    """Return the sign or the Greek letter of a command, apart from what stands before it; any other command as it stands."""
+    """Return the sign or Greek letter of a command, with a blank before it; leave any other command unchanged."""
     sign = _SIGNS.get(command) or greek(command[1:])
     return f" {sign}" if sign != command[1:] else command
 
@@ -142,7 +142,7 @@ def _fractions(text: str, command: str) -> str:
 
 
 def _argument(text: str, place: int) -> tuple[str, int]:
-    """Return what a command takes at a place, a group in braces or one sign, and where the text goes on."""
+    """Return the argument of a command at a place (a group in braces or one character) and the place behind it."""
     while place < len(text) and text[place].isspace():
         place += 1
     if text[place : place + 1] != "{":

@@ -1,6 +1,6 @@
-r"""Short names that a text gives to its own signs, \newcommand{\om}[1]{\omega_{#1}} -> the text with the signs themselves.
+r"""Commands that a text defines itself, \newcommand{\om}[1]{\omega_{#1}} -> the text with their meanings in place.
 
-Enters: LaTeX, or what Mathematica writes for a Greek letter.  Leaves: the text without such names, bounded in size.
+Enters: LaTeX, or Mathematica's names of Greek letters.  Leaves: the text without such commands, of limited size.
 Used by `latex.py`.
 """
 
@@ -15,12 +15,12 @@ _COMMAND = re.compile(
     rf"|\\def\s*+\\([A-Za-z]{{1,20}})\s*+((?:#[1-3]){{0,3}})\s*+{_BODY}"
 )
 _ARGUMENT, _LONGEST = r"\s*(?:\{([^{}]{0,80})\}|([^\s\\{}]))", 80
-_LETTER = re.compile(r"\\\[(?:Curly|Capital|Script)?([A-Z][a-z]{1,10})\]")  # of Mathematica: \[CurlyPhi]
-_MOST_NAMES, _MOST_CHARACTERS, _WITHIN = 40, 200_000, 3  # names within names, so deep
+_LETTER = re.compile(r"\\\[(?:Curly|Capital|Script)?([A-Z][a-z]{1,10})\]")  # a Greek letter in Mathematica: \[CurlyPhi]
+_MOST_NAMES, _MOST_CHARACTERS, _WITHIN = 40, 200_000, 3  # the last limits how deeply names are nested
 
 
 def with_own_commands(text: str) -> str:
-    r"""Return a text with what its own commands stand for, their definitions left out.
+    r"""Return a text with its own commands replaced by their meanings, and without their definitions.
 
     >>> with_own_commands(r"\newcommand{\om}[1]{\omega_{#1}}\def\p{\varphi} \om3 \sin\p_3, \om{2} \[Omega]4")
     ' \\omega_{3} \\sin\\varphi _3, \\omega_{2} Omega4'
@@ -43,7 +43,7 @@ def with_own_commands(text: str) -> str:
 
 
 def _put(body: str, used: re.Match[str]) -> str:
-    """Return what a command stands for; a letter behind it stays apart from its last one."""
+    """Return the meaning of a command with its arguments; a blank keeps a final letter apart from a letter that follows."""
     groups = used.groups()
     for place in range(len(groups) // 2):
         given = groups[2 * place]

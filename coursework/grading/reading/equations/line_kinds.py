@@ -1,6 +1,6 @@
-"""What a line of text is: a definition of the student's own, a datum, an equation without its sign, a part of one.
+"""The kind of a line of text: a definition of the student, a datum, an equation without a sign, part of an equation …
 
-Enters: lines, `Names`.  Leaves: answers to those questions; nothing is marked here.  Used by `lines.py`.
+Enters: lines, `Names`.  Leaves: the answers to such questions; nothing is marked here.  Used by `lines.py`.
 """
 
 from __future__ import annotations
@@ -32,18 +32,18 @@ from coursework.words.errors import Fault
 
 _QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*(?:[^\d\s=*+()]{0,8}(?:[-^]?\d)?|(.{1,12}?))\s*[.,;]?\s*")
 _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
-_SHORT = 80  # characters of a name and its number
-_IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # of V_Cy = … = 0, which says what V_Cy is, too
+_SHORT = 80  # most characters of a name with its number
+_IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, which also defines V_Cy
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
-_COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # of a line in a list: 1.1, L2
-_OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # the row, no datum k
-_FEWEST = 4  # words of an expression that is no prose
+_COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
+_OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
+_FEWEST = 4  # an expression has more words than this, so that it is not prose
 
-# What a program does with equations: it asks, repeats, calls, prints, stops, counts; and the time of a row.
+# Statements of a program that are not equations: it asks, repeats, calls, prints, stops, counts; also the time of a row.
 _STATEMENT = re.compile(
     r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
     r"|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
-    # It adds to what was, makes vectors of numbers and of names, takes them apart, defines functions, calls what integrates.
+    # It adds to a variable, makes vectors of numbers and names, unpacks them, defines functions, calls an integrator.
     r"|\w{1,20}\s*[-+*/]=|(?P<same>[^\W\d]\w{0,19})\s*:?=\s*(?P=same)\s*\+"
     r"|\w{1,20}\s*:?=\s*[\w.]{0,12}\(?\[(?:[\w.,;()\s]|-(?=[\d.]))*\]\)?;?$"
     r"|(?:[a-z]{2,5}\s){0,2}[\[(]?(?:[^\W\d]\w{0,19},\s*)+[^\W\d]\w{0,19}[\])]?\s*=\s*[A-Za-z][\w.]{0,40}(?:[(\[].*[)\]])?;?$"
@@ -57,7 +57,7 @@ _STATEMENT = re.compile(
 
 
 def definition(text: str, names: Names) -> tuple[str, Formula] | None:
-    """Return the name and the formula of a line that defines a name of the student's own, None for any other line."""
+    """Return the name and the formula of a line that defines a name of the student, None for any other line."""
     name, formula = own_name(text, names.spellings)
     formula = _IS_ZERO.sub("", formula)
     if not name or not formula.strip() or "=" in formula:
@@ -67,7 +67,7 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
 
 
 def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
-    """Return the one word on the left of a line, where it may be a name of the student's own, and what it equals; else ""."""
+    """Return the word left of "=" if it may be a name of the student, and the formula on the right; ("", "") if it may not."""
     if len(text) > reader.MAX_CHARACTERS:
         return "", ""
     plainly = plain_signs(text.replace("$", " "))
@@ -75,8 +75,8 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     name, sign, formula = bare.partition("=")
     name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
     meant = spellings.canonical(name)
-    # A letter that only its size tells from a datum or a coordinate is the student's own: nobody solves for these.
-    # But S = 0.4 is where a coordinate s begins, as S = S0 is, and S = 0.4 + u*h where it goes.
+    # A letter that differs from a datum or coordinate only in being a capital is the student's name, as nobody solves for those.
+    # But S = 0.4 or S = S0 is where a coordinate s starts, and S = 0.4 + u*h its next value.
     is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and key(name) != key(meant))
     if meant in spellings.rates and is_own:
         named = names_in(formula, spellings)
@@ -85,7 +85,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
 
 
 def is_equation_without_sign(text: str, names: Names) -> bool:
-    """Return whether a line without a sign of equality is the left side of an equation, read or not, and not a line of prose."""
+    """Return whether a line without "=" is the left side of an equation (readable or not) rather than prose."""
     if len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
         return False
     if not names_in(text, names.spellings):
@@ -94,7 +94,7 @@ def is_equation_without_sign(text: str, names: Names) -> bool:
 
 
 def is_part_of_equation(text: str, names: Names) -> bool:
-    """Return whether a line without a sign of equality is a sum or a term that the next line may go on with."""
+    """Return whether a line without "=" is a sum or a term that the next line may continue."""
     if is_equation_without_sign(text, names):
         return True
     is_heading = _POINT.fullmatch(text) and text.strip() not in names.spellings.known
@@ -104,14 +104,14 @@ def is_part_of_equation(text: str, names: Names) -> bool:
 
 
 def _is_mostly_names(text: str, names: Names) -> bool:
-    """Return whether a line is made of names of the variant, numbers and signs, but for one word."""
+    """Return whether a line consists of names of the variant, numbers and signs, except for at most one word."""
     words = WORD.findall(plain(text, names.spellings))
     strange = [word for word in words if not names.is_name(word)]
     return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
 
 
 def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:
-    """Return what several lines begin with as a list does: each with a dash and a blank, or with numbers that count up by one.
+    """Return the pattern of the list marks at the start of several lines: a dash, or numbers that count up by one; None if none.
 
     >>> texts = ["- a = b", "- c = d"], ["1.1 a = b", "1.2 c = d"], ["2 a = b", "0.5 c = d"]
     >>> [bool(sign_of_list(lines, {"r1"}.__contains__)) for lines in texts]
@@ -126,17 +126,17 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
 
 
 def is_step(text: str, names: Names) -> bool:
-    """Return whether a line is the rule of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", which is no equation of velocities."""
+    """Return whether a line is a step of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", and so not a velocity equation."""
     left, _, right = _OF_STEP.sub("", text[: reader.MAX_CHARACTERS]).partition("=")
     moved = names_in(left, names.spellings)
     begun = moved if left.rstrip().endswith("+") else set[str]()  # phi3 += h*w3
     used = names_in(right, names.spellings) | begun
-    used -= {"h"}  # which may be a length of the task, too
+    used -= {"h"}  # the step; h may also be a length of the task
     return any(moved == {one.name} and used == {one.name, one.rate} for one in names.expected.variant.coordinates)
 
 
 def is_statement(text: str) -> bool:
-    """Return whether a line is what a program does with equations, or round them, and none itself.
+    """Return whether a line is a statement of a program around the equations and not an equation itself.
 
     >>> is_statement("y = y + h*rhs(t, y)"), is_statement("phi1, phi2 = y"), is_statement("w1, w2 = 0"), is_statement("w1 = 2*w2")
     (True, True, True, False)
@@ -145,7 +145,7 @@ def is_statement(text: str) -> bool:
 
 
 def is_row(text: str) -> bool:
-    """Return whether a line is a row of a table that a program prints with its names: "t = 0.02 w1 = 2.5 w2 = -1.3".
+    """Return whether a line is a table row that a program prints with names: "t = 0.02 w1 = 2.5 w2 = -1.3".
 
     >>> is_row("t=0.02 w1=2.5; w2=-1.3"), is_row("w1 = 2.5*w2, w3 = 1")
     (True, False)
@@ -155,14 +155,14 @@ def is_row(text: str) -> bool:
 
 
 def is_datum(text: str, names: Names) -> bool:
-    """Return whether a line says a number only, of a datum or of the start: "r1 = 0.953 m", "w1(0) = 2"."""
+    """Return whether a line only gives the number of a datum or a start value: "r1 = 0.953 m", "w1(0) = 2"."""
     if len(text) > _SHORT:
         return False
     bare = without_words(without_labels(_AT_START.sub("@", plain_signs(text))), lambda word: is_name(word, names.spellings))
     name, sign, value = bare.partition("=")
     name, begins, _ = re.sub(r"[{}\\$\s]", "", name).partition("@")
     meant = names.spellings.canonical(name)
-    # A name that the task does not have, as h, is a datum of the student's own, or else an answer misspelt.
+    # A name that the task does not have, such as h, is a datum of the student; if answers are asked, it may be a misspelt answer.
     is_given = bool(begins) or (meant not in names.expected.variant.sought if meant else not names.expected.answers)
     quantity = _QUANTITY.fullmatch(value) if sign and is_given and OWN_NAME.fullmatch(name) else None
     return quantity is not None and (not quantity[1] or bool(unit_of(quantity[1])))

@@ -1,6 +1,6 @@
-"""A text line by line -> the equations and answers in it, alone or beside a table.
+"""A text, line by line -> the equations and answers in it, whether it has a table beside them or not.
 
-Enters: decoded text, `Expected`, how a table in the text was read.  Leaves: `Lines`.
+Enters: decoded text, `Expected`, how the table in the text was read (if any).  Leaves: `Lines`.
 Used by `read_submission.py`.
 """
 
@@ -38,31 +38,31 @@ from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
 
-_SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
-_BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # more than anybody types, on which patterns would spend themselves
-_EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
+_SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
+_BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # longer than anybody types; on such blanks patterns would be slow
+_EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
-_ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
+_ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # at the start of a continued line
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
-_NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
+_NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # the number of a line; a comment starts with # alone
 _TYPED = re.compile(
     r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
-)  # of Pascal, Rust, Python
+)  # a declaration in Pascal, Rust, Python
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
 _KEPT = re.compile(
     r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
-)  # an equation under a name of its own, in Maple
+)  # an equation that is assigned to a name, in Maple
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
-_FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
-# A function of Python or C, and what it returns.
+_FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table drawn with bars
+# A function of Python or C, and the expression it returns.
 _DEFINED = re.compile(
     r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:static\s+)?(?:double|float)\s+(\w{1,40})\s*\([^()]*\)\s*\{?)\s*(return\b[^}]*)?\}?\s*"
 )
@@ -73,14 +73,14 @@ _QUOTES = '"“”„«»`'
 _REMARK = re.compile(
     r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
-# So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
+# Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters.
 _TRIED, _CHARACTERS = 10, 60_000
 _MOST_LINES, _MOST_DEFINITIONS, _PASSES = 20_000, 100, 3
 
 
 @dataclass(slots=True)
 class Lines:
-    """What stands in a text; `unread` counts the lines that may hold an equation too and were not tried."""
+    """The equations and answers of a text; `unread` counts the lines with "=" that were not tried."""
 
     equations: list[EquationLine] = field(default_factory=list)
     answers: list[AnswerLine] = field(default_factory=list)
@@ -91,12 +91,12 @@ _Kept = Callable[[EquationLine], EquationLine | None]
 
 
 def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None, kept: _Kept | None = None) -> Lines:
-    """Return the equations and answers in a text; `#` begins a remark, prose without "=" is passed over.
+    """Return the equations and answers in a text; `#` begins a comment, prose without "=" is skipped.
 
-    `beside` is the table in the same text.  Its rows are passed over and do not count among the lines that are tried.  Its titles
-    may hold "=" too (`h = 0.02 s`, `w1 = 13.08`): there an equation is what names a sought velocity and something it depends on,
-    and lines that cannot be read are told only where others can.  `kept` says of a line of a document, which is full of "=", what
-    is left of it, None where it is no equation; it does not count among them then.
+    `beside` is the table in the same text, None if it has none.  Its rows are skipped and do not count as lines that were tried.
+    Its titles may contain "=" too (`h = 0.02 s`, `w1 = 13.08`), so beside a table a line is an equation only if it names a sought
+    velocity and something that this depends on; unreadable lines are kept only if others can be read.  `kept` filters the lines
+    of a document, where "=" is frequent: it returns the line to keep, or None, and then the line does not count as an equation.
     """
     most = most_lines(expected)
     names = names_for(expected)
@@ -130,7 +130,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     checks = [_is_of_one_row(line, names) for line in found.equations]
-    if not all(checks):  # beside equations
+    if not all(checks):  # some lines are true equations
         found.equations = [
             replace(line, may_be_datum=line.may_be_datum or one) for line, one in zip(found.equations, checks, strict=True)
         ]
@@ -139,16 +139,16 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 
 
 def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
-    """Give the lines that are neither blank nor remarks with their numbers."""
+    """Yield (number, line) of the lines that are neither blank nor comments nor statements of a program."""
     function = ""
     for number, line in _continued(logical_lines(_by_names(_BLANKS.sub("", text), names)), names):
         if defined := _DEFINED.fullmatch(line):
             called = defined[1] or defined[2]
-            meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 of calc_w3
+            meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 in calc_w3
             function = f"{meant[0] if len(meant) == 1 else called} = "
             line = defined[3] or ""
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
-        bare = bare if '_"' in bare else _KEY.sub("", bare).strip(_QUOTES + " ,")  # V_"Mx" is an index in Typst
+        bare = bare if '_"' in bare else _KEY.sub("", bare).strip(_QUOTES + " ,")  # but V_"Mx" has an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
             bare = bare[under.end() :]
@@ -157,22 +157,22 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = bare.strip("'") if bare.startswith("'") else bare
         bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
         if returned := _RETURNED.match(bare):
-            rest = bare[returned.end() :]  # a list of what is to vanish is the value of no one name
+            rest = bare[returned.end() :]  # a list of residuals is not the value of a name
             is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought
             bare = f"{function if is_value and not rest.startswith('[') else ''}{rest}"
         bare = _closed(bare)
-        if any(map(str.isalnum, bare)):  # no line of signs alone below a title
+        if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
 
 
 def _by_names(text: str, names: Names) -> str:
-    """Return a text with the equations of a system for its matrices and with names for the entries of vectors."""
+    """Return a text with matrix systems written as equations and with names in place of vector entries."""
     variant = names.expected.variant
     return with_entries_named(in_rows(text, variant.sought), variant, names.spellings)
 
 
 def _closed(line: str) -> str:
-    """Return a line without the bracket of a list that begins with it, and goes on in the next, or ends with it.
+    """Return a line without the bracket of a list that opens in it and closes in a later line, or that closes in it.
 
     >>> _closed("eqs = {a == b,"), _closed("c == d}, {x, y}]"), _closed("[a = b]")
     ('a == b,', 'c == d', '[a = b]')
@@ -185,7 +185,7 @@ def _closed(line: str) -> str:
 
 
 def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[int, str]]:
-    """Give the lines, one that goes on in the next together with it; a sign that ends one and begins the other stands once."""
+    """Yield the lines, each joined with its continuation lines; a sign repeated at the line break is kept once."""
     first, kept = 0, ""
     for number, line in lines:
         if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, names):
@@ -201,7 +201,7 @@ def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple
 
 
 def _goes_on(kept: str, line: str, names: Names) -> bool:
-    """Return whether an equation goes on in the next line: it ends with a sign or in a parenthesis, or that begins with one."""
+    """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign."""
     if _IMPORT.match(kept) or (not _IS_FORMULA.search(kept) and kept.strip() not in names.spellings.known):
         return False
     if kept.lstrip().startswith("[[") and depths(kept)[-1]:
@@ -220,14 +220,14 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
 
 
 def _pieces(text: str, names: Names) -> Iterator[tuple[int, str]]:
-    """Give the equations and answers, several of which may stand in one line."""
+    """Yield the equations and answers; one line may contain several."""
     for number, line in _written(text, names):
         for part in parts_of(line):
             yield from ((number, one) for one in real_and_imaginary(part) or [part])
 
 
 def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, str]]:
-    """Give the lines that may be an equation or an answer, with a name and "=", and no rows of a table separated by `sign`."""
+    """Yield the lines with a name and "=" that may be equations or answers; skip table rows, which contain `sign`."""
     for number, line in _written(text, names):
         bare = line.strip(_EDGES)
         if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
@@ -239,16 +239,16 @@ def _is_equation(line: str, names: Names) -> bool:
 
 
 def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Formula]:
-    """Return the student's own names that other lines use, with their formulas; one may use others."""
+    """Return the student's own names that other lines use, with their formulas; a formula may use other such names."""
     own: dict[str, Formula] = {}
     spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
-    # What a program gathers alone, return [f1, f2], is to vanish: nothing is made of it.
+    # A list that a program only returns, as in return [f1, f2], holds residuals: it is no use of the names.
     spoken = [_GATHERED.sub("", line) for line in spoken]
     words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
     names_left = {key(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
     with_own = replace(names, own=own, spellings=replace(names.spellings, own=frozenset(names_left)))
-    labels: set[str] = set()  # before more than one line: V_D = … = 0 along x, and again along y
-    for turn in range(_PASSES):  # of a program the data may stand below what uses them
+    labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
+    for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
         waiting = 0
         for _, line in lines[:_MOST_DEFINITIONS]:
             waits = {*map(key, _WORD.findall(line.partition("=")[2]))} & names_left - own.keys()
@@ -264,28 +264,28 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
 
 
 def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[str]) -> bool:
-    """Return whether a line defines a name of the student's own; what it is once more, V_Bx of two links, is an equation."""
+    """Return whether a line defines a name of the student; a second formula for a velocity (V_Bx of two links) is an equation."""
     name, formula = own_name(line, names.spellings) if own else ("", "")
     if key(name) not in own or (key(name) in before and name[:1] in "vV" and _WORD.search(_FUNCTION.sub("", formula))):
         return False
     before.add(key(name))
-    # V_Cy = … = 0 is an equation, too; V_Cy = 0.3*4.1 = 1.23 is its value at some row.
+    # V_Cy = … = 0 is also an equation; V_Cy = 0.3*4.1 = 1.23 is its value in some row.
     return "=" not in formula or not _WORD.search(_FUNCTION.sub("", formula))
 
 
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:
-    """Return whether a line names sought velocities and numbers alone, as "w3 = 6.12": a value or a check of some row."""
+    """Return whether a line relates only sought velocities and numbers, as "w3 = 6.12": a value or check of some row."""
     named = names_of(read, names) if read.tree is not None else set[str]()
     variant = names.expected.variant
     if (found := _UNIT_BEHIND.search(read.text)) and unit_of(found[1]):
-        named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, where s is a length
-    if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is one velocity by another
+        named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, although s is a length of the task
+    if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is a ratio of velocities
         named -= {one.rate for one in variant.coordinates} - {*variant.sought}
     is_checked = _CHECKED.search(read.text) and not _VANISHED.search(read.text)  # r1*w1 = 1.08
     return bool(named) and bool(is_checked or named <= {*variant.sought}) and _MEASURED.search(read.text) is not None
 
 
 def relates(read: EquationLine, names: Names) -> bool:
-    """Return whether a line names a sought velocity and something it depends on."""
+    """Return whether a line names a sought velocity and another name than a sought velocity or t."""
     named, sought = names_of(read, names), {*names.expected.variant.sought}
     return bool(named & sought and named - sought - {"t"})

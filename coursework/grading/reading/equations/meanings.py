@@ -1,7 +1,7 @@
-"""Names that a student writes and the variant does not have -> what they mean: a length by its end points, c3, own definitions.
+"""Names that a student writes but the variant does not have -> their meanings: a length by its end points, c3, own names.
 
-Enters: the variant, lines of text.  Leaves: checked formulas by name, to be put in the place of the names.
-Used by `equations.py` and `lines.py`.  Sizes are bounded: what is put in counts as if it had been typed.
+Enters: the variant, names.  Leaves: checked formulas by name, which replace the names.
+Used by `equations.py` and `lines.py`.  Sizes are limited: a replaced name counts as if its formula had been typed.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ _LENGTH = re.compile(r"(?:[lLr]_?)?(.+)")
 
 
 def key(name: str) -> str:
-    """Return a name as meanings are looked up: Greek spelt out, without low lines; capitals count."""
+    """Return a name in the form in which meanings are looked up: Greek spelled out, no underscores or braces, case kept."""
     return re.sub("[_{}]", "", spell(name))
 
 
 def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
-    """Return what a name that the variant does not have means, None where nobody can tell."""
+    """Return the meaning of a name that the variant does not have, None if it is unknown; `own` are the student's definitions."""
     plain = key(name)
     if plain in own:
         return own[plain]
@@ -47,7 +47,7 @@ def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
 
 
 def _of_index(name: str, variant: Variant) -> Formula | None:
-    """Return cos φ₃ for c3 and sin φ₃ for s3, φ₃ for θ₃, r₃ for l₃, where one angle, one length alone has this index."""
+    """Return cos φ₃ for c3, sin φ₃ for s3, φ₃ for θ₃, r₃ for l₃ if only one angle or length has this index; else None."""
     kind, index = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
     if index and (unit := _KINDS.get(kind)):
         alike = _with_index(variant, unit, index)
@@ -61,7 +61,7 @@ def _of_index(name: str, variant: Variant) -> Formula | None:
 
 
 def _with_index(variant: Variant, unit: str, index: str) -> list[str]:
-    """Return the names of the angles, or of the data that are lengths, with an index."""
+    """Return the names of the angles (`unit` rad) or of the data that are lengths (m), with this index."""
     angles = [one.name for one in variant.coordinates if one.unit == unit]
     names = angles if unit == "rad" else [one.name for one in variant.given if one.si == unit]
     return [name for name in names if re.sub(r"\D", "", name) == index]
@@ -69,7 +69,7 @@ def _with_index(variant: Variant, unit: str, index: str) -> list[str]:
 
 @lru_cache(maxsize=16)
 def _lengths(variant: Variant, starts: tuple[tuple[str, float], ...]) -> Meanings:
-    """Return the lengths between named points, by both orders of their names: as the geometry says, as data mean, as measured."""
+    """Return lengths by pairs of point names in both orders: from the data's descriptions, the geometry, or equal distances."""
     found: dict[str, Formula] = {}
 
     def offer(first: str, second: str, length: Formula) -> None:
@@ -104,7 +104,7 @@ def _lengths(variant: Variant, starts: tuple[tuple[str, float], ...]) -> Meaning
 def _distances(
     variant: Variant, points: Mapping[str, Formula], starts: tuple[tuple[str, float], ...]
 ) -> Iterator[tuple[str, str, float]]:
-    """Give the distances (m) between points in the first row of the table."""
+    """Yield two names and the distance (m) for each pair of points in the first row of the table."""
     values: dict[str, complex] = {"t": 0.0, **variant.values, **dict(starts)}
     placed: dict[str, complex] = {}
     for name, formula in points.items():
@@ -118,7 +118,7 @@ def _distances(
 
 
 def put_in(tree: Formula, meanings: Mapping[str, Formula]) -> Formula | None:
-    """Return a tree with the meanings of names in their places, None where it grows beyond what may be typed."""
+    """Return a tree with names replaced by their meanings, None if it gets larger than a typed formula may be."""
 
     def changed(name: Formula) -> Formula:
         return _at(meanings[name.name], name.column) if name.name in meanings else name

@@ -1,4 +1,4 @@
-"""The names a student may write in an equation, and which declared name each spelling means.
+"""The names a student may write in an equation -> the declared name that each spelling means.
 
 Enters: a `Variant`.  Leaves: `Spellings`.  Used by the readers of equations.
 """
@@ -24,10 +24,10 @@ _TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q)(\d+)")
 
 @frozen
 class Spellings:
-    """Declared names, what else they may be written as (folded), the rate of each coordinate, and which names are data.
+    """The declared names (`known`), other spellings of them (`others`, folded), the rate of each coordinate, the names of `data`.
 
-    `rates` has the angles too of which the variant knows the velocity alone: that of phi4 is w4.  `own` are names that the text
-    itself defines: a P of the student's own is not the datum p.
+    `rates` also has angles of which the variant declares only the velocity: phi4 has the rate w4.  `own` are names that the text
+    itself defines: a P of the student is not the datum p.
     """
 
     known: frozenset[str]
@@ -37,22 +37,22 @@ class Spellings:
     own: frozenset[str] = frozenset()
 
     def canonical(self, name: str) -> str | None:
-        """Return the declared name that a spelling means, None where there is none."""
+        """Return the declared name that a spelling means, None if it means none."""
         plain = spell(name)
         if _bare(name) in self.own and plain not in self.known:
             return None
         if (meant := self._written(plain)) or not (row := _ROW.fullmatch(plain)):
             return meant
-        meant = self._written(row[1])  # in some row, as w3_i or w_{3,i}: a datum has no rows
+        meant = self._written(row[1])  # with an index of the row, w3_i or w_{3,i}; data do not depend on the row
         return None if meant in self.data else meant
 
     def _written(self, plain: str) -> str | None:
         return plain if plain in self.known else self.others.get(_bare(plain)) or self.others.get(_key(plain))
 
     def angle(self, name: str) -> str | None:
-        """Return the coordinate that a spelling means, an angle too that has a rate and no column."""
+        """Return the coordinate (or other declared name) that a spelling means; also an angle with only its rate declared."""
         folded = spell(_key(name))
-        turning = _TURNING.sub(r"phi\1", folded)  # by another letter, where the variant calls nothing so
+        turning = _TURNING.sub(r"phi\1", folded)  # another letter for an angle
         return self.canonical(name) or next((one for one in (folded, turning) if one in self.rates), None)
 
 
@@ -60,13 +60,13 @@ def _bare(name: str) -> str:
     return re.sub("[_{}]", "", spell(name))
 
 
-@lru_cache(512)  # the same few names stand in every line
+@lru_cache(512)  # the same few names occur in every line
 def _key(name: str) -> str:
     return re.sub("[_']", "", fold(name))
 
 
 def _speeds(variant: Variant) -> Iterator[tuple[str, str]]:
-    """Give how speeds of points may be called: V_C, V_Cy where it is that along y; V_F of a pin on a guide of the frame."""
+    """Yield (spelling, name) for speeds of points: V_C, or V_Cy if it is along y, and V_F of a pin F on a guide of the frame."""
     for one in (binding for binding in variant.bindings if binding.point and not binding.relative):
         along = spelled(one.along) if one.along else ""
         yield from ((_key(f"v{one.point}{axis}"), one.name) for axis in ("", _AXES.get(along, "")))
@@ -76,14 +76,14 @@ def _speeds(variant: Variant) -> Iterator[tuple[str, str]]:
         fixed |= {name} if fixed.issuperset(place.names()) else set()
     for group in variant.groups:
         guided = [formula for guide in group.guides for formula in (guide.through, guide.angle, guide.offset)]
-        is_rod = group.meets and group.guides and group.lengths  # from a pin on a guide
+        is_rod = group.meets and group.guides and group.lengths  # a rod from a pin on a guide
         if is_rod and all(fixed.issuperset(formula.names()) for formula in guided):
             yield _key(f"v{group.meets}"), rates[group.coordinates[-1]]
 
 
 @lru_cache(maxsize=16)
 def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
-    """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
+    """Return the spellings of a variant's names; `columns` are the pairs (name, SI unit) of its table."""
     names = variant.names
     rates = {entry.name: entry.rate for entry in variant.coordinates}
     for name, unit in columns:
@@ -96,7 +96,7 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     folded: dict[str, list[str]] = {}
     for name in names:
         folded.setdefault(_key(name), []).append(name)
-    # A spelling that could mean two declared names means neither, unless letters tell by their size: ω1 is no W1.
+    # A spelling that fits two declared names means neither, unless capitals decide: ω1 is not W1.
     others |= {
         key: found[0] for key, found in folded.items() if len(found) == 1 and (key not in others or key == _bare(found[0]))
     }

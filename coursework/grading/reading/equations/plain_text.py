@@ -1,7 +1,7 @@
-"""What stands round an equation or in it for people and programs -> a line without it.
+"""One line as typed -> the line without the notation of LaTeX, programs and people around and inside its equation.
 
-Enters: one line as typed.  Leaves: the line with LaTeX, prefixes and indices of programs, fractions of one sign and
-derivatives in the words of the variant.  Used by `equations.py`.
+Enters: one line as typed.  Leaves: the line without LaTeX, prefixes and indices of programs and one-character fractions, with
+derivatives as names of the variant.  Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
 _PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
-# A point between names multiplies in France, where the line has no other sign for that; else a field is behind it, par.r1.
+# A point between names multiplies (as in France) if the line has no other product sign; else a field follows it, par.r1.
 _POINT = re.compile(r"((?<![^\W\d])[^\W\d]\w{0,40}|[\d)])\.(?=([^\W\d]\w{0,40}|\())")
 _KEYED = re.compile(r"[^\W\d]\w{0,20}\[\s*['\"](\w{1,20})['\"]\s*\]")  # d["r1"] of Python
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
@@ -36,19 +36,19 @@ _DERIVATIVES = (
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
-# As programs name them, where no name of the variant is meant: dphi3, phi3p, phi3d.
+# As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, phi3d.
 _SHORT_DERIVATIVES = (re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"))
 _DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
 _STAR_MATH = re.compile(r"%(?=[a-z]{3,8}(?:_|\b))|\b(?:left|right)\s*(?=[()\[\]])")
 _TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=[\w(])|(?<=\bphi)\.alt(?![a-z])")
-# A double of Fortran, 2.D0, and its functions, DSIN, which no product of a datum d has in capitals.
+# A double of Fortran, 2.D0, and its functions such as DSIN, which in capitals cannot be products of a datum d.
 _DOUBLE, _OF_DOUBLES = re.compile(r"(?<=\d\.)(\d*)[dD](?=([-+]?\d{1,2})(?!\w))"), re.compile(r"\bD(?=(?:SIN|COS|TAN|SQRT)\b)")
-_SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # of Mathematica
+_SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # an index in Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
 _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[ijkn]\s*\]|\(i\))")
-_LAMBDA = re.compile(r"=\s*(?:lambda\b[\w\s,]{0,60}:|@\s*\([\w\s,]{0,60}\))")  # of Python, of MATLAB
-_METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() of Rust
+_LAMBDA = re.compile(r"=\s*(?:lambda\b[\w\s,]{0,60}:|@\s*\([\w\s,]{0,60}\))")  # in Python, in MATLAB
+_METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
 _PI = r"(?:(?:np|numpy|math|Math)\.)?(?:pi|π|ПИ|ПІ)(?:\(\))?"
 _IN_DEGREES = re.compile(
     r"\b(?:(?:np|numpy|math|Math)\.)?(?:radians|deg2rad|РАДИАНЫ|РАДІАНИ)\s*(?=\()|(?<=\b(?:sin|cos))d\b"
@@ -57,13 +57,13 @@ _IN_DEGREES = re.compile(
 )
 _DEGREES = re.compile(r"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{1,3})\s*(?:°|º|\^\s*\{?\\circ\}?)")
 _ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
-_OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # of StarMath; that of TeX divides a whole group
-_EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # of SymPy
+_OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # in StarMath; TeX's \over divides the whole group
+_EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy
 _POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
 
 
 def plain(text: str, spellings: Spellings) -> str:
-    """Return a line without LaTeX and prefixes of programs, with names of rates for derivatives.
+    """Return a line without LaTeX and prefixes of programs, with derivatives replaced by the names of rates.
 
     >>> plain("w(3) := diff(phi[3](t), t)", Spellings(frozenset({"w3", "phi3"}), {}, {"phi3": "w3"})).split()
     ['w3', '=', 'w3']
@@ -92,7 +92,7 @@ def plain(text: str, spellings: Spellings) -> str:
 
 
 def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
-    """Return what stands before a point, with the sign of a product, or nothing before a field; in "i.e. r1" it is neither."""
+    """Return the name before a point with a product sign, or "" if a field follows; leave other points ("i.e. r1") unchanged."""
     before, behind = found[1], found[2]
     if behind != "(" and not behind.lower().startswith(("sin", "cos", "tan", "sqrt")) and spellings.canonical(behind) is None:
         return found[0]
@@ -102,17 +102,17 @@ def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
 
 
 def _double(found: re.Match[str], spellings: Spellings) -> str:
-    """Return the digits of a double with the e of other languages; 0.5d1 is half of d1 where the task has one."""
+    """Return the digits of a double with e for d; leave 0.5d1 unchanged if the task has a d1, as it is a product."""
     return found[0] if spellings.canonical(f"d{found[2]}") else f"{found[1]}e"
 
 
 def of_radians(text: str) -> str:
-    """Return a line whose angles are in degrees with the names of the angles alone: sin(phi3) for SIN(phi3*PI()/180)."""
+    """Return a line without its conversions of degrees to radians: sin(phi3) for SIN(phi3*PI()/180)."""
     return _IN_DEGREES.sub("", text)
 
 
 def of_one_component(text: str, variant: Variant) -> str:
-    """Return a line with V_My for the V_M of the drawing, where nothing drives M along the other axis."""
+    """Return a line with V_My for the drawing's V_M, if point M is driven along one axis only."""
     moving = [law.name for law in variant.drive if law.formula is None or constant(law.formula) != 0]
     stems = [name[:-1] for name in moving if name[-1:] in {"x", "y"} and name.startswith("V")]
     for stem, name in zip(stems, moving, strict=True) if len(stems) == len(moving) and len({*stems}) == len(stems) else ():
@@ -121,7 +121,7 @@ def of_one_component(text: str, variant: Variant) -> str:
 
 
 def _indexed(found: re.Match[str], spellings: Spellings) -> str:
-    """Return `w[3]` and `w(3)` as the name with this index, where the variant has one; a name of its own may be multiplied."""
+    """Return the name w3 for `w[3]` or `w(3)` if the variant has it; if it has a name w, `w(3)` stays as a product."""
     name, index = found[1], re.sub(r"[\s,]", "", found[2] or found[3])
     if spellings.angle(name + index) is None or (found[3] and name in spellings.known):
         return found[0]
@@ -129,18 +129,18 @@ def _indexed(found: re.Match[str], spellings: Spellings) -> str:
 
 
 def _of_row(found: re.Match[str], spellings: Spellings) -> str:
-    """Return `w3[i]`, the value of some row, as the velocity; a row before or after, `[i + 1]`, is another value."""
+    """Return the name alone for its value in the current row, `w3[i]`; values in other rows, `[i + 1]`, stay as they are."""
     meant = spellings.angle(re.sub(r"[\[\]\s]", "", found[1]))
     return found[0] if meant in (None, "pi") else found[1]
 
 
 def _of_time(found: re.Match[str], spellings: Spellings) -> str:
-    """Return `phi3(t)` as the coordinate; a datum before (t) is multiplied."""
+    """Return the coordinate for `phi3(t)`; a datum before (t) stays as a product."""
     meant = spellings.angle(found[1])
     return found[0] if meant is None or meant in {*spellings.data, *BUILT_IN} else found[1]
 
 
 def _rate(found: re.Match[str], spellings: Spellings) -> str:
-    """Return the name of the rate of a coordinate, what stood there where it is none."""
+    """Return the name of a coordinate's rate for a derivative; leave it unchanged if it is not of a coordinate."""
     name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", found[1]))
     return f" {spellings.rates[name]} " if name in spellings.rates else found[0]

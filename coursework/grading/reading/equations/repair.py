@@ -1,7 +1,7 @@
-"""Equations as people write them -> the strict form that formulas are read in.
+"""Equations as people write them -> the strict form that the formula reader accepts.
 
-Enters: one line in plain text, the declared names.  Leaves: the text that is read in its place; nothing is evaluated, and what
-cannot be repaired is left for the strict reader to refuse.
+Enters: one line in plain text, the declared names.  Leaves: the text to read instead; nothing is evaluated, and what cannot be
+repaired is left for the strict reader to refuse.
 Used by `equations.py`.
 """
 
@@ -16,11 +16,11 @@ from coursework.variant.formula.alphabet import LOOK_ALIKE
 
 _SIGNS = str.maketrans({"[": "(", "]": ")", "{": "(", "}": ")", "`": None, "$": None})
 _TAIL = " \t\r.,;:✓✔☑"
-_NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # the name beside a formula of a spreadsheet
+_NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # a name before the formula of a spreadsheet
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
-_SUBSCRIPT = re.compile(r"(?<!\w)([^\W\d]\w*)\[\s*[\w\s,:.-]*\]")  # an index that no name of the variant has: not guessed
+_SUBSCRIPT = re.compile(r"(?<!\w)([^\W\d]\w*)\[\s*[\w\s,:.-]*\]")  # an index that no name of the variant has; it is not guessed
 _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
-# Functions as other countries call them, in their spreadsheets too.
+# The names of functions in other languages, also in their spreadsheets.
 _ELSEWHERE = {"sen": "sin", **dict.fromkeys(("корень", "корінь", "wurzel", "racine", "raiz", "raíz"), "sqrt")}
 _DIVIDED = re.compile(r"(?<=[\w)])\s*:\s*(?=[\w(])")
 _TIMES = re.compile(r"(?<=[\w)])\s+[xх]\s+(?=[\w(])")
@@ -40,16 +40,17 @@ class _Token(NamedTuple):
 
 
 class Sides(NamedTuple):
-    """The sides of a line as the strict reader wants them, two or more; `is_whole`: it was said what the line equals."""
+    """The two or more sides of a line, in the strict form; `is_whole` is False if the line had no "=" and "= 0" was added."""
 
     texts: tuple[str, ...]
     is_whole: bool = True
 
 
 def sides_of(text: str, spellings: Spellings, *, closely: bool = False) -> Sides:
-    """Return the sides of a line in plain text: decimal points, brackets, products and arguments written out, 0 where none is.
+    """Return the sides of a line in plain text, with decimal points, parentheses, products and arguments written out.
 
-    `closely`: a product without a sign binds closer than a stroke of division, V/r(a + b) as V/(r(a + b)).
+    If there is only one side, the other is 0.  With `closely`, a product without a sign binds closer than a division:
+    V/r(a + b) is V/(r(a + b)).
 
     >>> sides_of("2l1 sin φ3 + 0,5", Spellings(frozenset({"l1", "phi3"}), {}, {}))
     Sides(texts=('2 * l1 * sin(phi3) + 0.5', '0'), is_whole=False)
@@ -76,7 +77,7 @@ def _side(text: str, spellings: Spellings, closely: bool) -> str:
 
 
 def is_name(word: str, spellings: Spellings) -> bool:
-    """Return whether a word is a name of the variant, a function, or glued from such: "Am" begins a sentence, not a*m."""
+    """Return whether a word is a name of the variant, a function or a chain of these; "Am" begins a sentence, it is not a*m."""
     pieces = _spelled("name", word, spellings)
     if word.istitle() and len(pieces) > 1 and all(piece.kind == "name" for piece in pieces):
         return "".join(piece.text for piece in pieces) == word
@@ -84,7 +85,7 @@ def is_name(word: str, spellings: Spellings) -> bool:
 
 
 def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
-    """Return a name in its declared spelling, or the names and functions it was glued together from."""
+    """Return a name in its declared spelling, or the names and functions that it is a chain of."""
     if kind == "blank":
         return [_Token("blank", " ")]
     if kind != "name":
@@ -99,7 +100,7 @@ def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
 
 
 def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
-    """Return the one way to take a word apart into declared names, numbers and functions, None where there is none or several."""
+    """Return the parts of a word that is a chain of declared names and functions, None if there is no way or several."""
 
     @cache
     def ways(start: int) -> tuple[tuple[_Token, ...], ...]:
@@ -125,7 +126,7 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
 
 
 def _joined(tokens: list[_Token], spellings: Spellings) -> list[_Token]:
-    """Return the tokens without blanks; an index that stood apart is put to its name."""
+    """Return the tokens without blanks; an index separated by a blank is joined to its name."""
     joined: list[_Token] = []
     bare = [token for token in tokens if token.kind != "blank"]
     for token in bare:
@@ -140,9 +141,9 @@ def _joined(tokens: list[_Token], spellings: Spellings) -> list[_Token]:
 
 
 def _applied(tokens: list[_Token]) -> list[_Token]:
-    """Return the tokens with the argument of each function in parentheses, powers of functions behind them."""
+    """Return the tokens with each function's argument in parentheses and a function's power moved behind the argument."""
     out: list[_Token] = []
-    powers: list[tuple[int, str]] = []  # for each power of a function: the level of parentheses it waits for, and itself
+    powers: list[tuple[int, str]] = []  # pending powers of functions, with the level where each goes
     level = place = 0
     while place < len(tokens):
         token = tokens[place]
@@ -169,14 +170,14 @@ def _raised(power: str) -> list[_Token]:
 
 
 def _power(tokens: list[_Token], place: int) -> tuple[str, int]:
-    """Return the power that stands between a function and its argument, and where the argument begins."""
+    """Return the power between a function and its argument ("" if none), and the place where the argument begins."""
     if place + 1 < len(tokens) and tokens[place].text == "^" and tokens[place + 1].kind == "number":
         return tokens[place + 1].text, place + 2
     return "", place
 
 
 def _argument(tokens: list[_Token], place: int) -> tuple[list[_Token], int]:
-    """Return a function's argument in parentheses (none where they stand there already), and where the text goes on."""
+    """Return a function's argument with parentheses added ([] if it has its own), and the place behind it."""
     end = place
     while end < len(tokens) and tokens[end].kind == "number":
         end += 1
@@ -189,10 +190,10 @@ def _argument(tokens: list[_Token], place: int) -> tuple[list[_Token], int]:
 
 
 def _written(tokens: list[_Token], closely: bool = False) -> str:
-    """Return the text of tokens; a product without a sign gets one, `closely` below a stroke of division parentheses too."""
+    """Return the text of tokens with missing product signs; with `closely`, such products are put in parentheses after "/"."""
     pieces: list[str] = []
     before = _Token("sign", "")
-    below: list[int] = []  # levels of parentheses at which a product without a sign stands below a stroke
+    below: list[int] = []  # levels of parentheses at which a product without a sign follows "/"
     level = 0
     for token in tokens:
         ends = before.kind in {"number", "name"} or before.text == ")"

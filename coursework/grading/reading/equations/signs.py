@@ -1,6 +1,6 @@
-"""Letters and signs as programs paste them -> those of a keyboard: mathematical italics, full width, subscripts, dots, arrows.
+"""Letters and signs as programs paste them -> those of a keyboard: mathematical italics, full-width letters, subscripts, arrows …
 
-Enters: one line as typed.  Leaves: the line in plain letters, with one sign of equality and one arrow.  Nothing is guessed here.
+Enters: one line as typed.  Leaves: the line in plain letters, with one form of "=" and of the arrow.  Nothing is guessed here.
 Used by `plain_text.py`, `parts.py` and `matrices.py`.
 """
 
@@ -11,7 +11,7 @@ import unicodedata
 from functools import lru_cache
 from itertools import accumulate
 
-ARROW = "⇒"  # between two equations of a line, or behind what a line says before its equation
+ARROW = "⇒"  # between two equations of a line, or between a remark and its equation
 _MATHEMATICAL, _FULL_WIDTH = range(0x1D400, 0x1D800), range(0xFF01, 0xFF5F)
 _SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₒₓₕₖₗₘₙₚₛₜᵢᵣᵤᵥⱼ", "0123456789aeoxhklmnpstiruvj", strict=True))
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True))
@@ -33,7 +33,7 @@ ARROWS = re.compile(
 _RELATION = re.compile(
     r"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])|\bEq\s*\(|(?<=[\w\])])\s*<-\s"
 )
-_EQUALS = re.compile(r"(?<![<>!]):=|={2,}|(?<=[\w\])])\s*<-(?=\s)")  # <- of R
+_EQUALS = re.compile(r"(?<![<>!]):=|={2,}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
 _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
     re.I,
@@ -42,22 +42,22 @@ _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
 _QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")
 _AXIS = re.compile(r"(?<=\w)\^\s*(?:[{(]\s*\(?([xyz])\)?\s*[)}]|([xyz])(?!\w))((?:_\w+)?)")
-_LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # between two points
+_LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # the length between two points
 
 
 def depths(text: str) -> list[int]:
-    """Return in how many brackets each sign of a text stands, -1 at one that closes what nobody opened."""
+    """Return for each character of a text the depth of brackets after it; -1 at a closing bracket that was never opened."""
     return [*accumulate((sign in "([{") - (sign in ")]}") for sign in text)]
 
 
 def relates_two_sides(text: str) -> bool:
-    """Return whether a sign or a word of equality stands in a text, an arrow apart."""
+    """Return whether a text has a sign or word of equality (an arrow is none)."""
     return _RELATION.search(ARROWS.sub(" ", text)) is not None or _WORDS.search(text) is not None
 
 
-@lru_cache(1024)  # a line is looked at by several readers, one after the other
+@lru_cache(1024)  # several readers look at the same line in turn
 def plain_signs(text: str) -> str:
-    r"""Return a line with the letters and signs of a keyboard; Greek letters stay.
+    r"""Return a line with the letters and signs of a keyboard; Greek letters are kept.
 
     >>> plain_signs("2𝑟₃𝜔₃⋅sin⁡〖𝜑_3〗 − ½r_{3}ω_3^z ≡ 0"), plain_signs("V_(M y) := φ ̇_3 sin²φ３")
     ('2r3ω3*sin(φ_3) - ½r_3ω_3 = 0', 'V_My = φ̇_3 sin^2 φ3')
@@ -69,12 +69,12 @@ def plain_signs(text: str) -> str:
     text = _WORDS.sub(" = ", text)
     text = re.sub(r"(?<=\w)\s+_(?=[\w{(])|_\s+(?=\w)", "_", text)
     text = _QUOTED.sub(r"_\1", text)
-    for _ in range(3):  # an index of an index of an index
+    for _ in range(3):  # up to three nested indices
         text = _UNDER.sub(_index, text)
     return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
 
 
-@lru_cache(4096)  # a text has few letters, again and again
+@lru_cache(4096)  # a text has few different letters
 def _plain(letter: str) -> str:
     if ord(letter) in _MATHEMATICAL or ord(letter) in _FULL_WIDTH:
         return unicodedata.normalize("NFKC", letter)
@@ -91,6 +91,6 @@ def _index(found: re.Match[str]) -> str:
 
 
 def _axis(found: re.Match[str]) -> str:
-    """Return a projection's index beside the others: V_M^y as V_My; about the axis z every plane motion turns."""
+    """Return the axis of a projection as an index: V_My for V_M^y; z is dropped, as all rotation in the plane is about z."""
     axis = found[1] or found[2]
     return found[3] + ("" if axis == "z" else axis if found[3] else f"_{axis}")

@@ -1,6 +1,6 @@
-"""A variant file that a student handed in -> its equations, and what in it differs from the assigned data.
+"""A variant file that a student handed in -> its equations, and its data that differ from the assigned ones.
 
-Enters: bytes of a TOML file, the assigned variant.  Leaves: `VariantFile`.  Its data are compared and listed, never used.
+Enters: the bytes of a TOML file, the assigned variant.  Leaves: `VariantFile`.  Data are compared and listed, never used.
 Used by `read_submission.py`.
 """
 
@@ -23,13 +23,13 @@ from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-_ITS_OWN = re.compile(r"^[ \t]*(?:format[ \t]*=|\[coordinates\])", re.MULTILINE)  # no variant is without coordinates
+_ITS_OWN = re.compile(r"^[ \t]*(?:format[ \t]*=|\[coordinates\])", re.MULTILINE)  # every variant has coordinates
 _SAME = 1e-9
 
 
 @frozen
 class VariantFile:
-    """What a variant file says: its equations, data that differ, keys that nobody knows, and why a person must look."""
+    """The content of a variant file: equations, names of differing data, unknown keys, and why a person must look (or None)."""
 
     lines: tuple[EquationLine, ...]
     differing: tuple[str, ...] = ()
@@ -38,12 +38,12 @@ class VariantFile:
 
 
 def is_variant_file(text: str) -> bool:
-    """Return whether a text is meant as a variant file."""
+    """Return whether a text looks like a variant file."""
     return _ITS_OWN.search(text[: 4 * MAX_BYTES]) is not None
 
 
 def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantFile:
-    """Return what a variant file holds; a file that is not TOML is one equation that cannot be read."""
+    """Return the content of a variant file; one that is not valid TOML counts as one unreadable equation."""
     try:
         source = read_source(content, name, {})
     except InputError as error:
@@ -57,7 +57,7 @@ def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantF
 
 
 def _differing(data: dict[str, Any], expected: Expected) -> tuple[str, ...]:
-    """Return the names of data and start values that are not the assigned ones."""
+    """Return the names of the data and start values that differ from the assigned ones."""
     variant = expected.variant
     given = {spell(str(key)): value for key, value in _section(data, "given").items()}
     found = [entry.name for entry in variant.given if entry.name in given and _differs(given[entry.name], entry.value)]
@@ -85,7 +85,7 @@ def _differs(value: object, assigned: float) -> bool:
 
 
 def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: Expected) -> Sentence | None:
-    """Return why a person must look where a file is another variant of the catalogue by its title."""
+    """Return why a person must look if the title is that of another variant of the catalogue, None if it is not."""
     title = data.get("title")
     if not differing and set(map(spell, _section(data, "coordinates"))) == {entry.name for entry in expected.variant.coordinates}:
         return None
@@ -97,5 +97,5 @@ def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: E
 
 @cache
 def _catalogue() -> dict[str, str]:
-    """Return the names of the catalogue's variants by title."""
+    """Return the names of the catalogue's variants, by their titles."""
     return {entry.title: entry.name for entry in catalogue.entries() if entry.title}

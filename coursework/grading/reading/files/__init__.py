@@ -1,1 +1,1 @@
-"""Bytes of a file as sheets of cells, whatever program wrote it; every size bounded."""
+"""The bytes of a file -> sheets of cells, whatever program wrote it; every size is limited."""

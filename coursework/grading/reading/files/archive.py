@@ -1,6 +1,6 @@
-"""A zip in memory, opened with every size bounded while it is inflated.
+"""A zip file in memory, read with limits on every size while it is inflated.
 
-Enters: the bytes of an archive.  Leaves: names and parts, in chunks.  Raises `Refused`; nothing is ever extracted to a disk.
+Enters: the bytes of an archive.  Leaves: names of parts, parts in chunks.  Raises `Refused`; nothing is extracted to disk.
 Used by the readers of spreadsheets, documents and handed-in archives.
 """
 
@@ -15,16 +15,16 @@ from coursework.grading.reading.limits import DOCUMENT_PARTS, INFLATED_BYTES, PA
 
 _CHUNK = 64 * 1024
 _END = b"PK\x05\x06"
-_DIRECTORY_BYTES = 256 * 1024  # of the list of parts, read before any part is
+_DIRECTORY_BYTES = 256 * 1024  # most bytes of the directory (the list of parts), which is read before any part
 _DOCUMENTS = {"word/document.xml", "content.xml"}
 _PACKED = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 
 
 class Archive:
-    """A zip whose inflated bytes are counted over everything that is read from it."""
+    """A zip file; all bytes that are inflated from it count towards one limit."""
 
     def __init__(self, content: bytes) -> None:
-        """Open an archive.  Raises `Refused` where it is damaged or has too many parts."""
+        """Open an archive.  Raises `Refused` if it is damaged, or has too many parts or too large a directory."""
         self.left = INFLATED_BYTES
         end = content.rfind(_END)
         if end < 0 or int.from_bytes(content[end + 12 : end + 16], "little") > _DIRECTORY_BYTES:
@@ -33,14 +33,14 @@ class Archive:
             self._zip = zipfile.ZipFile(io.BytesIO(content))
         except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, EOFError) as error:
             raise unreadable("damaged") from error
-        # A damaged directory may hold a part without a name, which the library does not expect.
+        # A damaged directory may list a part without a name, on which `is_dir` fails.
         self.parts = {part.filename: part for part in self._zip.infolist() if part.filename and not part.is_dir()}
-        # Each formula of a document is three parts; none is opened that is not read, and what is read is counted.
+        # Each formula of an OpenDocument text takes three parts; parts are inflated only when read, and these bytes are counted.
         if len(self._zip.infolist()) > (DOCUMENT_PARTS if _DOCUMENTS & self.parts.keys() else PARTS):
             raise unreadable("too_large_open")
 
     def chunks(self, name: str) -> Iterator[bytes]:
-        """Give a part piece by piece.  Raises `Refused` where it is encrypted, damaged, or too large with all read so far."""
+        """Yield a part in chunks.  Raises `Refused` if it is encrypted or damaged, or if too many bytes were inflated in all."""
         part = self.parts[name]
         if part.flag_bits & 0x1:
             raise unreadable("password")
@@ -57,7 +57,7 @@ class Archive:
             raise unreadable("damaged") from error
 
     def read(self, name: str, most: int) -> bytes:
-        """Return a whole part.  Raises `Refused` where it has more than `most` bytes."""
+        """Return a whole part.  Raises `Refused` if it has more than `most` bytes."""
         content = bytearray()
         for chunk in self.chunks(name):
             content += chunk
@@ -67,7 +67,7 @@ class Archive:
 
 
 def legible_name(part: zipfile.ZipInfo) -> str:
-    """Return the name of a part; one written by an old Russian program without a mark of its alphabet is put right."""
+    """Return the name of a part; repair a name that an old Russian program wrote without declaring its encoding."""
     name = part.filename
     if part.flag_bits & 0x800 or name.isascii():
         return name
@@ -80,7 +80,7 @@ def legible_name(part: zipfile.ZipInfo) -> str:
             guess = raw.decode(encoding)
         except UnicodeDecodeError:
             continue
-        # cp866 keeps the frames of cp437, so only a name with letters of the language is taken for one.
+        # cp866 has the same box-drawing signs as cp437, so a name is taken as cp866 only if it has Cyrillic letters.
         if any("Ѐ" <= letter <= "ӿ" for letter in guess) or encoding == "utf-8":
             return guess
     return name

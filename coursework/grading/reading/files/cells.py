@@ -1,4 +1,4 @@
-"""The rows of a sheet before anybody knows what they mean.
+"""The rows of a sheet before they are interpreted.
 
 Enters: nothing.  Leaves: `Cell`, `Sheet`.  Used by the readers of this room.
 """
@@ -12,7 +12,7 @@ from coursework.system.frozen import frozen
 
 
 class Cell(NamedTuple):
-    """One cell as the file has it; a "number" is one a spreadsheet stored, a "formula" was never computed."""
+    """One cell as in the file; a "number" was stored by a spreadsheet, a "formula" was never computed."""
 
     text: str
     kind: Literal["text", "number", "formula", "error", "date"] = "text"
@@ -20,19 +20,19 @@ class Cell(NamedTuple):
 
 @frozen
 class Sheet:
-    """Rows of cells (ragged), without the blank ones at the end; `name` of the sheet, None for a text file."""
+    """Rows of cells, of different lengths; `name` is the sheet's name, None for a text file."""
 
     name: str | None
     rows: tuple[tuple[Cell, ...], ...]
 
 
 class BlankRows:
-    """Counts blank rows one behind the other; a table ends where there are too many."""
+    """Counts consecutive blank rows; a table ends where there are more than `BLANK_ROWS`."""
 
     def __init__(self) -> None:
         self.seen = 0
 
     def too_many(self, is_blank: bool, times: int = 1) -> bool:
-        """Count a row, or `times` equal ones; return whether reading stops here."""
+        """Count a row, or `times` equal rows; return whether reading stops here."""
         self.seen = self.seen + times if is_blank else 0
         return self.seen > BLANK_ROWS

@@ -1,6 +1,6 @@
-"""Bytes -> text, whatever alphabet a spreadsheet saved it in.
+"""Bytes -> text, in whatever encoding a spreadsheet saved it.
 
-Enters: the bytes of a text file.  Leaves: `Decoded`; never raises, looks at no number.
+Enters: the bytes of a text file.  Leaves: `Decoded`; never raises, uses no numbers of the text.
 Used by whatever reads a file of a student or of a platform.
 """
 
@@ -13,20 +13,20 @@ from itertools import pairwise
 from coursework.system.frozen import frozen
 
 MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
-# Words that head such tables; one of them in a decoding is worth more than any count of letters.
+# Words found in the headers of such tables; each counts 50 points in the score, a plausible letter 0.5 to 5 points.
 _DOMAIN = re.compile(
     "рад|град|кут|угол|угл|время|час|швидк|скорость|вариант|варіант|таблиц|об/мин|об/хв|1/с|группа|група|студент|сек|вал|крив|"
     "角|时间|時間|速度|弧度|度|秒|表|学号|姓名|"
     "winkel|zeit|geschwindigkeit|größe|grad|für|über|schritt",
 )
-_MIXED = re.compile("[a-z][а-я]|[а-я][a-z]")  # no word is written with both alphabets
+_MIXED = re.compile("[a-z][а-я]|[а-я][a-z]")  # no word mixes both alphabets
 _SEARCHED = 200_000
 _SAMPLE = 4000
 
 
 @frozen
 class Decoded:
-    """A text, the name of its encoding, and whether NUL bytes were dropped from it."""
+    """A text, the name of its encoding, and whether NUL bytes were removed from it."""
 
     text: str
     encoding: str
@@ -34,7 +34,9 @@ class Decoded:
 
 
 def decode(content: bytes) -> Decoded:
-    """Return the text of a file: byte order mark, else strict UTF-8, else the likeliest of cp1251, gb18030, cp1252, cp866.
+    """Return the text of a file: by byte order mark, else UTF-16 if every second byte is 0, else strict UTF-8.
+
+    If none of these fits, take the most likely of cp1251, gb18030, cp1252 and cp866.
 
     >>> decode("кут, рад;1,5".encode("cp1251")).encoding
     'cp1251'
@@ -47,7 +49,7 @@ def decode(content: bytes) -> Decoded:
     try:
         return _clean(content.decode("utf-8"), "utf-8")
     except UnicodeDecodeError:
-        # Only lines with other letters than ASCII's tell one alphabet from another.
+        # Only lines with non-ASCII characters tell one encoding from another.
         lines = (line for line in content[:_SEARCHED].splitlines() if not line.isascii())
         sample = b"\n".join(lines)[:_SAMPLE]
     encoding = max(("cp1251", "gb18030", "cp1252", "cp866"), key=lambda name: _score(sample, name))
@@ -55,7 +57,7 @@ def decode(content: bytes) -> Decoded:
 
 
 def _utf16_without_mark(content: bytes) -> str:
-    """Return the encoding of a text whose every second byte is 0, "" for any other."""
+    """Return the UTF-16 encoding of a text in which most of every second byte are 0, "" for any other text."""
     sample = content[:2000]
     if len(sample) < 8 or len(content) % 2:
         return ""
@@ -71,7 +73,7 @@ def _clean(text: str, encoding: str) -> Decoded:
 
 
 def _score(sample: bytes, encoding: str) -> float:
-    """Return how much a decoding looks like the words of a table: its words, its usual letters, no others."""
+    """Return a score of how well a decoding fits the text of a table: table words, plausible letters, no odd characters."""
     text = sample.decode(encoding, errors="replace")
     judge = {"gb18030": _chinese, "cp1252": _german}.get(encoding, _cyrillic)
     lowered = text.lower()
@@ -86,7 +88,7 @@ def _score(sample: bytes, encoding: str) -> float:
 
 def _cyrillic(before: str, letter: str) -> float:
     if "а" <= letter.lower() <= "я" or letter.lower() in "іїєґё":
-        # A capital inside a word is what another alphabet looks like.
+        # A capital letter inside a word shows that the encoding is wrong.
         return -2 if letter.isupper() and before.islower() else 2
     return 1 if letter in "№°·×−–—«»" else -2
 
@@ -98,6 +100,6 @@ def _german(before: str, letter: str) -> float:
 
 
 def _chinese(before: str, letter: str) -> float:
-    """Judge a character by its place in the code: the common ones stand first, two chance bytes land anywhere."""
+    """Score a character by its code: common characters come first in GB 2312, two random bytes land anywhere."""
     raw = letter.encode("gb18030", errors="ignore")
     return 5 if len(raw) == 2 and (0xB0 <= raw[0] <= 0xD7 or 0xA1 <= raw[0] <= 0xA6) and raw[1] >= 0xA1 else -3

@@ -1,6 +1,6 @@
-"""The first bytes of a file -> what it really is, whatever its name says; and which names are nobody's work.
+"""The first bytes of a file -> its real kind, whatever its name says; also which file names are ignored.
 
-Enters: bytes and names.  Leaves: the name of a kind that is never read as text, "" for the others.
+Enters: bytes and names.  Leaves: the name of a kind that is not read, "" for the other kinds.
 Used by `read_submission.py` and by whoever collects files.
 """
 
@@ -33,7 +33,7 @@ _WORD_STREAM = "WordDocument".encode("utf-16-le")  # the name of a stream inside
 
 
 def real_kind(content: bytes) -> str:
-    """Return the kind of a file that is neither text nor zip, "" for those."""
+    """Return the kind of a file that is not read (a picture, an OLE file, Mathcad …), "" for any other file."""
     if content.startswith(_OLE):
         return OLD_WORD if _WORD_STREAM in content else OLD_EXCEL
     head = content[:4096]
@@ -47,21 +47,21 @@ def real_kind(content: bytes) -> str:
 
 
 def kind_of_parts(names: list[str]) -> str:
-    """Return the kind of a zip by its parts, "" for a spreadsheet or a plain archive."""
+    """Return the kind of a zip file that is not read, by the names of its parts; "" for any other zip file."""
     return next((kind for start, kind in _PARTS if any(name.startswith(start) for name in names)), "")
 
 
 def is_ignored(path: str) -> bool:
-    """Return whether some part of a path is a name that systems and editors leave behind."""
-    parts = (part for part in PurePosixPath(path).parts if part != "..")  # nothing is ever written where a zip says
+    """Return whether a part of a path is a hidden or temporary name, or one that an operating system creates."""
+    parts = (part for part in PurePosixPath(path).parts if part != "..")  # harmless, as nothing is written to a path from a zip
     return any(part.startswith((".", "~")) or part.casefold() in _IGNORED for part in parts)
 
 
 def is_named_as_table(name: str) -> bool:
-    """Return whether a file's name promises a table."""
+    """Return whether the ending of a file's name is one of a table."""
     return PurePosixPath(name.replace("\\", "/")).suffix.lower() in TABLE_ENDINGS
 
 
 def is_html(text: str) -> bool:
-    """Return whether a text is a page, as Moodle keeps what was typed online."""
+    """Return whether a text is HTML, as Moodle stores text typed online."""
     return bool(_HTML.match(text[:500].lstrip("\ufeff")))

@@ -1,7 +1,7 @@
-"""An ods file -> its sheets, by `zipfile` and `expat`, repeated rows and cells bounded.
+"""An ods file -> its sheets, read with `zipfile` and `expat`; repeated rows and cells are limited.
 
 Enters: an `Archive`.  Leaves: `Sheet`s.  Raises `Refused`.
-Used by `tables_of_file.py` and, for what all OpenDocument files have, `odt.py`.
+Used by `tables_of_file.py` and, for what is common to all OpenDocument files, `odt.py`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _NUMBERS = {"float", "percentage", "currency"}
 
 
 def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> list[Sheet]:
-    """Return the sheets of a document, at most 10; cells beyond the bounds are left out."""
+    """Return the sheets of a spreadsheet, at most `SHEETS`; cells beyond `most_rows` and `most_columns` are left out."""
     refuse_encrypted(archive)
     reader = _Reader(most_rows, most_columns)
     stream(archive.chunks(CONTENT), reader)
@@ -25,13 +25,13 @@ def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> list[Sheet
 
 
 def refuse_encrypted(archive: Archive) -> None:
-    """Raise `Refused` for a document that is protected by a password."""
+    """Raise `Refused` if a document is protected by a password."""
     if _MANIFEST in archive.parts and b"encryption-data" in archive.read(_MANIFEST, 1024 * 1024):
         raise unreadable("password")
 
 
 class _Reader:
-    """Rows of the tables; a row or cell that is repeated is written out up to the bounds."""
+    """Collects the rows of the sheets; a repeated row or cell is written out up to the limits."""
 
     def __init__(self, most_rows: int, most_columns: int) -> None:
         self.most_rows, self.most_columns = most_rows, most_columns
@@ -84,7 +84,7 @@ class _Reader:
     def _add_row(self) -> None:
         while self.row and not self.row[-1].text and self.row[-1].kind == "text":
             self.row.pop()
-        between = self.blank.seen  # blank rows count only where a row follows them
+        between = self.blank.seen  # blank rows are kept only if a filled row follows them
         self.is_full = self.blank.too_many(not self.row, self.repeats)
         if self.row:
             rows = [()] * between + [tuple(self.row)] * min(self.repeats, self.most_rows)

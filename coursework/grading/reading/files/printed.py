@@ -1,6 +1,6 @@
-"""Tables as programs print them and as programs have them -> rows: columns in pieces, a common factor, lists, names with values.
+"""Tables as programs print them or write them in code -> rows: split columns, a common factor, lists, named values.
 
-Enters: lines, a text.  Leaves: whole lines; rows of texts, () where it holds nothing of the kind.
+Enters: lines, a text.  Leaves: whole lines; rows of texts, () if the text has no such table.
 Used by `separators.py`.
 """
 
@@ -16,7 +16,7 @@ _PIECE = re.compile(r"^[ \t]*columns?[ \t]+(\d{1,3})(?:[ \t]+(?:through|to|and|-
 _FACTOR = re.compile(r"[ \t]*1(?:\.0+)?[eE]([-+]?\d{1,2})[ \t]*\*[ \t]*")
 _DECIMAL = re.compile(r"(?<![\w.])-?\d+\.\d+(?![\w.])")
 _LIST = re.compile(r"[\[{(<]([^\[\]{}()<>]{3,})[\]})>]")
-_VECTOR = re.compile(r"(?<=[=:])[ \t]*\n([-+\d.,eE\s]{6,})")  # as MATLAB shows one, or line by line
+_VECTOR = re.compile(r"(?<=[=:])[ \t]*\n([-+\d.,eE\s]{6,})")  # as MATLAB prints a vector, or with one number per line
 _NAMED = re.compile(r"([^\W\d]\w{0,20})[ \t]*(?:[:=]|:=)[ \t]*(?:[A-Za-z.]{1,20}\()?[ \t]*$")
 _QUOTED = re.compile(r"""['"]([^'"\n]{1,40})['"]""")
 PAIR = re.compile(r"(?<![\w.])([^\W\d][\w.]{0,20})[ \t]*(?:=|:)[ \t]*([-+−]?\d[\d.,]*(?:[eE][-+]?\d{1,3})?)(?![\w.*/^(])")
@@ -24,9 +24,9 @@ _FEWEST, _MOST_LISTS, _BEFORE = 3, 5000, 40
 
 
 def in_whole_lines(given: list[str]) -> list[str]:
-    r"""Return lines in which no table is printed in pieces, as pandas, MATLAB and Octave do, or with a factor before it.
+    r"""Return the lines with tables put together that pandas, MATLAB or Octave print in pieces, and with common factors applied.
 
-    A row that goes on in the next lines, as Fortran writes it, is one line.
+    A row that continues on the next lines, as Fortran writes it, becomes one line.
 
     >>> in_whole_lines(["  Columns 1 through 2", "", " 0 1.5", " 1 1.6", "", "  Column 3", "", " 2.5", " 2.6"])
     ['', ' 0 1.5 2.5', ' 1 1.6 2.6']
@@ -48,7 +48,7 @@ def in_whole_lines(given: list[str]) -> list[str]:
         if kind > 1:
             goes_on = (found := _PIECE.match(rows[-1])) is not None and found[1] != "1"
         elif kind:
-            ends = rows[0].endswith("  \\")  # of pandas: the numbers of the rows stand before each piece
+            ends = rows[0].endswith("  \\")  # pandas prints the row numbers before each piece
             rows[0] = rows[0].removesuffix("\\").rstrip()
             if goes_on and out and len(out[-1]) == len(rows):
                 out[-1] = _beside(out[-1], rows, is_numbered)
@@ -59,7 +59,7 @@ def in_whole_lines(given: list[str]) -> list[str]:
 
 
 def _unwrapped(lines: list[str]) -> list[str]:
-    """Return lines with the rows put together that go on in the next ones: the last line of each is shorter."""
+    """Return the lines with wrapped rows joined; the pattern of widths must repeat, and the last line of a row is shorter."""
     widths = [len(cells) if all(map(looks_numeric, cells)) else 0 for cells in (line.split() for line in lines)]
     first = next((at for at, width in enumerate(widths) if width), 0)
     end = next((at for at in range(first, len(widths)) if not widths[at]), len(widths))
@@ -85,7 +85,7 @@ def _beside(before: list[str], rows: list[str], is_numbered: bool) -> list[str]:
 
 
 def _without_factors(lines: list[str]) -> list[str]:
-    """Return the lines with the numbers below a factor of their own, up to the next line of words."""
+    """Return the lines with each common factor, such as "1.0e+03 *", applied to the decimals below it, up to a line of words."""
     out: list[str] = []
     power = ""
     for line in lines:
@@ -100,7 +100,7 @@ def _without_factors(lines: list[str]) -> list[str]:
 
 
 def listed_rows(text: str, most_rows: int, most_columns: int) -> tuple[tuple[str, ...], ...]:
-    r"""Return the rows of a table that is written as lists, as programs have it, each behind its name where it has one.
+    r"""Return the rows of a table written as lists in program code, each after its name if all have one; () if there is none.
 
     >>> listed_rows("T = [0 1.5; 1 1.6; 2 1.7];", 600, 40)
     (('0', '1.5'), ('1', '1.6'), ('2', '1.7'))
@@ -128,14 +128,14 @@ def listed_rows(text: str, most_rows: int, most_columns: int) -> tuple[tuple[str
 
 
 def _entries(line: str) -> list[str]:
-    """Return the entries of a list: between commas, where it has such that are no decimal marks, else between blanks."""
+    """Return the entries of a list: split at commas if these separate entries, else at blanks."""
     bare = line.replace("...", " ").strip(" \t\n,")
     is_parted = ", " in bare or ",\n" in bare or not re.search(r"\s", bare)
     return [cell.strip() for cell in bare.split(",")] if is_parted else [cell for cell in bare.split() if cell != "-"]
 
 
 def named_rows(text: str, most_rows: int) -> tuple[tuple[str, ...], ...]:
-    r"""Return the rows of a table in which each number stands behind its name, line by line or row by row.
+    r"""Return the rows of a table in which each number follows its name ("t=0 w1=5"), under a row of the names; () if none.
 
     >>> named_rows("t=0 w1=5\nt=1 w1=6\nt=2 w1=7", 600)
     (('t', 'w1'), ('0', '5'), ('1', '6'), ('2', '7'))

@@ -1,7 +1,7 @@
-"""Text -> rows of cells: which sign separates the cells of a file that does not say so.
+"""Text -> rows of cells: find the separator of a file that does not name it.
 
-Enters: a decoded text.  Leaves: `Split`.  Looks at the shape of the numbers only, never at the key.
-Used by `tables_of_file.py`; whether numbers rise in equal steps, by `layout.py` and `columns.py` too.
+Enters: a decoded text.  Leaves: `Split`.  Only the form of the numbers counts, never the key.
+Used by `tables_of_file.py`; `is_progression` is used by `layout.py` and `columns.py` too.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ from coursework.grading.reading.numbers import looks_numeric, marks, plain_text
 from coursework.system.frozen import frozen
 
 NAMES = {"\t": "tab", " ": "blanks"}
-_SAMPLE = 80  # rows on which the separator is chosen
+_SAMPLE = 80  # number of lines used to choose the separator
 _HINT = re.compile(r'\s*"?sep=(.)"?[;,\t]*\s*', re.IGNORECASE)
 _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _BARS = str.maketrans(dict.fromkeys("│┃║┆┊❘", "|"))
 _REMARKS = {"#", "%", "//", "!", "--", "%%", "##"}
-_KNITTED = re.compile(r"(?m)^(?:##|#>)(?=[ \t])")  # before each line that R printed into a page
-_FEWEST = 3  # rows of numbers without a blank line between
+_KNITTED = re.compile(r"(?m)^(?:##|#>)(?=[ \t])")  # the prefix of each line of R's output in a knitted page
+_FEWEST = 3  # least number of consecutive rows of numbers that make a block
 
 
 @frozen
 class Split:
-    """Rows of texts; `separator` as grades.json names it, `line` the line of the file that each row begins in."""
+    """Rows of texts; `separator` as in grades.json; `has_pairs` if decimal commas were taken for separators (1,5 as 1 and 5)."""
 
     separator: str
     rows: tuple[tuple[str, ...], ...]
@@ -40,7 +40,7 @@ class Split:
 
 
 def split(text: str, most_rows: int, most_columns: int) -> Split | None:
-    r"""Return the rows of a text that holds a table, None for any other text.  Raises `Refused` for a line beyond all bounds.
+    r"""Return the rows of the table in a text, None if it has none.  Raises `Refused` if a line is too long.
 
     >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
     ';'
@@ -60,14 +60,14 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
         if judged and (best is None or (*judged[0], -place) > best[0]):
             best = (*judged[0], -place), sign, judged[1]
     if best is None:
-        # Each number may stand in a line of its own.
+        # Each number may be on a line of its own.
         rows = named_rows("\n".join(_lines(text, most_rows * most_columns)), most_rows)
         return Split("cells", rows) if rows else None
     return Split(NAMES.get(best[1], best[1]), _cells(lines, best[1], most_columns), best[2])
 
 
 def _lines(text: str, most: int) -> Iterator[str]:
-    """Give the lines that are read: up to the last row allowed, or to where only blank ones follow."""
+    """Yield the lines to read, up to `most` filled ones or until too many blank ones.  Raises `Refused` if one is too long."""
     blank = BlankRows()
     filled = 0
     for line in StringIO(text):
@@ -85,25 +85,25 @@ def _lines(text: str, most: int) -> Iterator[str]:
 def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...]:
     if sign == " ":
         return _between_blanks(lines, most)
-    if sign == "|":  # a row of a box begins and ends with one
+    if sign == "|":  # the rows of a boxed table begin and end with a bar
         lines = [line.strip().strip("|").replace(" || ", " | ") for line in lines]
-    # Quotation marks may enclose separators and ends of lines; the reader of the standard library is given bounded lines.
+    # Quoted cells may contain separators and line ends; `csv` gets lines of limited length only.
     reader = csv.reader((line + "\n" for line in lines), delimiter=sign, quotechar='"', skipinitialspace=True)
     try:
         return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in row[:most]) for row in reader)
-    except csv.Error:  # a quotation mark that is never closed makes one cell of the rest
+    except csv.Error:  # an unclosed quotation mark makes one cell of all that follows
         return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in line.split(sign)[:most]) for line in lines)
 
 
 def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
-    """Return the tokens of lines; tables that blank lines or heads part are set below each other each for itself."""
+    """Return the tokens of the lines; tables separated by blank lines or headers are aligned one by one."""
     blocks: list[list[str]] = [[]]
-    count = 0  # rows of numbers in the last block
+    count = 0  # rows of numbers in the current block
     for is_row, group in itertools.groupby(lines, _begins_with_number):
         block = list(group)
-        if is_row and len(block) < _FEWEST:  # single rows with lines between
+        if is_row and len(block) < _FEWEST:  # rows of numbers with other lines between them
             return _aligned(lines, most)
-        if count:  # what follows rows of numbers is none
+        if count:  # a line after rows of numbers begins a new block
             blocks.append([])
         count = len(block) if is_row else 0
         blocks[-1] += block
@@ -115,7 +115,7 @@ def _begins_with_number(line: str) -> bool:
 
 
 def _aligned(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
-    """Return the tokens of lines; where a row of numbers has fewer than the others, each goes below what it stands under."""
+    """Return the tokens of the lines; in a row of too few numbers, each number goes to the column it is printed under."""
     found = [list(itertools.islice(_TOKEN.finditer(line), most)) for line in lines]
     rows = [tuple(match[0].strip('"')[:CELL_CHARACTERS] for match in matches) for matches in found]
     numeric = [bool(row) and all(map(looks_numeric, row)) for row in rows]
@@ -136,7 +136,7 @@ def _aligned(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
 
 
 def _in_words(line: str, row: tuple[str, ...], usual: int) -> tuple[str, ...]:
-    """Return the heads of a line: words that one blank parts are one head; the sign of a remark before them is none."""
+    """Return the headers of a line: words with one blank between them are one header; a leading comment sign is dropped."""
     if len(row) == usual + 1 and row[0] in _REMARKS:
         return row[1:]
     wide = tuple(re.split(r"\s{2,}|\t", line.strip())) if len(row) > usual else row
@@ -144,7 +144,7 @@ def _in_words(line: str, row: tuple[str, ...], usual: int) -> tuple[str, ...]:
 
 
 def _headed(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple[int, int]]) -> tuple[str, ...]:
-    """Return the heads of a printed data frame: each ends where its column does, and none is above the numbers of the rows."""
+    """Return the headers of a printed data frame: each ends where its column ends; the row numbers have none."""
     if not matches or matches[0].start() < spans[0][1] or matches[-1].end() != spans[-1][1]:
         return row
     cells = [""] * len(spans)
@@ -155,7 +155,7 @@ def _headed(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tupl
 
 
 def _below(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple[int, int]]) -> tuple[str, ...]:
-    """Return a row with gaps where nothing stands under a column; no cell where it cannot be told which is missing."""
+    """Return a row with "" in columns without a number under them; () if a token cannot be assigned to one column."""
     cells = [""] * len(spans)
     for match, text in zip(matches, row, strict=True):
         under = [at for at, (start, end) in enumerate(spans) if match.start() < end and start < match.end()]
@@ -166,7 +166,7 @@ def _below(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple
 
 
 def _judged(rows: tuple[tuple[str, ...], ...], sign: str) -> tuple[tuple[float, ...], bool] | None:
-    """Return how well rows look like a table, and whether decimal commas fell apart; None where there are no numbers."""
+    """Return a score of how well rows look like a table, and whether decimal commas were split; None if there are no numbers."""
     numeric = [[looks_numeric(cell) for cell in row] for row in rows]
     body = [index for index, row in enumerate(numeric) if sum(row) >= 2 and 2 * sum(row) >= sum(map(bool, rows[index]))]
     if len(body) < 2:
@@ -186,13 +186,13 @@ def _judged(rows: tuple[tuple[str, ...], ...], sign: str) -> tuple[tuple[float, 
 
 
 def _fitting_mark(texts: list[str], sign: str) -> bool:
-    """Return whether the decimal mark is the one that programs write beside this separator."""
+    """Return whether the decimal mark is the usual one with this separator: comma with ";", point with ","."""
     comma, point, _, _ = marks(texts)
     return (sign == ";" and comma > 0) or (sign == "," and point > 0)
 
 
 def _progresses(rows: tuple[tuple[str, ...], ...], body: list[int]) -> bool:
-    """Return whether one of the first two columns rises by equal steps, as the time does."""
+    """Return whether one of the first two columns rises in equal steps, as the time does."""
     for place in (0, 1):
         texts = [plain_text(rows[i][place]).replace(",", ".") for i in body if place < len(rows[i])]
         values = [float(text) for text in texts if re.fullmatch(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?", text)]
@@ -202,7 +202,7 @@ def _progresses(rows: tuple[tuple[str, ...], ...], body: list[int]) -> bool:
 
 
 def is_progression(values: list[float], slack: float = 0.0) -> bool:
-    """Return whether sorted numbers stand in equal steps; `slack` is what rounding may add to each."""
+    """Return whether sorted numbers rise in about equal steps; `slack` is the rounding error of each number."""
     if len(values) < 3 or not values[-1] > values[0]:
         return False
     steps = [later - earlier for earlier, later in pairwise(values)]

@@ -1,6 +1,6 @@
-"""An xlsx file -> its sheets, by `zipfile` and `expat`, bounded while reading.
+"""An xlsx file -> its sheets, read with `zipfile` and `expat` within limits.
 
-Enters: an `Archive`.  Leaves: `Sheet`s in the order of the workbook, one by one.  Raises `Refused`.
+Enters: an `Archive`.  Leaves: an iterator over `Sheet`s in the order of the workbook.  Raises `Refused`.
 Used by `tables_of_file.py`.
 """
 
@@ -20,12 +20,12 @@ from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS
 WORKBOOK = "xl/workbook.xml"
 _MOST_ELEMENTS = 10_000
 _PLACE = re.compile(r"([A-Z]{1,3})([0-9]{1,7})")
-_DATES = {*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)}  # formats of dates that need no text of their own
+_DATES = {*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)}  # numbers of the built-in date formats
 _KINDS: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "error", "d": "date"}
 
 
 def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> Iterator[Sheet]:
-    """Give the sheets of a workbook, at most 10; cells beyond the bounds are left out."""
+    """Yield the sheets of a workbook, at most `SHEETS`; cells beyond `most_rows` and `most_columns` are left out."""
     targets = _targets(archive)
     for _, found in _attributes(archive, WORKBOOK, {"sheet"})[:SHEETS]:
         part = targets.get(found.get("id", ""), "")
@@ -37,7 +37,7 @@ def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> Iterator[S
 
 
 def _targets(archive: Archive) -> dict[str, str]:
-    """Return the part that each key of the workbook names."""
+    """Return the name of the part for each relationship id of the workbook."""
     return {
         found.get("Id", ""): posixpath.normpath(posixpath.join("/xl", found.get("Target", ""))).lstrip("/")
         for _, found in _attributes(archive, "xl/_rels/workbook.xml.rels", {"Relationship"})
@@ -45,7 +45,7 @@ def _targets(archive: Archive) -> dict[str, str]:
 
 
 def _resolved(archive: Archive, reader: _SheetReader) -> tuple[tuple[Cell, ...], ...]:
-    """Return the rows with shared texts and dates in place."""
+    """Return the rows with shared texts filled in and cells in date formats marked as dates."""
     wanted = {
         int(cell.text) for row in reader.rows.values() for cell, kind, _ in row.values() if kind == "s" and cell.text.isdecimal()
     }
@@ -68,7 +68,7 @@ def _resolved(archive: Archive, reader: _SheetReader) -> tuple[tuple[Cell, ...],
 
 
 def _attributes(archive: Archive, part: str, wanted: set[str]) -> list[tuple[str, dict[str, str]]]:
-    """Return names and attributes of the elements of some kinds in a part, nothing where there is no such part."""
+    """Return (name, attributes) of the elements of a part whose names are `wanted`; empty if there is no such part."""
     reader = _Attributes(wanted)
     if part in archive.parts:
         stream(archive.chunks(part), reader)
@@ -76,7 +76,7 @@ def _attributes(archive: Archive, part: str, wanted: set[str]) -> list[tuple[str
 
 
 class _Attributes:
-    """Collects the attributes of some kinds of elements."""
+    """Collects the attributes of the elements whose names are `wanted`."""
 
     def __init__(self, wanted: set[str]) -> None:
         self.wanted = wanted
@@ -96,7 +96,7 @@ class _Attributes:
 
 
 class _SheetReader:
-    """Cells of one sheet by row and column (from 1): the cell, its type (s, n …) and its style."""
+    """Collects the cells of one sheet by row and column (from 1): the cell, its type (s, n …) and its style."""
 
     def __init__(self, most_rows: int, most_columns: int) -> None:
         self.most_rows, self.most_columns = most_rows, most_columns
@@ -155,7 +155,7 @@ def _column(letters: str) -> int:
 
 
 class _SharedTexts:
-    """The texts of a workbook by their number, only those wanted, rich text put together."""
+    """Collects the shared texts of a workbook with the `wanted` numbers; the pieces of rich text are joined."""
 
     def __init__(self, wanted: set[int]) -> None:
         self.wanted = wanted
@@ -192,16 +192,16 @@ def _shared(archive: Archive, wanted: set[int]) -> dict[int, str]:
 
 
 def _date_styles(archive: Archive) -> set[int]:
-    """Return the styles of cells that print a number as a date."""
+    """Return the cell styles that show a number as a date."""
     dates, formats, is_inside = {*_DATES}, list[int](), False
     for name, found in _attributes(archive, "xl/styles.xml", {"numFmt", "cellXfs", "xf", "cellStyles"}):
         number = whole(found.get("numFmtId"), -1)
-        # Colours, quoted words and currencies are no letters of a date.
+        # Letters in colours, quoted words and currencies do not make a date format.
         code = re.sub(r'"[^"]*"|\[[^\]]*\]|\\.', "", found.get("formatCode", "")[:500]).lower()
         if name == "numFmt" and re.search("[dmyh]", code) and "general" not in code:
             dates.add(number)
         elif name == "xf" and is_inside:
             formats.append(number)
-        elif name in {"cellXfs", "cellStyles"}:  # what lies between them
+        elif name in {"cellXfs", "cellStyles"}:  # only the formats between these two are cell styles
             is_inside = name == "cellXfs"
     return {style for style, number in enumerate(formats) if number in dates}

@@ -1,6 +1,6 @@
-"""Parts of a spreadsheet or document as a stream of elements, stopped as soon as enough is known.
+"""Parts of a spreadsheet or document as a stream of XML elements, stopped as soon as enough is known.
 
-Enters: chunks of XML.  Leaves: calls of a handler.  Raises `Refused` for a DOCTYPE (entities) and for what is no XML.
+Enters: chunks of XML.  Leaves: calls of a handler.  Raises `Refused` for a DOCTYPE (entities) and for invalid XML.
 Used by `xlsx.py`, `ods.py` and the readers of documents.
 """
 
@@ -17,29 +17,29 @@ _NONE: dict[str, str] = {}
 
 
 class Handler(Protocol):
-    """What a reader of elements offers; names come without their prefix."""
+    """The methods of a reader of elements; names are passed without their prefix."""
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
-        """Meet the beginning of an element; attribute names come without their prefix too."""
+        """Handle the start of an element; the names of its attributes have no prefix either."""
 
     def end(self, name: str) -> None:
-        """Meet its end."""
+        """Handle the end of an element."""
 
     def text(self, text: str) -> None:
-        """Meet text, perhaps in several pieces."""
+        """Handle text, perhaps in several pieces."""
 
 
 def whole(text: str | None, otherwise: int) -> int:
-    """Return the whole number that an attribute is, another where it is none."""
+    """Return the value of an attribute as a non-negative integer, `otherwise` if it is none."""
     return int(text) if text and len(text) <= 8 and text.isascii() and text.isdigit() else otherwise
 
 
 class Enough(Exception):
-    """A handler has what it wants."""
+    """Raised by a handler that needs no more of the document."""
 
 
 class _BareNames(dict[str, str]):
-    """Names without their prefix, "" for those nobody wants."""
+    """Maps element names to their form without prefix, or to "" if not `wanted`."""
 
     def __init__(self, wanted: Mapping[str, bool] | None) -> None:
         super().__init__()
@@ -52,14 +52,14 @@ class _BareNames(dict[str, str]):
 
 
 def stream(chunks: Iterable[bytes], handler: Handler, wanted: Mapping[str, bool] | None = None) -> None:
-    """Send the elements of a document to a handler until it has enough.
+    """Send the elements of a document to a handler until it raises `Enough`.
 
-    `wanted` are the names it looks at, and whether their attributes too; all where None.
+    `wanted` maps the names of the elements to send to whether their attributes are needed; None sends everything.
     """
     parser = expat.ParserCreate()
     depth = 0
     meet, leave = handler.begin, handler.end
-    bare = _BareNames(wanted)  # a document of a word processor has fifty names and ten thousand elements
+    bare = _BareNames(wanted)  # cached: a document has about fifty names but ten thousand elements
 
     def begin(name: str, attributes: dict[str, str]) -> None:
         nonlocal depth
@@ -96,7 +96,7 @@ def stream(chunks: Iterable[bytes], handler: Handler, wanted: Mapping[str, bool]
             waiting += chunk
             if len(waiting) < unread:
                 continue
-            # What has no end yet, a comment or a tag, is read again from its beginning: not before there is twice as much of it.
+            # `expat` parses an unfinished comment or tag again from its start, so wait until the unread text has doubled.
             parser.Parse(waiting, False)
             fed += len(waiting)
             unread = fed - parser.CurrentByteIndex
@@ -108,5 +108,5 @@ def stream(chunks: Iterable[bytes], handler: Handler, wanted: Mapping[str, bool]
         raise unreadable("damaged") from error
     except (Refused, MemoryError):
         raise
-    except (ValueError, LookupError) as error:  # an encoding that nobody knows
+    except (ValueError, LookupError) as error:  # an unknown encoding
         raise unreadable("damaged") from error

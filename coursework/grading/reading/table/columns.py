@@ -1,6 +1,6 @@
-"""Which column of a file is which column of the task: by its head, else by position where no head says otherwise.
+"""Which column of a file is which column of the task: by its head, else by its position if no head contradicts.
 
-Enters: a `Layout`, the columns of the task.  Leaves: `Places`.  Raises `Refused` where it cannot be told.
+Enters: a `Layout`, the columns of the task.  Leaves: `Places`.  Raises `Refused` if the columns cannot be told.
 Used by `table.py`.
 """
 
@@ -20,12 +20,12 @@ from coursework.grading.reading.unit_names import fold
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
-_FAR = 12  # times the step of the task: no step of the student's own is so long
+_FAR = 12  # times the step of the task: a student's own step is never this long
 
 
 @frozen
 class Place:
-    """Where a column of the task stands in the file (from 0), and how that was found."""
+    """The index of a column of the task in the file (from 0), and how it was found."""
 
     at: int
     by: Literal["header", "position"]
@@ -33,10 +33,10 @@ class Place:
 
 @frozen
 class Places:
-    """The columns found, by name; `repeated` are those that stood in the file twice and alike.
+    """The columns found, by name; `repeated` are the names of those that the file has twice with equal numbers.
 
-    `asked` is what a person must be asked where heads do not say which column of the task they are: those were taken in order,
-    which only their numbers can confirm.
+    `asked` is the question to a person if heads do not say which column of the task they are: these columns were taken in order,
+    and only their numbers can confirm that.
     """
 
     places: dict[str, Place]
@@ -45,9 +45,9 @@ class Places:
 
 
 def find_columns(layout: Layout, grid: Grid) -> Places:
-    """Return where each column stands.
+    """Return the place of each column of the task.
 
-    Raises `Refused` where columns cannot be told apart or say two things.
+    Raises `Refused` if columns cannot be told apart or contradict each other.
     """
     names = grid.names
     filled = [at for at in range(len(layout.heads)) if any(row[at].stands_for_number for row in layout.body)]
@@ -73,16 +73,16 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
 
 
 def _by_words(layout: Layout, rest: list[int], places: dict[str, Place]) -> dict[str, Place]:
-    """Return the columns whose heads say in words what they are, each of those that one head alone means."""
+    """Return the columns that heads describe in words, if only one head describes the column."""
     told = [(name, at) for at in rest for name in layout.heads[at].told if name not in places]
     names = [name for name, _ in told]
     return {name: Place(at, "header") for name, at in told if names.count(name) == 1}
 
 
 def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int]) -> tuple[dict[str, Place], Sentence | None]:
-    """Return the missing columns in the order of as many unread ones, and what is to be asked about their heads.
+    """Return the missing columns, assigned in order to as many unread ones, and the question to a person about their heads.
 
-    Raises `Refused` where more are unread than are missing, or what stands in a column of the task is no number.
+    Raises `Refused` if more columns are unread than missing, or if a column with a head of the task has text instead of numbers.
     """
     unread = [at for at in rest if at not in {place.at for place in places.values()}]
     for at, head in enumerate(layout.heads):
@@ -101,7 +101,11 @@ def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int
 
 
 def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[dict[str, Place], set[int]]:
-    """Return the columns that a head names; of two equal ones the finer or the first counts, two different ones are refused."""
+    """Return the columns that heads name, and the indices of repeated ones that are left out.
+
+    If two heads name a column and the numbers agree, the finer or else the first one counts.  If they differ, the head with the
+    exact name counts.  Raises `Refused` if the exact names do not decide.
+    """
     places: dict[str, Place] = {}
     repeated: set[int] = set()
     for at in filled:
@@ -117,7 +121,7 @@ def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[
                 named = [_is_named(layout.heads[place].text, name) for place in (first.at, at)]
                 if named[0] == named[1]:
                     raise doubtful("two_columns", name=name, first=first.at + 1, second=at + 1)
-                places[name] = first if named[0] else Place(at, "header")  # a word may mean what another head is called
+                places[name] = first if named[0] else Place(at, "header")  # the other head only may have meant this column
                 continue
             if factors[0] != factors[1] and _last_place(layout, at) * factors[1] < _last_place(layout, first.at) * factors[0]:
                 places[name], at = Place(at, "header"), first.at
@@ -126,7 +130,7 @@ def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[
 
 
 def _is_named(text: str, name: str) -> bool:
-    """Return whether a head has the very name of a column, in whatever letters.
+    """Return whether a head begins with the exact name of a column, in any alphabet.
 
     >>> _is_named("s, m", "s"), _is_named("φ_2", "phi2"), _is_named("x", "s"), _is_named("s2", "s")
     (True, True, False, False)
@@ -139,7 +143,7 @@ def _last_place(layout: Layout, at: int) -> float:
 
 
 def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns: int, step: float) -> None:
-    """Find the time, and the numbers of the rows before it, where no head says which column they are."""
+    """Add the time, and the row numbers before it, to `places` if the first free columns are theirs but have no heads."""
     if TIME in places or not free or (layout.has_heads and layout.heads[free[0]].text):
         return
     spare = len(free) - columns if not any(name not in {INDEX} for name in places) else 1
@@ -148,18 +152,18 @@ def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns
         places[INDEX] = Place(free[0], "position")
         places[TIME] = Place(free[1], "position")
     elif (spare >= 1 or _is_time(first, step)) and _rises(layout, free[0]):
-        # 1, 2, 3 … before the columns of the task are the numbers of the rows.
+        # 1, 2, 3 … before the columns of the task are row numbers.
         places[INDEX if _counts(first) and INDEX not in places else TIME] = Place(free[0], "position")
 
 
 def _is_time(values: list[float], step: float) -> bool:
-    """Return whether numbers are the times of the grid."""
+    """Return whether the numbers are times from 0 in steps of about `step`."""
     ordered = sorted(values)
     return len(ordered) > 2 and ordered[0] == 0 and abs(ordered[-1] / (len(ordered) - 1) / step - 1) < 0.05
 
 
 def _is_of_steps(values: list[float], step: float) -> bool:
-    """Return whether what stands under the time counts the rows: no step, s, is taken for so many seconds."""
+    """Return whether a time column counts rows (0, 1, 2 …): a step of 1 s is too long if the task's is below 1/12 s."""
     return _counts(values) and step * _FAR < 1.0
 
 
@@ -168,7 +172,7 @@ def _numbers(layout: Layout, at: int) -> list[float]:
 
 
 def _counts(values: list[float]) -> bool:
-    """Return whether numbers are 0, 1, 2 … or 1, 2, 3 … in some order."""
+    """Return whether the numbers are 0, 1, 2 … or 1, 2, 3 … in any order."""
     ordered = sorted(values)
     return len(ordered) > 2 and ordered[0] in {0.0, 1.0} and ordered == [ordered[0] + k for k in range(len(ordered))]
 
@@ -180,7 +184,7 @@ def _rises(layout: Layout, at: int) -> bool:
 
 
 def _in_order(layout: Layout, rest: list[int], names: Sequence[str]) -> dict[str, Place]:
-    """Return all columns by position; every head that means something must agree."""
+    """Return all columns by position.  Raises `Refused` if their number is wrong or a head contradicts."""
     heads = [layout.heads[at] for at in rest]
     if len(rest) != len(names):
         raise unreadable("count_columns", found=len(rest), needed=len(names), names=tuple(names))
@@ -190,7 +194,7 @@ def _in_order(layout: Layout, rest: list[int], names: Sequence[str]) -> dict[str
 
 
 def _lost_letters(layout: Layout, rest: list[int], names: list[str]) -> dict[str, Place]:
-    """Return the columns whose heads may mean several, where their order leaves one way; others stay unread."""
+    """Return columns with ambiguous heads, or without heads, by their order if as many names are left; others stay unread."""
     open_heads: list[tuple[int, Head]] = [(at, layout.heads[at]) for at in rest if layout.heads[at].candidates]
     unnamed = [at for at in rest if not layout.heads[at].text]
     if unnamed and not open_heads and len(unnamed) == len(names):

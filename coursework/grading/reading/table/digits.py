@@ -1,6 +1,6 @@
-"""How many digits a column was printed with: the unit of the last place of each of its cells.
+"""The precision with which a column was printed: the unit of the last place of each of its cells.
 
-Enters: the cells of a column.  Leaves: decimals and one unit a cell, both in the unit of the file.
+Enters: the cells of a column.  Leaves: decimals and one unit per cell, both in the unit of the file.
 Used by `table.py`.
 """
 
@@ -13,15 +13,15 @@ from coursework.grading.reading.numbers import PrintedNumber
 
 FINEST = 1e-9  # a spreadsheet stores more digits than any coursework can mean
 _FIXED = 0.55  # least share of cells with the greatest number of decimals
-_DOUBLE = 15  # significant digits of which every one survives in a double
+_DOUBLE = 15  # significant digits that a double always keeps
 _SIGNIFICANT = 0.60  # least share of cells with the same number of significant digits
 
 
 def last_places(cells: Sequence[PrintedNumber]) -> tuple[int, list[float]]:
-    """Return the decimals of a column and the unit of each cell's last place, at least 1e-9.
+    """Return the number of decimals of a column and the unit of each cell's last place, at least 1e-9.
 
-    A fixed number of decimals counts for every cell; a fixed number of significant digits gives each cell its own last place
-    (with the zeros that a program dropped); where zeros were dropped from fixed decimals, the longest cell tells.
+    With fixed decimals, all cells have the same unit.  With a fixed number of significant digits, each cell has its own unit
+    (counting zeros that a program dropped).  If zeros were dropped from fixed decimals, the cell with most decimals decides.
     """
     numbers = [cell for cell in cells if cell.is_number]
     if not numbers:
@@ -41,20 +41,20 @@ def _unit(decimals: int) -> float:
 
 
 def _own_decimals(cell: PrintedNumber, full: int) -> int:
-    """Return the decimals of a cell; one with fewer than `full` significant digits lost zeros at its end."""
+    """Return the decimals of a cell; if it has fewer than `full` significant digits, add the zeros dropped at its end."""
     return -cell.place + max(full - cell.digits, 0)
 
 
 def _keeps_zeros(numbers: list[PrintedNumber]) -> bool:
-    """Return whether some number was printed with a zero at its end; what a double has beyond fifteen digits says nothing."""
+    """Return whether a number was printed with a zero at its end; numbers with more digits than a double keeps do not count."""
     told = [cell for cell in numbers if cell.value and cell.digits <= _DOUBLE]
     return any(-300 < cell.place < 0 and round(float(f"{cell.value:.15g}") * 10.0**-cell.place) % 10 == 0 for cell in told)
 
 
 def _significant_digits(numbers: list[PrintedNumber]) -> int:
-    """Return the number of significant digits that most cells have while their decimals differ, 0 where there is none.
+    """Return the number of significant digits that most cells have although their decimals differ, 0 if there is none.
 
-    A whole number cannot be printed with fewer digits than it has.
+    A whole number may have more digits, as it cannot be printed with fewer.
     """
     nonzero = [cell for cell in numbers if cell.value]
     has_powers = any(cell.place > 0 for cell in nonzero)  # 1.2e+03 has only the digits it shows
@@ -70,9 +70,9 @@ def _fits(cell: PrintedNumber, digits: int) -> bool:
 
 
 def _is_significant(numbers: list[PrintedNumber], most: int, digits: int) -> bool:
-    """Return whether cells with fewer decimals have exactly the digits of the others, so that no zero was dropped.
+    """Return whether the cells with fewer decimals have as many digits as the others, so that no zero was dropped.
 
-    Most numbers below 1 have the same decimals in a column of significant digits too; a longer cell would be a fixed column's.
+    Most numbers below 1 have equal decimals even in a column of significant digits; one longer cell shows fixed decimals.
     """
     nonzero = [cell for cell in numbers if cell.value]
     shorter = [cell for cell in nonzero if -cell.place < most]

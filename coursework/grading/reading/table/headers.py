@@ -1,6 +1,6 @@
-"""The head of a column -> which column of the task it may be, and its unit.
+"""The head of a column -> the columns of the task that it may name, and its unit.
 
-Enters: a head's text and the columns of the task.  Leaves: `Head`.  Aliases are made from the names of the columns and
+Enters: a head's text and the columns of the task.  Leaves: `Head`.  The aliases come from the names of the columns and
 `words.toml`.
 Used by whatever reads a file of a student or of a platform.
 """
@@ -18,7 +18,7 @@ TIME = "t"
 INDEX = "№"
 _PUNCTUATION = re.compile(r"[\s_,.;:$\\{}()\[\]'\"=*^~-]+")
 
-# For each SI unit of a column: the units it may be printed in, and what one of them is in SI.
+# For each SI unit of a column: the units in which it may be printed, with their factors to SI.
 PRINTED: dict[str, dict[str, float]] = {
     "rad": {"rad": 1.0, "deg": 0.017453292519943295},
     "1/s": {"1/s": 1.0, "deg/s": 0.017453292519943295, "rpm": 0.10471975511965977},
@@ -28,8 +28,8 @@ PRINTED: dict[str, dict[str, float]] = {
     "N": {"N": 1.0, "kN": 1000.0},
     "N·m": {"N·m": 1.0, "kN·m": 1000.0},
 }
-_OF_FORCE = re.compile(r"(.+?)[\s,/(\[]+(k?)[nh]([·*]?m)?[)\]]?\s*")  # behind a name, as `fold` leaves it: the Cyrillic one is h
-_LONGEST = 80  # characters of a head that are looked at
+_OF_FORCE = re.compile(r"(.+?)[\s,/(\[]+(k?)[nh]([·*]?m)?[)\]]?\s*")  # N or kN after a name; `fold` turns the Cyrillic Н into h
+_LONGEST = 80  # most characters of a head that are read
 _SYMBOLS, _QUANTITIES = WORDS["symbols"], WORDS["quantities"]
 _TURNING = [*_SYMBOLS["phi"], *_SYMBOLS["theta"]]
 _BY_UNIT = {"rad": _TURNING, "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}
@@ -37,15 +37,15 @@ _RATE, _ANGLE, _OTHER = ([*map(fold, WORDS[part])] for part in ("rate", "angle",
 _ORDINALS = {str(k): [*map(fold, words)] for k, words in enumerate(WORDS["ordinals"], start=1)}
 _PRIME = re.compile(r"(?<=[^\W_])['′’](?=\w|\s?[(\[,]|$)")
 _OF_TIME = ("(t)", "(tk)", "(ti)", "[t]")
-_FUNCTIONS = {"sin", "cos", "tan", "tg", "cot", "ctg"}  # a column of one is none of its argument
+_FUNCTIONS = {"sin", "cos", "tan", "tg", "cot", "ctg"}  # a column of sin(phi1) is not the column phi1
 _STEMS = ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega", "om", "th", "fi")
 
 
 @frozen
 class Head:
-    """What a head may mean: a column, the time, a row number, several (lost Greek), or nothing known; its unit or "".
+    """What a head may mean: `candidates` are the columns (also time or row number) it may name, several if Greek was lost.
 
-    `told` is the one column that the words of a head without a name say.
+    `unit` is its unit or "".  `told` has the one column that a head describes in words instead of naming it, () if none.
     """
 
     text: str
@@ -60,7 +60,7 @@ class Head:
 
 
 def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
-    """Return what a head means for a task whose columns are (name, SI unit).
+    """Return what a head may mean for a task with these `columns`, pairs (name, SI unit).
 
     >>> read_head("ω1z, 1/с", [("phi1", "rad"), ("w1", "1/s")])
     Head(text='ω1z, 1/с', candidates=('w1',), unit='1/s', told=())
@@ -75,7 +75,7 @@ def _head(text: str, known: tuple[tuple[str, str], ...]) -> Head:
     body, unit = _without_unit(whole)
     if any(si in {"N", "N·m"} for _, si in known) and (force := _OF_FORCE.fullmatch(whole)):
         body, unit = force[1], ("kN" if force[2] else "N") + ("·m" if force[3] else "")
-    if (name := _PUNCTUATION.sub("", whole)) in aliases(known):  # "Winkel c" has an index, no unit
+    if (name := _PUNCTUATION.sub("", whole)) in aliases(known):  # in "Winkel c" the c is an index, not a unit
         body, unit = name, ""
     found = _looked_up(body, known)
     if len(found) > 1 and unit:
@@ -86,17 +86,17 @@ def _head(text: str, known: tuple[tuple[str, str], ...]) -> Head:
 
 
 def _looked_up(body: str, known: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
-    """Return the columns that a folded head without its unit may be."""
+    """Return the columns that a folded head, given without its unit, may name."""
     key = _PUNCTUATION.sub("", body)
     found = aliases(known).get(key, ())
-    if not found and "?" in key:  # a Greek letter that the encoding could not hold
+    if not found and "?" in key:  # a Greek letter that the encoding does not have
         word, _, rest = key.rpartition("?")
         found = aliases(known).get(word.strip("?") + rest, ()) if word.strip("?") else _indexed(known, rest.removesuffix("z"))
     return found
 
 
 def _told(text: str, known: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
-    """Return the column that the words of a head mean: a symbol among them, or what is measured and the number of the link.
+    """Return the column that a head in words describes: by a symbol among the words, or by the quantity and the link's number.
 
     >>> _told("rate of link w1 (rad/s)", (("w1", "1/s"),)), _told("кутова швидкість 2-ї ланки", (("w1", "1/s"), ("w2", "1/s")))
     (('w1',), ('w2',))
@@ -113,7 +113,7 @@ def _told(text: str, known: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
 
 
 def _of_kind(said: str, unit: str, known: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
-    """Return the one column of the kind that words say, with the index that they say."""
+    """Return the one column whose quantity and index the words name, () if none or several fit."""
     turns, moves = (any(word in said for word in words) for words in (_ANGLE, _RATE))
     kinds = {si for si in PRINTED if unit and _fits(unit, si) and (not moves or si != "rad")}
     if turns or moves:
@@ -128,7 +128,7 @@ def _of_kind(said: str, unit: str, known: tuple[tuple[str, str], ...]) -> tuple[
 
 
 def may_be(head: Head, unit: str) -> bool:
-    """Return whether a head that names no column may stand over one of a unit; one of a length or a speed, as V_M, says so."""
+    """Return whether a head that names no column may belong to a column with this SI unit; "V_M" must be a length or speed."""
     if head.unit or " " in head.text:
         return " " in head.text or _fits(head.unit, unit)
     is_linear = _PUNCTUATION.sub("", fold(head.text)).startswith(("v", "x", "y", "s"))
@@ -145,7 +145,7 @@ def _fits(unit: str, si: str) -> bool:
 
 
 def _without_unit(text: str) -> tuple[str, str]:
-    """Return a folded head without its unit, and the unit."""
+    """Return a folded head without its unit, and the unit ("" if it has none)."""
     bracket = re.fullmatch(r"(.*?)[(\[]([^()\[\]]{1,20})[)\]]\s*", text)
     if bracket:
         if unit := unit_of(bracket[2]):
@@ -160,7 +160,7 @@ def _without_unit(text: str) -> tuple[str, str]:
 
 
 def _parts(name: str) -> tuple[str, str]:
-    """Return the stem and the index of a column's name, folded: phi1 -> phi, 1; wpsi -> w, psi; uC -> u, c; psi -> psi, ""."""
+    """Return the folded stem and index of a column's name: phi1 -> phi, 1; wpsi -> w, psi; uC -> u, c; psi -> psi, ""."""
     plain = fold(name)
     stem = next((stem for stem in _STEMS if plain.startswith(stem)), plain[:1])
     return stem, plain[len(stem) :]
@@ -168,7 +168,7 @@ def _parts(name: str) -> tuple[str, str]:
 
 @lru_cache(maxsize=64)
 def aliases(columns: tuple[tuple[str, str], ...]) -> Mapping[str, tuple[str, ...]]:
-    """Return every folded head that is understood, with the columns it may mean; the names themselves come first."""
+    """Return every folded head that is understood, with the columns it may name; the task's own names take precedence."""
     found: dict[str, list[str]] = {}
 
     def offer(spelling: str, name: str) -> None:
@@ -182,7 +182,7 @@ def aliases(columns: tuple[tuple[str, str], ...]) -> Mapping[str, tuple[str, ...
         stem, index = parts[name]
         symbols = _SYMBOLS.get(stem, [stem])
         if [parts[other][1] for other, kind in columns if kind == unit].count(index) == 1:
-            # The only angle (speed …) with this index may be called by any symbol of its kind.
+            # If only one angle (or speed …) has this index, any symbol of its quantity may name it.
             symbols = [*symbols, *_BY_UNIT.get(unit, [])]
         for symbol in (*symbols, *_QUANTITIES.get(unit, [])):
             offer(symbol + index, name)
@@ -199,7 +199,7 @@ def aliases(columns: tuple[tuple[str, str], ...]) -> Mapping[str, tuple[str, ...
             offer(word + spelling, TIME)
     for spelling in WORDS["indices"]:
         offer(spelling, INDEX)
-    # A column that is called so in the task is that column, whatever else the word could mean.
+    # A name of the task always means that column, whatever else the word could mean.
     return {key: (own[key],) if key in own else tuple(names) for key, names in found.items()} | {
         key: (name,) for key, name in own.items()
     }

@@ -1,6 +1,6 @@
-"""Rows of cells -> the blocks of numbers in them, their heads, and which way they lie.
+"""Rows of cells -> the blocks of numbers in them, their heads, and whether they are transposed.
 
-Enters: rows of cells, their decimal mark, the columns of the task.  Leaves: `Layout`s, one a table.
+Enters: rows of cells, their decimal mark, the columns of the task.  Leaves: `Layout`s, one per table.
 Used by `parts.py`, `columns.py`, `rows.py` and `table.py`.
 """
 
@@ -17,19 +17,19 @@ from coursework.grading.reading.table.headers import INDEX, TIME, Head, read_hea
 from coursework.grading.reading.unit_names import unit_of
 from coursework.system.frozen import frozen
 
-_SEARCHED = 60  # rows in which the heads are looked for
-_FIRST = 6  # columns in which the heads of a transposed table are looked for
-_FEWEST = 3  # rows that show how rows are counted
-_ROUNDED = 0.3  # of a step that rounding may take
+_SEARCHED = 60  # number of rows that are searched for heads
+_FIRST = 6  # number of columns that are searched for the heads of a transposed table
+_FEWEST = 3  # least number of rows that show how the rows are counted
+_ROUNDED = 0.3  # of a step: the most that rounding changes it
 Rows = list[list[PrintedNumber]]
 Columns = Sequence[tuple[str, str]]
 
 
 @frozen
 class Layout:
-    """Heads (one a column of the file, empty where there are none) and the rows of numbers below them.
+    """Heads (one per column of the file, empty if there are none) and the rows of numbers below them.
 
-    `above` is the row over the first of numbers where there are no heads: what stands there names something else.
+    `above` has the texts of the row above the numbers if there are no known heads; these texts name something else.
     """
 
     heads: tuple[Head, ...]
@@ -41,13 +41,13 @@ class Layout:
 
     @property
     def keys(self) -> dict[str, int]:
-        """Return where the time and the numbers of the rows stand, as far as heads say so."""
+        """Return the indices of the columns of time and row numbers, if heads name them."""
         said = {head.candidates[0]: at for at, head in reversed([*enumerate(self.heads)]) if head.is_certain}
         return {name: said[name] for name in (TIME, INDEX) if name in said}
 
 
 def layouts_of(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
-    """Return the tables in rows of cells: below each other under heads of their own, or beside each other under the same."""
+    """Return the tables in rows of cells: one below the other with heads of their own, or side by side under repeated heads."""
     rows = _numbered(rows)
     width = max(map(len, rows), default=0)
     if width < 2:
@@ -64,7 +64,7 @@ def layouts_of(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
 
 
 def _sections(rows: Rows, columns: Columns) -> list[Rows]:
-    """Return the rows cut where heads stand below numbers: another table, or the next page."""
+    """Split the rows where heads follow numbers: another table begins there, or the next page."""
     is_body = [*map(_is_body, rows)]
     ends = [at for at in range(1, len(rows)) if is_body[at - 1] and not is_body[at]]
     starts = [0]
@@ -76,14 +76,14 @@ def _sections(rows: Rows, columns: Columns) -> list[Rows]:
 
 
 def _standing(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
-    """Return the table of a section in the blocks that it is made of, nothing where it has no rows of numbers."""
+    """Return the table of a section as the blocks it consists of, empty if it has no rows of numbers."""
     head, named = _heads_in(rows[:_SEARCHED], columns)
     block = _block(_with_blank_head(rows, head) if named else rows, head, columns, False, mark)
     return _beside_each_other(block) if block else []
 
 
 def _beside_each_other(layout: Layout) -> list[Layout]:
-    """Return a table whose rows go on on the right, under the same heads once more, as the parts that it is made of."""
+    """Return the parts of a table that continues on the right under the same heads, or the table itself if it does not."""
     heads = [head.candidates for head in layout.heads]
     starts = [at for at, head in enumerate(heads) if head == heads[0]]
     if heads[0] not in {(TIME,), (INDEX,)} or len(starts) < 2:
@@ -99,9 +99,9 @@ def _beside_each_other(layout: Layout) -> list[Layout]:
 
 
 def goes_on(first: Layout, second: Layout) -> bool:
-    """Return whether the second table begins where the first ends: with heads of its own behind it, without them one step on.
+    """Return whether the second table begins where the first ends: one step later, or at least one step if it has its own heads.
 
-    Under heads of its own a page may begin with the last row of the page before.
+    With heads of its own, a page may also repeat the last row of the page before.
     """
     keys = first.keys
     for name in keys if second.has_heads else ("0", "1"):
@@ -126,13 +126,13 @@ def _numbers(layout: Layout, at: int | None) -> list[float]:
 
 
 def _with_blank_head(rows: Rows, head: int) -> Rows:
-    """Return the rows with a blank head first, where those below have one number more: the time, or that of the row before it.
+    """Add a head in front of the others if the rows of numbers have one cell more: the time, or the row number before the time.
 
-    The name of an index, as pandas prints it, stands alone below the heads.
+    The head is blank, or the name of the index, which pandas prints alone on the line below the heads.
     """
     below = [row for row in rows[head + 1 :] if len(row) == len(rows[head]) + 1 and row[-1].flag == ""]
     has_time = any(read_head(cell.text, ()).candidates == (TIME,) for cell in rows[head])
-    counts = [row[1 if has_time else 0].value for row in below]  # of a time that counts no more columns are known
+    counts = [row[1 if has_time else 0].value for row in below]  # the time, which follows the row numbers if it has a head
     if len(below) < _FEWEST or not is_progression(counts) or (has_time and not is_progression([row[0].value for row in below])):
         return rows
     first = rows[head + 1] if len(rows[head + 1]) == 1 else _padded([], 1)
@@ -144,7 +144,7 @@ def _padded(row: list[PrintedNumber], width: int) -> list[PrintedNumber]:
 
 
 def _heads_in(rows: Rows, columns: Columns) -> tuple[int, int]:
-    """Return the row that names most columns, and how many; a single name is no row of heads."""
+    """Return the row that names most columns and how many it names, (-1, 0) if no row names two."""
     best = (-1, 1)
     for place, row in enumerate(rows):
         texts = [cell.text for cell in row if cell.flag == "text"]
@@ -158,7 +158,7 @@ def _heads_in(rows: Rows, columns: Columns) -> tuple[int, int]:
 
 
 def _lies(rows: Rows, turned: Rows, columns: int) -> bool:
-    """Return whether a table without heads has its columns in rows: few rows, and the time runs along the first."""
+    """Return whether a table without heads is transposed: about as many rows as the task has columns, the time along one."""
     numeric = [row for row in rows if sum(cell.is_number for cell in row) >= 3]
     if not columns <= len(numeric) <= columns + 2 or len(turned) < 3:
         return False
@@ -199,7 +199,7 @@ def _is_body(row: Sequence[PrintedNumber]) -> bool:
 
 
 def _is_numbering(row: Sequence[PrintedNumber]) -> bool:
-    """Return whether a row without a time counts columns from 0 or 1, perhaps anew under each head."""
+    """Return whether a row only numbers the columns from 0 or 1, perhaps starting again under each head."""
     values = [cell.value for cell in row[1:] if cell.text]
     steps = [later - earlier for earlier, later in pairwise(values)]
     return (
@@ -208,12 +208,12 @@ def _is_numbering(row: Sequence[PrintedNumber]) -> bool:
 
 
 def _numbered(rows: Rows) -> Rows:
-    """Return the rows without those that count columns; what they count below heads over several columns is put into these."""
+    """Return the rows without those that number the columns; their numbers are added to the heads that span these columns."""
     out: Rows = []
     for row in rows:
         heads = out[-1] if out and any(cell.flag == "text" for cell in out[-1]) and not _is_body(out[-1]) else []
         heads = _padded(heads, len(row))
-        # A head that is merged with the cell below it stands there, too.
+        # A head merged with the cell below it is repeated there.
         below = [cell._replace(text="") if cell.text == head.text else cell for head, cell in zip(heads, row, strict=False)]
         if not _is_numbering(below):
             out.append(row)
@@ -223,7 +223,7 @@ def _numbered(rows: Rows) -> Rows:
 
 
 def _with_numbers(heads: list[PrintedNumber], row: Sequence[PrintedNumber]) -> list[PrintedNumber]:
-    """Return heads with the number of each before their unit; one stands over the columns up to the next."""
+    """Return the heads with the number of each column put before the unit; a head applies to all columns up to the next head."""
     found: list[PrintedNumber] = []
     over = ""
     for cell, number in zip_longest(heads, row):
@@ -240,7 +240,7 @@ def _is_units(row: list[PrintedNumber]) -> bool:
 
 
 def _joined(texts: list[str], width: int, names: Collection[str] = ()) -> list[str]:
-    """Return the heads, each unit that a comma of its own cut off put back ("t, s,phi1, rad"); a column may be an s."""
+    """Return the heads, with units that a comma separated ("t, s,phi1, rad") put back; a column of the task may be named s."""
     while texts and not texts[-1]:
         texts = texts[:-1]
     if len(texts) <= width:

@@ -1,8 +1,8 @@
-"""Tables as a submission holds them -> those put together that are one, whatever kind of file they stand in.
+"""Tables as they stand in a submission -> whole tables: parts of one table are joined, whatever files they are in.
 
-Enters: sheets of cells, where they come from, the `Grid`.  Leaves: `Part`s, in their order.  Raises `Refused`.
-A table goes on below (over pages, sheets or files, with its heads or without) or in another table of the same rows (the columns
-in blocks).  Used by `table.py`, `tables_of_file.py`, `read_document.py` and `read_submission.py`.
+Enters: sheets of cells, their origin, the `Grid`.  Leaves: `Part`s, in their order.  Raises `Refused`.
+A table continues below (on another page, sheet or file, with or without repeated heads) or beside (a table of the same rows with
+other columns).  Used by `table.py`, `tables_of_file.py`, `read_document.py` and `read_submission.py`.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
 _Row = tuple[PrintedNumber, ...]
-_MOST = 200  # parts that are looked at
+_MOST = 200  # most parts that are compared
 _NEGATIVE = re.compile(r"\(\s*(\d[\d.,' ]*)\)")
-_FEWEST = 2  # rows with such numbers
+_FEWEST = 2  # least number of rows with numbers in parentheses
 NOTHING = PrintedNumber("", float("nan"), 0, 0, "missing")
 
 
 @frozen
 class Origin:
-    """Where sheets come from: file, encoding and separator as grades.json names them, what was noticed on the way."""
+    """Where sheets come from: `file`, `encoding` and `separator` as in grades.json, and `notes` made while reading."""
 
     file: str
     encoding: str
@@ -41,31 +41,31 @@ class Origin:
 
 @frozen
 class Part:
-    """One table as it stands somewhere; `sheet` is the name of a spreadsheet's sheet."""
+    """One table as it stands in a file; `sheet` is the name of the spreadsheet's sheet, None if there is none."""
 
     layout: Layout
     origin: Origin
     sheet: str | None = None
 
     def names(self, grid: Grid) -> dict[str, int]:
-        """Return the columns of the task that heads may mean, and where they stand."""
+        """Return the columns of the task that the heads may mean, mapped to their index in the file."""
         return {
             name: at for at, head in enumerate(self.layout.heads) for name in head.candidates or head.told if name in grid.names
         }
 
 
 def parts_of(sheet: Sheet, origin: Origin, grid: Grid) -> list[Part]:
-    """Return the tables of a sheet.  Raises `Refused` where its decimal mark cannot be told."""
+    """Return the tables of a sheet.  Raises `Refused` if its decimal mark is ambiguous."""
     mark, mixed = _decimal_mark(sheet, origin.separator)
     rows = [[_printed(cell, mark, mixed) for cell in row] for row in _with_minus(sheet.rows)]
     return [Part(layout, origin, sheet.name) for layout in layouts_of(rows, mark, grid.units)]
 
 
 def _with_minus(rows: Sequence[Sequence[Cell]]) -> Sequence[Sequence[Cell]]:
-    """Return rows of cells with a minus for the parentheses of accountants, where these stand and no minus does.
+    """Return the rows with "-5" for an accountant's "(5)", if numbers stand in parentheses and none has a minus.
 
-    The first column has times and numbers of rows, which are never less than nought; a row that stands in parentheses alone is
-    one that was given.
+    The first column is left alone, as times and row numbers are never negative.  A single row with parentheses is also left
+    alone: these mark given values.
     """
     texts = [plain for row in rows for cell in row if (plain := cell.text.strip())]
     found = [[_NEGATIVE.fullmatch(cell.text.strip()) if at else None for at, cell in enumerate(row)] for row in rows]
@@ -87,9 +87,9 @@ def _printed(cell: Cell, mark: str, mixed: bool) -> PrintedNumber:
 
 
 def _decimal_mark(sheet: Sheet, separator: str) -> tuple[str, bool]:
-    """Return the decimal mark of a whole sheet and whether it uses both; 1,234 alone never decides.
+    """Return the decimal mark of a whole sheet and whether it uses both marks; a number such as 1,234 alone never decides.
 
-    Raises `Refused` where every number could be read in two ways.
+    Raises `Refused` if both marks occur equally often, or if every number could be read in two ways.
     """
     texts = [cell.text for row in sheet.rows for cell in row if cell.kind == "text" and looks_numeric(cell.text)]
     comma, point, either_comma, either_point = marks(texts)
@@ -98,14 +98,14 @@ def _decimal_mark(sheet: Sheet, separator: str) -> tuple[str, bool]:
     if comma:
         raise doubtful("two_marks", cells=comma)
     if either_comma and separator == ";" and not either_point:
-        return ",", False  # programs write the semicolon because the comma is taken
+        return ",", False  # programs separate by semicolons because the comma is the decimal mark
     if either_comma:
         raise doubtful("thousands", cells=either_comma)
     return ".", False
 
 
 def joined(parts: Sequence[Part], grid: Grid) -> list[Part]:
-    """Return the tables with those put together that are one."""
+    """Return the tables, with the parts of one table joined; tables of a single row are dropped."""
     rows: list[Part] = []
     for part in parts[:_MOST]:
         for place in reversed(range(len(rows))):
@@ -117,7 +117,7 @@ def joined(parts: Sequence[Part], grid: Grid) -> list[Part]:
             rows.append(part)
     out: list[Part] = []
     for part in rows:
-        for place, first in enumerate(out):  # the first that fits: tables of two schemes stand in one order
+        for place, first in enumerate(out):  # take the first that fits: the parts of two schemes' tables have the same order
             if whole := _beside(first, part, grid):
                 out[place] = whole
                 break
@@ -127,9 +127,9 @@ def joined(parts: Sequence[Part], grid: Grid) -> list[Part]:
 
 
 def _below(first: Part, second: Part, grid: Grid) -> Part | None:
-    """Return a table with the rows of a second behind its own, None where they are no parts of one.
+    """Return a table with the rows of the second below its own, None if they are not parts of one table.
 
-    Both have the same heads, or the second none and as many columns; it begins where the first ends.
+    Both must have the same heads, or the second none and as many columns; it must begin where the first ends.
     """
     above, below = first.layout, second.layout
     alike = _said(above) == _said(below) if below.has_heads else len(above.heads) == len(below.heads)
@@ -144,9 +144,9 @@ def _said(layout: Layout) -> list[tuple[str, ...]]:
 
 
 def _beside(first: Part, second: Part, grid: Grid) -> Part | None:
-    """Return a table with the columns that only the second has behind its own, None where they are no parts of one.
+    """Return a table with the columns that only the second has to the right of its own, None if they are not parts of one table.
 
-    They hold different columns of the task in the same rows, and what both hold is the same.
+    They must hold different columns of the task in the same rows, and the columns that both have must agree.
     """
     names, others = first.names(grid), second.names(grid)
     added = others.keys() - names.keys()
@@ -166,9 +166,9 @@ def _beside(first: Part, second: Part, grid: Grid) -> Part | None:
 
 
 def _pairs(first: Layout, second: Layout) -> list[tuple[_Row, _Row]] | None:
-    """Return each row of a table with that of a second, () where there is none; None where they do not stand in the same rows.
+    """Pair each row of the first table with the row of the second, () if it lacks it; None if their rows are not the same.
 
-    Rows are told by the time, by their numbers or, where the second has neither, by their order.
+    Rows are matched by time, else by row number, or by their order if the second table has neither.
     """
     for name in (TIME, INDEX):
         rows, others = _by(first, name), _by(second, name)
@@ -180,7 +180,7 @@ def _pairs(first: Layout, second: Layout) -> list[tuple[_Row, _Row]] | None:
 
 
 def _by(layout: Layout, name: str) -> dict[float, _Row]:
-    """Return the rows by their time or number, nothing where not each has one of its own."""
+    """Return the rows by their time or row number, empty if a row has none or two rows have the same."""
     at = layout.keys.get(name)
     found = {} if at is None else {row[at].value: row for row in layout.body if row[at].is_number}
     return found if len(found) == len(layout.body) else {}

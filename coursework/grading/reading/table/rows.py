@@ -1,6 +1,6 @@
 """The rows of a file -> rows of the assigned grid.
 
-Enters: a `Layout`, where time and row numbers stand, the grid.  Leaves: `Rows`.  Raises `Refused` for rows that contradict.
+Enters: a `Layout`, the places of time and row numbers, the grid.  Leaves: `Rows`.  Raises `Refused` if rows contradict.
 Used by `table.py`.
 """
 
@@ -18,16 +18,17 @@ from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME
 from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
 
-_FEWEST, _OTHER = 3, 0.05  # rows that show a step, and by what part it is another than the grid's
-_NEAR = 0.3  # of a step: how far a printed time may be from the row's
+_FEWEST, _OTHER = 3, 0.05  # least number of rows that show a step; relative difference that makes it another than the grid's
+_NEAR = 0.3  # of a step: how far a printed time may be from the time of its row
 
 
 @frozen
 class Rows:
-    """For each row of the grid (from 0) the row of the file, None where there is none; what was odd about them.
+    """For each row of the grid (from 0) the index of the file's row, None if there is none; and what was unusual about the rows.
 
-    `extra` counts rows of the file that stand on no row of the grid, `recovered` times that a spreadsheet had spoilt; `own` are
-    the rows of the file in the order of times that have a step of their own, `own_step` in s, () and 0 where it is the grid's.
+    `extra` counts rows of the file that match no row of the grid; `recovered` counts times that a spreadsheet had spoilt.
+    If the student's time step differs from the grid's, `own` are the file's rows in the order of time and `own_step` is the step
+    in s; otherwise they are () and 0.
     """
 
     of_grid: tuple[int | None, ...]
@@ -40,7 +41,7 @@ class Rows:
 
 
 def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
-    """Return which row of the file belongs to which row of the grid: by the time, else by row numbers, else in order."""
+    """Assign the rows of the file to the rows of the grid: by time, else by row numbers, else in order."""
     count = len(layout.body)
     unit, recovered = "s", 0
     own: tuple[int, ...] = ()
@@ -63,7 +64,7 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
 
 
 def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], float]:
-    """Return the rows of a file in the order of their times and the step of these, where it is another than the grid's."""
+    """Return the file's rows in the order of time and their own time step; () and 0 if it is uneven or equals the grid's."""
     order = sorted((time, place) for place, time in enumerate(times) if math.isfinite(time))
     if len(order) < _FEWEST:
         return (), 0.0
@@ -75,12 +76,12 @@ def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], floa
 
 
 def _coarse(cells: Sequence[PrintedNumber]) -> float:
-    """Return the unit of the last place that the times are printed with."""
+    """Return the finest unit of the last place with which the times are printed."""
     return min((cell.last_place for cell in cells if cell.is_number), default=0.0)
 
 
 def _time_unit(head: str, cells: Sequence[PrintedNumber], grid: Grid) -> str:
-    """Return s or ms: from the head, else from the length of the printed motion."""
+    """Return "s" or "ms": from the head, else from the ratio of the printed time step to the grid's."""
     if head in PRINTED["s"]:
         return head
     values = [cell.value for cell in cells if cell.is_number]
@@ -89,7 +90,7 @@ def _time_unit(head: str, cells: Sequence[PrintedNumber], grid: Grid) -> str:
 
 
 def _times(cells: Sequence[PrintedNumber], factor: float) -> tuple[list[float], int]:
-    """Return the times of the rows in s, those that a spreadsheet made a date of taken from the progression of the others."""
+    """Return the times of the rows in s and how many were restored: spoilt ones follow from the even steps of the others."""
     times = [cell.value * factor if cell.is_number else math.nan for cell in cells]
     known = [(place, time) for place, time in enumerate(times) if math.isfinite(time)]
     spoilt = [place for place, cell in enumerate(cells) if cell.flag in {"date", "error", "formula", "missing"}]
@@ -103,9 +104,9 @@ def _times(cells: Sequence[PrintedNumber], factor: float) -> tuple[list[float], 
 
 
 def _by_time(times: Sequence[float], unit: float, grid: Grid, own_step: float) -> list[int | None]:
-    """Return the row of the grid for each time.  Times printed coarser than half a step count in their order.
+    """Return the row of the grid for each time, None if it is near none.  Times printed coarser than half a step count in order.
 
-    Of times with a shorter step of their own each row stands where it says, not where another row would be nearer.
+    If the student's own step is shorter than the grid's, the tolerance is a share of that step, so that no other row is nearer.
     """
     in_order = unit > 0.5 * grid.step and len(times) <= grid.rows
     if in_order and all(abs(time - place * grid.step) <= 0.51 * unit + _NEAR * grid.step for place, time in enumerate(times)):
@@ -113,7 +114,7 @@ def _by_time(times: Sequence[float], unit: float, grid: Grid, own_step: float) -
     rows: list[int | None] = []
     most = _NEAR * min(grid.step, own_step or grid.step)
     for time in times:
-        # Compared before it is rounded: a time may be as large as a number can be.
+        # Compare before rounding, because a time may be as large as a float can be.
         near = math.isfinite(time) and -0.5 < time / grid.step < grid.rows
         place = round(time / grid.step) if near else -1
         rows.append(place if 0 <= place < grid.rows and abs(time - place * grid.step) < most else None)
@@ -121,7 +122,7 @@ def _by_time(times: Sequence[float], unit: float, grid: Grid, own_step: float) -
 
 
 def _row_numbers(layout: Layout, at: int) -> list[int]:
-    """Return the rows from 0 that a column of row numbers means, [] where it is no such column."""
+    """Return the rows (from 0) that a column of row numbers gives, [] if the column has no row numbers."""
     values = [row[at].value for row in layout.body]
     if not all(math.isfinite(value) and value == math.floor(value) and 0 <= value < 10**6 for value in values):
         return []
@@ -131,7 +132,7 @@ def _row_numbers(layout: Layout, at: int) -> list[int]:
 
 
 def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int) -> tuple[int | None, ...]:
-    """Return the row of the file for each row of the grid; equal rows count once.  Raises `Refused` where two contradict."""
+    """Return the file's row for each row of the grid; of equal rows the first.  Raises `Refused` if two rows contradict."""
     columns = [place.at for name, place in places.places.items() if name not in {TIME, INDEX}]
     of_grid: list[int | None] = [None] * rows
     for place, target in enumerate(targets):

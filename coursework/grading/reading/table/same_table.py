@@ -1,4 +1,4 @@
-"""Two tables on one grid -> whether they say the same.
+"""Two tables on the same grid -> whether they agree.
 
 Enters: `Table`s.  Leaves: yes or no.  Used by `read_submission.py`.
 """
@@ -12,7 +12,7 @@ from coursework.grading.reading.student_work import Table, TableColumn
 
 
 def alike(first: Table, second: Table) -> bool:
-    """Return whether two tables say the same; a report repeats the table of the file beside it, with digits of its own."""
+    """Return whether two tables agree; if one is from a report, which may round to other digits, up to the rounding."""
     return {c.name for c in first.columns} == {c.name for c in second.columns} and _same_where_both(first, second)
 
 

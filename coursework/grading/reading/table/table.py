@@ -1,6 +1,6 @@
-"""Parts of tables -> the student's tables on the assigned grid, with the record of how each was read.
+"""Parts of tables -> the student's tables on the assigned grid, with a record of how each was read.
 
-Enters: `Part`s, the `Grid`.  Leaves: `Table`s, or why one is `Refused`.
+Enters: `Part`s, the `Grid`.  Leaves: `Table`s, or `Refused` with the reason.
 Used by `tables_of_file.py`, `read_document.py` and `read_submission.py`.
 """
 
@@ -28,13 +28,13 @@ from coursework.grading.reading.table.rows import Rows, place_rows
 from coursework.grading.reading.table.units import factor_of, stands_beside, turns_of_jumps, unit_of_column, whole_turns
 from coursework.words.sentences import ranges
 
-_UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
-_STEADY = 0.9  # share of numbers in equal steps that tell a drive: a few may be slips
-_MANY = 5  # numbers that do not end in the same zeros by chance
+_UNCOMPUTED = 0.2  # of the cells: above this share of formulas without a value a file is refused
+_STEADY = 0.9  # least share of numbers in equal steps in the column of a drive: a few may be slips
+_MANY = 5  # fewer numbers than this may end in the same zeros by chance
 
 
 def read_parts(parts: Sequence[Part], grid: Grid) -> list[tuple[Part, Table | Refused]]:
-    """Return the tables that parts make, those that are one put together, each on the grid or why it is refused."""
+    """Return the whole tables that the parts make, each read on the grid or with the reason why it is refused."""
     return [(part, _read(part, grid)) for part in joined(parts, grid) if _is_table(part.layout)]
 
 
@@ -46,7 +46,7 @@ def _read(part: Part, grid: Grid) -> Table | Refused:
 
 
 def weight(part: Part, read: Table | Refused, grid: Grid) -> float:
-    """Return how much speaks for a table, for a refused one the most that it could weigh: cells without heads a quarter."""
+    """Return the weight of a table; a refused one counts its cells, those without a head of the task as a quarter."""
     if isinstance(read, Table):
         return read.weight
     named = {*part.names(grid).values()}
@@ -59,7 +59,7 @@ def weight(part: Part, read: Table | Refused, grid: Grid) -> float:
 
 
 def _is_table(layout: Layout) -> bool:
-    """Return whether there are at least three columns of numbers, or two that are named."""
+    """Return whether there are at least three columns of numbers, or two if the table has heads."""
     filled = sum(any(row[at].stands_for_number for row in layout.body) for at in range(len(layout.heads)))
     return filled >= (2 if layout.has_heads else 3)
 
@@ -104,7 +104,7 @@ def _table(part: Part, grid: Grid) -> Table:
 
 
 def _is_strange(column: TableColumn, layout: Layout) -> bool:
-    """Return whether a column is read by position although its head says a word of its own."""
+    """Return whether a column is read by position although its head has a word that names something else."""
     head = layout.heads[column.at - 1]
     text = head.text if layout.has_heads else layout.above[column.at - 1]
     return column.by == "position" and not head.candidates and any(map(str.isalpha, text))
@@ -115,7 +115,7 @@ def _filled(column: TableColumn) -> int:
 
 
 def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Sequence[TableColumn]) -> OwnTimes:
-    """Return every row of a table that has times of its own, in the units and turns that its columns were read with."""
+    """Return all rows of a table with its own time step, with the units and turns found for its columns."""
     columns = {}
     units = {column.name: column for column in grid.columns}
     for column in read:
@@ -144,9 +144,9 @@ def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> Tab
 
 
 def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn) -> TableColumn:
-    """Return a column in exactly equal steps (a steady drive, whose zeros were dropped) with the digits of those beside it.
+    """Return a column in exactly equal steps (a steady drive, whose zeros were dropped) with the digits of the other columns.
 
-    One fractional number all the way down lost its zeros where others did, and where it has fewer digits than they.
+    A column of one constant fraction gets them only if other columns dropped zeros and it has fewer digits than they have.
     """
     others = [other for other in columns if other is not column]
     if not others or len(set(column.last_place)) > 1 or not _is_steady(column):
@@ -167,9 +167,10 @@ def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn
 
 
 def _without_zeros(columns: list[TableColumn], layout: Layout) -> tuple[list[TableColumn], int]:
-    """Return the columns without the zeros that end all numbers of all of them, and how many: they show nothing.
+    """Return the columns with fewer decimals if all their numbers end in zeros, and how many zeros: these show no accuracy.
 
-    Whoever rounds at each step and prints more decimals has them below the start; a column in equal steps has some by itself.
+    A student who rounds at each step but prints more decimals has such zeros below the start; a column in equal steps may have
+    them anyway.
     """
     uneven = [column for column in columns if not _is_steady(column)]
     zeros = min((_zeros(_numbers(layout, column, first=1)) for column in uneven), default=0)
@@ -182,7 +183,7 @@ def _without_zeros(columns: list[TableColumn], layout: Layout) -> tuple[list[Tab
 
 
 def _zeros(numbers: list[PrintedNumber]) -> int:
-    """Return how many zeros behind the decimal mark end each of some numbers, 0 of few."""
+    """Return how many trailing zeros after the decimal mark all numbers have, 0 if there are fewer than `_MANY` numbers."""
     if len(numbers) < _MANY:
         return 0
     found = 0
@@ -197,19 +198,19 @@ def _numbers(layout: Layout, column: TableColumn, first: int = 0) -> list[Printe
 
 
 def _digits(layout: Layout, column: TableColumn) -> int:
-    """Return the most significant digits that a cell of a column has."""
+    """Return the greatest number of significant digits in a column."""
     return max((cell.digits for cell in _numbers(layout, column)), default=0)
 
 
 def _drops_zeros(layout: Layout, column: TableColumn) -> bool:
-    """Return whether the cells of a column have decimals that differ."""
+    """Return whether the cells of a column have different numbers of decimals."""
     return len({cell.place for cell in _numbers(layout, column)}) > 1
 
 
 def _is_steady(column: TableColumn) -> bool:
-    """Return whether numbers are exactly in equal steps or all the same, which no rounding leaves of others.
+    """Return whether a column has exactly equal steps or one constant value, which rounded numbers of a motion do not have.
 
-    Rows may be missing; a slip of the pen makes no other column of it.
+    Rows may be missing, and a few slips are allowed.
     """
     known = [(row, value) for row, value in enumerate(column.values) if math.isfinite(value)]
     steps = [(later - earlier) / (row - before) for (before, earlier), (row, later) in pairwise(known)]
@@ -222,7 +223,7 @@ def _is_steady(column: TableColumn) -> bool:
 
 
 def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> Iterator[Note]:
-    """Give what a reader of the page should know about how the table was read."""
+    """Yield notes on how the table was read, for whoever reads the page."""
     for unit, code in (("deg", "degrees"), ("deg/s", "degrees"), ("rpm", "rpm")):
         if names := tuple(column.name for column in read if column.unit == unit):
             yield note(code, "deg_s" if unit == "deg/s" else "", columns=names)

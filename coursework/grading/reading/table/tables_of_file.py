@@ -1,4 +1,4 @@
-"""One file -> the table in it, whatever program wrote it.
+"""One file -> the table in it, whatever program wrote the file.
 
 Enters: the name of a file, an `Archive` or a decoded text, the `Grid`.  Leaves: `Part`s, `Table`.  Raises `Refused`.
 Used by `read_submission.py` and `read_document.py`.
@@ -32,7 +32,7 @@ def is_spreadsheet(archive: Archive) -> bool:
 
 
 def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Part, Table] | None, list[Sheet]]:
-    """Return the table of a spreadsheet, None where no sheet has one, and its sheets.  Raises `Refused`."""
+    """Return the table of a spreadsheet (None if no sheet has one) and its sheets.  Raises `Refused`."""
     given: Iterable[Sheet]
     if xlsx.WORKBOOK in archive.parts:
         given, kind = xlsx.sheets_of(archive, *bounds(grid.rows)), "xlsx"
@@ -48,9 +48,9 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Par
             sheets.append(sheet)
             try:
                 parts += parts_of(sheet, Origin(name, kind, "cells"), grid)
-            except Refused as error:  # its decimal mark cannot be told
+            except Refused as error:  # its decimal mark is ambiguous
                 refused.append(error)
-    except Refused:  # of a sheet behind the table nothing need be read
+    except Refused:  # a fault behind the table does no harm
         if not any(isinstance(table, Table) for _, table in read_parts(parts, grid)):
             raise
     found = _best(parts, grid)
@@ -63,7 +63,7 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Par
 
 
 def _best(parts: Sequence[Part], grid: Grid) -> tuple[Part, Table] | None:
-    """Return the first of the tables that weigh most.  Raises `Refused` where that is one to look at or to save again."""
+    """Return the table with the greatest weight, None if there is none.  Raises `Refused` if the heaviest one is refused."""
     read = read_parts(parts, grid)
     if not read:
         return None
@@ -74,23 +74,23 @@ def _best(parts: Sequence[Part], grid: Grid) -> tuple[Part, Table] | None:
 
 
 def _stands(found: Table | Refused) -> bool:
-    """Return whether a sheet is looked at no further: a table, one that was never computed or that a person must look at."""
+    """Return whether a result is preferred to others of equal weight: a table, or one not computed or for a person to decide."""
     return isinstance(found, Table) or found.trouble.code == "formulas" or found.trouble.state == "needs-review"
 
 
 def table_of_text(decoded: Decoded, name: str, grid: Grid) -> tuple[Part, Table] | None:
-    """Return the table of a text, None for a text that holds none.  Raises `Refused`."""
+    """Return the table of a text, None if it has none.  Raises `Refused`."""
     return _best(parts_of_text(decoded, name, grid), grid)
 
 
 def parts_of_text(decoded: Decoded, name: str, grid: Grid, place: Sentence | None = None) -> list[Part]:
-    """Return the tables that stand in a text, at a `place` of a document.  Raises `Refused`."""
+    """Return the tables in a text; `place` says where in a document the text is.  Raises `Refused`."""
     found = split(decoded.text, *bounds(grid.rows))
     if found is None:
         return []
     if found.has_pairs:
         raise unreadable("comma_twice")
-    formulas = [any(map(_FORMULA.match, row)) for row in found.rows]  # of a matrix, whose noughts are no table; a head may be one
+    formulas = [any(map(_FORMULA.match, row)) for row in found.rows]  # a matrix has zeros but is no table; one row may be a head
     rows = [row for row, is_formula in zip(found.rows, formulas, strict=True) if not is_formula or sum(formulas) < _ROWS]
     sheet = Sheet(None, tuple(tuple(map(Cell, row)) for row in rows))
     notes = (note("encoding"),) if decoded.had_nuls else ()

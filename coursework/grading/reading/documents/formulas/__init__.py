@@ -1,1 +1,1 @@
-"""Native equations of Word, OpenDocument and HTML as lines of text."""
+"""Native equations of Word, OpenDocument and HTML -> lines of text."""

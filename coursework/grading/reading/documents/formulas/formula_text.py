@@ -1,6 +1,6 @@
-"""Parts of a formula as text on one line, written as the reader of equations wants them: fractions, indices, powers, dots.
+"""Parts of a formula -> text on one line, in the notation that the reader of equations expects: fractions, indices, powers …
 
-Enters: texts of the parts.  Leaves: text; a line break parts the rows of a system.
+Enters: texts of the parts.  Leaves: text; a line break separates the rows of a system.
 Used by `omml.py`, `mathml.py` and `starmath.py`.
 """
 
@@ -26,7 +26,7 @@ def on_one_line(text: str) -> str:
 
 
 def fraction(above: str, below: str) -> str:
-    """Return a fraction; where it is a derivative by the time, as the reader of equations knows it."""
+    """Return a fraction in double parentheses, the form in which the reader of equations also recognises a time derivative."""
     above, below = on_one_line(above).strip(), on_one_line(below).strip()
     return f" (({above})/({below})) "
 
@@ -41,7 +41,7 @@ def index(body: str, sub: str) -> str:
 
 
 def power(body: str, exponent: str) -> str:
-    """Return a power; a function keeps its own before its argument, a prime and a degree stay signs."""
+    """Return a power; a function's power stays before its argument, a prime and a degree sign stay signs."""
     body, exponent = on_one_line(body).strip(), on_one_line(exponent).strip()
     if exponent in _PRIMES:
         return f" {body}' "
@@ -54,13 +54,13 @@ def power(body: str, exponent: str) -> str:
 
 
 def dotted(body: str) -> str:
-    """Return the rate of a name: the dot stands over its first letter."""
+    """Return the rate of a name, with a dot over its first letter."""
     body = on_one_line(body).strip()
     return f" {body[:1]}{DOT}{body[1:]} "
 
 
 def accented(body: str, sign: str) -> str:
-    """Return a name under a sign: a dot makes a rate of it, an arrow or a bar says nothing here."""
+    """Return a name under an accent: with a dot it is a rate, an arrow or a bar is dropped."""
     return dotted(body) if sign.strip() in _DOTS else f" {on_one_line(body).strip()} "
 
 
@@ -76,7 +76,7 @@ def applied(function: str, argument: str) -> str:
 
 
 def enclosed(begin: str, body: str, end: str) -> str:
-    """Return what stands between two signs; a brace before a system encloses nothing, a matrix has its own."""
+    """Return a part in its brackets; a system loses its brace, and a matrix has its own brackets already."""
     if "\n" in body.strip("\n") or MATRIX.fullmatch(body):
         return body
     if begin in {"|", "‖"}:
@@ -85,12 +85,12 @@ def enclosed(begin: str, body: str, end: str) -> str:
 
 
 def rows_of(rows: list[str]) -> str:
-    """Return a system, one row a line."""
+    """Return a system with one line per row."""
     return "\n" + "\n".join(on_one_line(row) for row in rows) + "\n"
 
 
 def matrix_of(rows: list[list[str]]) -> str:
-    r"""Return a matrix in one piece, as MATLAB writes it; cells of equations are a system.
+    r"""Return a matrix in one piece, as in MATLAB; cells that contain "=" make it a system of equations.
 
     >>> matrix_of([["a", "0,5"], ["c", "d"]]), matrix_of([["a", "= b"], ["c", "= d"]])
     (' [a, 0.5; c, d] ', '\na = b\nc = d\n')
@@ -101,7 +101,7 @@ def matrix_of(rows: list[list[str]]) -> str:
 
 
 def equations_in(text: str) -> list[str]:
-    r"""Return the lines of a formula; a row without "=" belongs to the row that it goes on from or goes on to.
+    r"""Return the equations of a formula, one per line; a row without "=" is joined to the row that it continues or begins.
 
     >>> equations_in("a\n+ b = 0\nc = d\n + e")
     ['a + b = 0', 'c = d + e']
@@ -119,6 +119,6 @@ def equations_in(text: str) -> list[str]:
 
 
 def _is_enclosed(text: str) -> bool:
-    """Return whether a text is one pair of parentheses with something in it."""
+    """Return whether a text is enclosed in one pair of parentheses."""
     depths = [*accumulate({"(": 1, ")": -1}.get(sign, 0) for sign in text)]
     return text.startswith("(") and 0 in depths and depths.index(0) == len(text) - 1

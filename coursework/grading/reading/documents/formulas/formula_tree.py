@@ -1,7 +1,7 @@
 """The elements of one formula, OMML or MathML, as a small tree.
 
-Enters: elements as a stream of XML meets them.  Leaves: `FormulaNode`; one that is too large or too deep ends in "…", which no
-reader takes for an equation.  Used by `docx.py`, `odt.py`, `rtf.py` and by what turns a tree into text.
+Enters: elements of an XML stream.  Leaves: `FormulaNode`; a formula that is too large or too deep ends in "…", which no reader
+accepts as an equation.  Used by `docx.py`, `odt.py`, `rtf.py` and by what turns a tree into text.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ CUT = "…"
 
 @dataclass(slots=True)
 class FormulaNode:
-    """One element: its name, its `val` attributes by name, its children and texts in their order."""
+    """One element: its name, its attributes by name, its children and texts in their order."""
 
     name: str
     values: dict[str, str] = field(default_factory=dict)
     inside: list[FormulaNode | str] = field(default_factory=list)
 
     def child(self, name: str) -> FormulaNode | None:
-        """Return the first child of a name."""
+        """Return the first child with this name, None if there is none."""
         return next((part for part in self.inside if isinstance(part, FormulaNode) and part.name == name), None)
 
     @property
     def children(self) -> list[FormulaNode]:
-        """Return the elements inside, without texts."""
+        """Return the child elements, without texts."""
         return [part for part in self.inside if isinstance(part, FormulaNode)]
 
 
@@ -40,7 +40,7 @@ class FormulaTree:
         self._too_deep = 0
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
-        """Meet an element."""
+        """Begin an element."""
         self._nodes += 1
         if self._too_deep or len(self._open) > _DEEPEST or self._nodes > _MOST_NODES:
             self._too_deep += 1
@@ -51,14 +51,14 @@ class FormulaTree:
         self._open.append(node)
 
     def end(self, name: str = "") -> None:
-        """Meet the end of the element that is open."""
+        """End the open element."""
         if self._too_deep:
             self._too_deep -= 1
         elif len(self._open) > 1:
             self._open.pop()
 
     def text(self, text: str) -> None:
-        """Meet text."""
+        """Add text to the open element."""
         self._characters += len(text)
         if self._characters <= _MOST_CHARACTERS:
             self._open[-1].inside.append(text)
@@ -66,7 +66,7 @@ class FormulaTree:
             self._cut()
 
     def value(self, text: str) -> None:
-        """Meet the value of the element that is open where it stands as text."""
+        """Set the value of the open element, for formats that give it as text."""
         self._open[-1].values["val"] = text[:4]
 
     def _cut(self) -> None:

@@ -1,6 +1,6 @@
-"""MathML, as OpenDocument keeps its formulas -> text on a line.
+"""MathML, in which OpenDocument stores its formulas -> text on one line.
 
-Enters: a `FormulaNode`, names without prefix.  Leaves: text; where a formula has no more than its StarMath, that is read.
+Enters: a `FormulaNode`, names without prefix.  Leaves: text; if a formula only has a StarMath annotation, that is read.
 Used by `odt.py`.
 """
 
@@ -27,7 +27,7 @@ ELEMENTS = frozenset({
 
 
 def text_of_mathml(node: FormulaNode) -> str:
-    """Return a formula as text, the rows of a system apart; StarMath stands in where there is nothing else."""
+    """Return a formula as text, with one line per row of a system; from its StarMath if the MathML is empty."""
     shown = _text(node)
     return shown if shown.strip() else text_of_starmath(_annotation(node))
 
@@ -68,7 +68,7 @@ def _text(node: FormulaNode) -> str:
 
 
 def _row(node: FormulaNode) -> str:
-    """Return the parts one behind the other; a name before a name is a product, not a longer name."""
+    """Return the parts in sequence; blanks around each name keep a product of two names from becoming one name."""
     pieces: list[str] = []
     for part in node.inside:
         if isinstance(part, str):
@@ -78,7 +78,7 @@ def _row(node: FormulaNode) -> str:
         pieces.append(f" {piece} " if part.name == "mi" else piece)
     text = "".join(pieces)
     braced = text.strip().removeprefix("{").strip(" ")
-    if text.strip().startswith("{") and MATRIX.fullmatch(braced):  # what stands behind a brace are the rows of a system
+    if text.strip().startswith("{") and MATRIX.fullmatch(braced):  # a matrix after a brace has the rows of a system
         braced = rows_of(braced[1:-1].split("; "))
     return braced if "\n" in braced else text
 

@@ -1,4 +1,4 @@
-"""Word's equations (OMML, also as RTF carries them) -> text on a line.
+"""Word's equations (OMML, which RTF uses too) -> text on one line.
 
 Enters: a `FormulaNode`, names without prefix.  Leaves: text.  Source: ECMA-376, part 1, section 22.1.
 Used by `docx.py` and `rtf.py`.
@@ -22,7 +22,7 @@ from coursework.grading.reading.documents.formulas.formula_text import (
 )
 from coursework.grading.reading.documents.formulas.formula_tree import FormulaNode
 
-# The elements that mean something; all others are looked through.
+# The elements that have a meaning; of all others only the contents are read.
 ELEMENTS = frozenset({
     "oMath", "r", "t", "e", "f", "num", "den", "sSub", "sSup", "sSubSup", "sPre", "sub", "sup", "rad", "deg", "d", "dPr",
     "begChr", "endChr", "func", "fName", "acc", "accPr", "chr", "nary", "eqArr", "m", "mr", "bar", "limLow", "limUpp", "lim",
@@ -31,7 +31,7 @@ ELEMENTS = frozenset({
 
 
 def text_of_omml(node: FormulaNode) -> str:
-    """Return a formula as text, the rows of a system apart."""
+    """Return a formula as text, with one line per row of a system."""
     special = _WAYS.get(node.name)
     return special(node) if special else _inside(node)
 
@@ -47,7 +47,7 @@ def _part(node: FormulaNode, name: str) -> str:
 
 
 def _property(node: FormulaNode, group: str, name: str, otherwise: str) -> str:
-    """Return a sign that a part's properties name."""
+    """Return the sign `name` from the properties `group` of an element, `otherwise` if they do not give it."""
     properties = node.child(group)
     found = properties.child(name) if properties else None
     return otherwise if found is None else found.values.get("val", "")[:4]
@@ -59,7 +59,7 @@ def _delimited(node: FormulaNode) -> str:
 
 
 def _run(node: FormulaNode) -> str:
-    """Return what stands in one run; the name of a function that has a run of its own is no part of the name before it."""
+    """Return the text of a run; a function name with a run of its own is separated from the name before it."""
     text = _inside(node)
     return f" {text.strip()} " if text.strip() in FUNCTIONS else text
 

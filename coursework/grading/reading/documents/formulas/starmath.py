@@ -1,7 +1,7 @@
-r"""StarMath, the language in which LibreOffice's formulas are typed -> text on a line.
+r"""StarMath, the language in which LibreOffice's formulas are typed -> text on one line.
 
 Enters: text such as "{V_My} over {r_3 left( 2 cos %phi_3 right)} = %omega_3".  Leaves: text.
-Bounded and walked without recursion: what is open is kept in a list.  Used by `mathml.py`.
+The size is limited; open groups are kept in a list, without recursion.  Used by `mathml.py`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _SIGNS = {"cdot": " * ", "times": " * ", "ast": " * ", "div": "/", "minus": "-",
 
 @dataclass(slots=True)
 class _Group:
-    """What stands between braces; `waiting` are what is done with the next part, the nearest last."""
+    """The contents of a pair of braces; `waiting` are the operations to apply to the next part, the innermost last."""
 
     parts: list[str] = field(default_factory=list)
     waiting: list[str] = field(default_factory=list)
@@ -33,7 +33,7 @@ class _Group:
 
 
 def text_of_starmath(text: str) -> str:
-    """Return a formula as text, its rows apart.
+    """Return a formula as text, with one line per row.
 
     >>> text_of_starmath("%omega_3 = {V_{My}} over {r_3 (2 cos %phi_3)}").split()
     ['ω_3', '=', '((V_{My})/(r_3', '(2', 'cos', 'φ_3', ')))']
@@ -60,7 +60,7 @@ def text_of_starmath(text: str) -> str:
                 group.parts.append(" ")
         elif token not in _DROPPED and token not in {"stack", "matrix", "binom"}:
             _add(group, _plain(token))
-    while len(groups) > 1:  # a brace that is never closed
+    while len(groups) > 1:  # braces that are never closed
         closed = groups.pop()
         _add(groups[-1], _whole(closed))
     whole = _whole(groups[0])
@@ -81,7 +81,7 @@ def _whole(group: _Group) -> str:
 
 
 def _add(group: _Group, part: str) -> None:
-    """Add a part, having done with it what waits for it."""
+    """Add a part after applying the waiting operations to it."""
     while group.waiting:
         what = group.waiting.pop()
         if what == "sqrt":
@@ -95,7 +95,7 @@ def _add(group: _Group, part: str) -> None:
 
 
 def _taken(group: _Group) -> str:
-    """Take back the part before, without the blanks behind it."""
+    """Remove and return the part before, without the blanks after it."""
     while group.parts and not group.parts[-1].strip():
         group.parts.pop()
     return group.parts.pop() if group.parts else ""

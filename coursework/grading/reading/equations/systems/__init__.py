@@ -1,1 +1,1 @@
-"""One line, matrix or program as typed -> the equations that it stands for."""
+"""One line, matrix or program as typed -> the equations it contains."""

@@ -1,6 +1,6 @@
-r"""A loop as complex numbers, i·r1·w1·e^{i·phi1} + … = 0 -> its real and its imaginary part, each an equation.
+r"""A loop equation in complex numbers, i·r1·w1·e^{i·phi1} + … = 0 -> its real and its imaginary part, as two equations.
 
-Enters: a line.  Leaves: two lines, none where it has no such power or one that is not understood.  Used by `lines.py`.
+Enters: a line.  Leaves: two lines, none if it has no such power or one that is not understood.  Used by `lines.py`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _SIGN = re.compile(r"(?<=[\w)}\]\s])\s*[-+]\s*(?=[^\s])|^\s*[-+]\s*")
 
 
 def real_and_imaginary(line: str) -> list[str]:
-    """Return the real and the imaginary part of an equation of complex numbers.
+    """Return the real and the imaginary part of an equation of complex numbers, [] if it is none or is not understood.
 
     >>> real_and_imaginary("i a w1 e^{i phi1} - exp(i*phi2)*v = u")
     ['1 a w1 (-sin(phi1)) - (cos(phi2))*v = u', '1 a w1 (cos(phi1)) - (sin(phi2))*v = 0']
@@ -44,7 +44,7 @@ def _terms(side: str) -> list[str]:
 
 
 def _parts(term: str) -> tuple[str, str] | None:
-    """Return the real and the imaginary part of a term, "" for nought, None where it is not understood."""
+    """Return the real and the imaginary part of a term, "" for zero, None if the term is not understood."""
     powers = list(_POWER.finditer(term))
     if len(powers) > 1:
         return None

@@ -1,7 +1,7 @@
-r"""A system that a program is given as matrices with names, A = [...], b = [...], x = A\b -> its equations, row by row.
+r"""A system that a program has as named matrices, A = [...], b = [...], x = A\b -> its equations, row by row.
 
-Enters: a text.  Leaves: the text with the rows in the place of the matrix, the other pieces left out; as it stands where it is
-nothing of the kind.  Nothing is computed.  Used by `lines.py`.
+Enters: a text.  Leaves: the text with the equations in place of the matrix and without the other parts of the system; unchanged
+if it has no such system.  Nothing is computed.  Used by `lines.py`.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ _PRODUCTS = (
     re.compile(rf"(?m)^[ \t]*(?:{_NAME}|{_NAMES})[ \t]*=[ \t]*{_SOLVED}$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}#[ \t]*{_NAMES}[ \t]*$"),
 )
-_ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1))  # of the matrix, the unknowns and the right side in each
+_ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1))  # places of the matrix, the unknowns and the right side in each of `_PRODUCTS`
 _TAKEN = rf"(?m)(?:^|(?<=;))[ \t]*{_NAME}[ \t]*=[ \t]*%s[ \t]*[\[(][ \t]*(\d{{1,2}})[ \t]*[\])][ \t]*(?:;|$)"  # w1 = x(1)
 _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
-# One cell of a matrix or of the right side, A(1,2) = … or b[0] = …
+# An assignment to one cell of a matrix or right side, A(1,2) = … or b[0] = …
 _ELEMENT = re.compile(
     r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:(?:,|\]\s*\[)\s*(\d{1,2})\s*)?[\])]"
     r"[ \t]*:?=(?!=)([^=;\n]+);?"
@@ -42,7 +42,7 @@ _MOST, _LONGEST, _MOST_CHARACTERS = 20, 4000, 200_000
 
 
 def in_rows(text: str, sought: Sequence[str] = ()) -> str:
-    r"""Return a text with the equations of a system in the place of its matrix; unknowns without names are those `sought`.
+    r"""Return a text with the equations of a system in place of its matrix; unknowns without names are those in `sought`.
 
     >>> in_rows("A = [a, b; c, d]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)")
     '(a)*(w1) + (b)*(w2) = e; (c)*(w1) + (d)*(w2) = f; ;\n'
@@ -73,12 +73,12 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
 
 
 def _elements_gathered(text: str) -> str:
-    """Return a text in which a matrix that is filled cell by cell, A[0, 1] = …, is written as a whole."""
+    """Return a text in which a matrix filled cell by cell, A[0, 1] = …, is written as a whole."""
     cells: dict[str, list[re.Match[str]]] = {}
     for one in _ELEMENT.finditer(text):
         cells.setdefault(one[1], []).append(one)
     matrices = {name: found for name, found in cells.items() if any(one[3] for one in found)}
-    for name, found in cells.items():  # the vector of the right side, beside a matrix
+    for name, found in cells.items():  # the right side that belongs to the only matrix
         if len(matrices) == 1 and name not in matrices and re.search(_SOLVED_WITH % re.escape(name), text):
             matrices[name] = found
     pieces: list[tuple[int, int, str]] = []
@@ -95,7 +95,7 @@ def _elements_gathered(text: str) -> str:
 
 
 def _matrices(text: str) -> list[tuple[str, int, int, str]]:
-    """Return the matrices of a text: name, where each begins and ends, what stands in it."""
+    """Return the matrices of a text: name, start, end and content of each."""
     found = []
     for begun in list(_DEFINED.finditer(text))[:_MOST]:
         inside = depths(text[begun.end() : begun.end() + _LONGEST])

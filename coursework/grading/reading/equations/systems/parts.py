@@ -1,6 +1,6 @@
-"""One line as typed -> the equations in it: parted by commas, semicolons, arrows, blanks, "and"; a product of matrices by rows.
+"""One line as typed -> its equations: separated by commas, semicolons, arrows, blanks or "and", or the rows of a matrix product.
 
-Enters: a line.  Leaves: pieces of it, each with one equation, in the order of the line.
+Enters: a line.  Leaves: its pieces with one equation each, in the order of the line.
 Used by `lines.py` and `matrices.py`.
 """
 
@@ -13,11 +13,11 @@ from coursework.grading.reading.equations.signs import ARROWS, depths, relates_t
 from coursework.variant.formula.reader import MAX_CHARACTERS
 
 _BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s(?:and|und|et|y|и|та|і|且|和)\s")
-# Behind "= 0" another equation begins: nothing is multiplied by nought, or added to it.
+# Another equation begins after "= 0": nothing multiplies or adds to a zero.
 _VANISHED = re.compile(
     r"=\s*0(?:[.,]0+)?((?:\\(?:(?:tag|label)\*?\s*\{[^{}]*\}|nonumber|notag)|\s)+)(?=[^\s=*/^\\]|\\(?!tag|label|no))"
 )
-_TURNED_OVER = r"(?:\.T\b|['ᵀ]|\^?\s*\{?\(?(?:[TТ]|\\top)\)?\}?)?"  # a vector that is written lying
+_TURNED_OVER = r"(?:\.T\b|['ᵀ]|\^?\s*\{?\(?(?:[TТ]|\\top)\)?\}?)?"  # the transpose of a vector
 _BETWEEN_MATRICES = [
     re.compile(pattern)
     for pattern in (
@@ -27,20 +27,20 @@ _BETWEEN_MATRICES = [
         rf"\s*{_TURNED_OVER}\s*[.,;]?\s*",
     )
 ]
-_GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # round a matrix that has brackets of its own
-_BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells where no commas are
-_NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # of MATLAB: its row goes on, or ends with a semicolon
+_GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # around a matrix that has brackets of its own
+_BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells without a comma
+_NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # in MATLAB: the row continues, or ends with a semicolon
 _COMMA = re.compile(",")
 LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*[(\[]\s*)?[\[{]")
-# What a program solves, and for what: of a TI, of Mathematica.
+# A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
 _SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
 _LONGEST = 4000
-_MOST_ROWS, _MOST_WITHIN = 12, 3  # brackets round a matrix
+_MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
 
 def parts_of(line: str) -> list[str]:
-    """Return the equations of one line, each piece with a sign of equality; a piece without one goes to the piece before it.
+    """Return the equations of one line; each piece has a sign of equality, and a piece without one joins the piece before it.
 
     >>> parts_of("w3 = 0,5*w1, w4 = atan2(1, w3)"), parts_of("(16) 2*w3 = w1 ⇒ w3 = w1/2")
     (['w3 = 0,5*w1', 'w4 = atan2(1, w3)'], ['(16) 2*w3 = w1', 'w3 = w1/2'])
@@ -54,10 +54,10 @@ def parts_of(line: str) -> list[str]:
     if len(line) > MAX_CHARACTERS:
         return [line]
     if line.count("$") > 2 and not relates_two_sides(_BETWEEN_DOLLARS.sub(" ", line)):
-        # Prose round formulas: of those, what relates two sides.
+        # Prose around formulas: take only the formulas that relate two sides.
         formulas = [found[1].strip() for found in _BETWEEN_DOLLARS.finditer(line)]
         return [piece for formula in formulas if relates_two_sides(formula) for piece in parts_of(formula)] or [line]
-    spans: list[tuple[int, int, bool]] = []  # where a piece begins and ends, and whether it relates two sides
+    spans: list[tuple[int, int, bool]] = []  # start and end of a piece, and whether it relates two sides
     start = 0
     for cut, after in [*_cuts(line), (len(line), len(line))]:
         if cut < start:
@@ -72,18 +72,18 @@ def parts_of(line: str) -> list[str]:
 
 
 def _cuts(line: str) -> list[tuple[int, int]]:
-    """Return where a piece may end and the next begin."""
+    """Return (end of a piece, start of the next) for each possible cut."""
     found = [(found.start(), found.end()) for found in _BETWEEN.finditer(line)]
     found += [(found.start(1), found.end()) for found in _VANISHED.finditer(line)]
     for place, (sign, depth) in enumerate(zip(line, depths(line), strict=True)):
         is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
         if sign in ",;，；" and depth <= 0 and not is_decimal:
             found.append((place, place + 1))
-    return sorted(found, key=lambda cut: (cut[0], -cut[1]))  # "= 0 and": not before the word alone
+    return sorted(found, key=lambda cut: (cut[0], -cut[1]))  # the longer cut first: at "= 0 and", the word is cut away too
 
 
 def _rows(line: str) -> list[str]:
-    """Return the equations of "[a, b; c, d] * [x; y] = [e; f]", row by row; none where it is nothing of the kind."""
+    """Return the equations of "[a, b; c, d] * [x; y] = [e; f]", one per row; [] if the line is not of this form."""
     line = _GROUPS.sub("", line) if "[" in line and len(line) <= _LONGEST else ""
     inside = depths(line)
     edges = [k for k, (one, before) in enumerate(zip(inside, [0, *inside], strict=False)) if {one, before} == {0, 1}]
@@ -98,7 +98,7 @@ def _rows(line: str) -> list[str]:
 
 
 def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
-    """Return the rows of a matrix times unknowns as equations, [] where the numbers of its cells do not fit.
+    """Return the rows of a matrix times the unknowns as equations, [] if the sizes do not match.
 
     >>> product("[a, b], [c, d]", ["x", "y"], ["e", "0"]), product("a -b; c d", ["x", "y"], ["e", "0"])[0]
     (['(a)*(x) + (b)*(y) = e', '(c)*(x) + (d)*(y) = 0'], '(a)*(x) + (-b)*(y) = e')
@@ -111,13 +111,13 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
 
 
 def vector(content: str) -> list[str]:
-    """Return the cells of a vector, lying or standing; of one without commas the blanks part them."""
+    """Return the cells of a row or column vector; without commas, blanks separate the cells."""
     cells = [cell for row in _matrix(content) for cell in row]
     return [cell for cell in _split(_BLANK, cells[0]) if cell] if len(cells) == 1 else cells
 
 
 def _matrix(content: str) -> list[list[str]]:
-    """Return the rows of a matrix: lists of their own, or parted by semicolons or where lines end."""
+    """Return the rows of a matrix: nested lists, or separated by semicolons or line ends."""
     for _ in range(_MOST_WITHIN):
         rows = [row.strip() for row in at_commas(content)]
         if not all(row.startswith("[") and row.endswith("]") for row in rows):
@@ -130,7 +130,7 @@ def _matrix(content: str) -> list[list[str]]:
 
 
 def _split(sign: re.Pattern[str], text: str) -> list[str]:
-    """Return what stands between signs that are in no parentheses."""
+    """Split a text at the matches of `sign` that are not inside brackets."""
     inside, start, pieces = depths(text), 0, list[str]()
     for found in sign.finditer(text):
         if inside[found.start()] == 0:
@@ -140,7 +140,7 @@ def _split(sign: re.Pattern[str], text: str) -> list[str]:
 
 
 def _listed(line: str) -> list[str]:
-    """Return the equations of a list that a program is given: "solve([a = b, c = d], [x, y])", "eqs := {a = b, c = d}"."""
+    """Return the equations of a list in a program: "solve([a = b, c = d], [x, y])", "eqs := {a = b, c = d}"; [] if none."""
     found = LIST.match(line)
     inside = depths(line[found.end() :]) if found else []
     if found is None or -1 not in inside:
@@ -150,5 +150,5 @@ def _listed(line: str) -> list[str]:
 
 
 def at_commas(row: str) -> list[str]:
-    """Return what stands between the commas of a row that are in no parentheses."""
+    """Split a row at the commas that are not inside brackets."""
     return _split(_COMMA, row)

@@ -1,6 +1,6 @@
-"""The vectors of a program, y[0], x(2), dydt[1], Y[k, 0] -> the names of the task, in the order that the text tells.
+"""The vectors of a program, y[0], x(2), dydt[1], Y[k, 0] -> the names of the task, in the order found in the text.
 
-Enters: a text, the variant.  Leaves: the text with names in the place of entries; as it stands where no order is told.
+Enters: a text, the variant.  Leaves: the text with names in place of vector entries and with returned lists as equations.
 Nothing is computed.  Used by `lines.py`.
 """
 
@@ -15,7 +15,7 @@ from coursework.grading.reading.equations.signs import depths
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.record.variant import Variant
 
-_ROW = r"(?:([ijkn](?:\s*[-+]\s*1)?)\s*(?:,|\]\s*\[)\s*)?"  # Y[k, 0] and Y[k][0], of which a row later is another value
+_ROW = r"(?:([ijkn](?:\s*[-+]\s*1)?)\s*(?:,|\]\s*\[)\s*)?"  # the row in Y[k, 0] and Y[k][0]
 _ENTRY = re.compile(rf"(?<![\w.\\'])([^\W\d]\w{{0,20}}) ?([\[(])\s*{_ROW}(\d{{1,2}})\s*[\])]")
 _NAMES = r"((?:[^\W\d]\w{0,20}\s*[,;]\s*)+[^\W\d]\w{0,20})"
 _LIST = re.compile(rf"(?:[\[({{]|\breturn )\s*{_NAMES}\s*(?:[\])}}]|$)", re.MULTILINE)
@@ -34,10 +34,10 @@ _MOST_CHARACTERS = 200_000
 
 
 def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str:
-    """Return a text with the names of the task for the entries of vectors.
+    """Return a text with names of the task in place of the entries of vectors.
 
-    The order is told by the line that takes the vector apart or makes it, by a remark, by what the program returns, by the
-    start values; else it is that of the task.
+    The order comes from the line that unpacks or builds the vector, from a comment, from the values returned or from the start
+    values; else it is the order of the task.
     """
     if len(text) > _MOST_CHARACTERS or not (entries := [*_ENTRY.finditer(text)]):
         return _returned(text, [one.rate for one in variant.coordinates])
@@ -52,7 +52,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
         indices = {int(entry[4]) for entry in used}
         by_use = _by_use(text, vector, used, order, rates, variant)
         is_own = is_zero_based or not all(spellings.angle(f"{vector}{index}") for index in indices)
-        # f(1) is an angle whose Greek letter got lost, unless it is what the right sides of a program are assigned to.
+        # f(1) may be an angle whose Greek letter got lost, unless the program assigns the right sides of its system to f.
         is_own = is_own or (vector in {"f", "F"} and [*by_use] == [rates[name] for name in order])
         if not is_own or (used[0][2] == "(" and (vector in spellings.known or vector.lower() in FUNCTION_WORDS)):
             continue
@@ -67,13 +67,13 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
 
 
 def _named(entry: re.Match[str], meant: dict[str, dict[int, str]]) -> str:
-    """Return the name of an entry, with the row where that is another one."""
+    """Return the name of an entry, with its row if that is not the current one."""
     name = meant.get(entry[1], {}).get(int(entry[4]))
     return entry[0] if name is None else f"{name}[{entry[3]}]" if entry[3] and entry[3] != entry[3].strip("+-1 ") else name
 
 
 def _order(text: str, variant: Variant, spellings: Spellings) -> list[str]:
-    """Return the coordinates in the order of the program: as it returns their rates, as it starts them, as the task has them."""
+    """Return the coordinates in the program's order: of the rates it lists, else of its start values, else of the task."""
     names = [one.name for one in variant.coordinates]
     of_rate = {one.rate: one.name for one in variant.coordinates}
     for found in _LIST.finditer(text):
@@ -89,7 +89,7 @@ def _order(text: str, variant: Variant, spellings: Spellings) -> list[str]:
 
 
 def _told(text: str, vector: str, spellings: Spellings) -> list[str]:
-    """Return the names of a vector that a line takes apart, or that a line or a remark lists; [] where none does."""
+    """Return the names of a vector's entries from a line that unpacks it or a line or comment that lists it; [] if none."""
     lists = [found[1] for found in _UNPACKED.finditer(text) if found[2] == vector]
     lists += [found[2] for found in _SAID.finditer(text) if found[1] == vector]
     for listed in lists:
@@ -100,7 +100,7 @@ def _told(text: str, vector: str, spellings: Spellings) -> list[str]:
 
 
 def _taken(text: str, vector: str, spellings: Spellings) -> dict[int, str]:
-    """Return the names that take an entry each, phi1 = y[0], or that an entry takes, dydt[0] = w1."""
+    """Return the names by index that are assigned from entries, phi1 = y[0], or assigned to entries, dydt[0] = w1."""
     entry = rf"{re.escape(vector)} ?[\[(]\s*(\d{{1,2}})\s*[\])]"
     found: dict[int, str] = {}
     ends, equals = r"\s*(?:[;,}#%]|//|$)", r"\s*(?::\s*\w+\s*)?(?::?=|<-)\s*"
@@ -116,7 +116,7 @@ def _taken(text: str, vector: str, spellings: Spellings) -> dict[int, str]:
 def _by_use(
     text: str, vector: str, used: Sequence[re.Match[str]], order: Sequence[str], rates: dict[str, str], variant: Variant
 ) -> Sequence[str]:
-    """Return what a vector holds by what is done with it: of turned angles the state, what is assigned to its rates."""
+    """Return the names in a vector by its use: coordinates if sin or cos takes it, rates if formulas are assigned to it …"""
     if re.search(rf"(?:sin|cos)\s*\(\s*[-+\w.*\s]{{0,20}}{re.escape(vector)} ?[\[(]", text, re.IGNORECASE):
         return order
     assigned = {int(entry[4]): made[1] for entry in used if (made := re.match(r"\s*:?=([^=\n][^\n]*)", text[entry.end() :]))}
@@ -133,7 +133,7 @@ def _by_use(
 
 
 def _returned(text: str, rates: Sequence[str]) -> str:
-    """Return a text with equations in the place of what is returned, [w1, (…)/(…)], where some rates stand in their places."""
+    """Return a text with a returned list, [w1, (…)/(…)], written as equations, if it has some rates in their places."""
     for found in _RETURNED.finditer(text):
         begun = found.end()
         inside = depths(text[begun : begun + 4000])
@@ -147,7 +147,7 @@ def _returned(text: str, rates: Sequence[str]) -> str:
                 start = place + 1
         pairs = [*zip(rates, cells, strict=False)]
         if any(map(_ENTRY.fullmatch, cells)):
-            continue  # of a vector that nobody named
+            continue  # an entry of a vector without names
         if len(cells) == len(rates) and 0 < sum(rate == cell for rate, cell in pairs) < len(rates):
             equations = "; ".join(f"{rate} = {cell}" for rate, cell in pairs if rate != cell)
             return text[: found.start()] + equations + "\n" * text.count("\n", begun, end) + text[end + 1 :].lstrip(")")
