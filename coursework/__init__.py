@@ -61,7 +61,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-if not TYPE_CHECKING:  # so that a checker of types knows every name there is, and no other
+if not TYPE_CHECKING:  # so that type checkers know every existing name, and no other
 
     def __getattr__(name: str) -> Any:
         if name in _HOME_OF:

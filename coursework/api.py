@@ -1,4 +1,4 @@
-"""What `import coursework` offers for one variant: solve it, and its exact motion.
+"""The functions of `import coursework` for one variant: its solution, and its exact motion.
 
 Enters: a name, a path or a `Variant`.  Leaves: `Run`, tables.  Raises `InputError`.
 Used by `commands/`, `desk/` and `grading/marking/key/`.
@@ -54,13 +54,13 @@ def solve(
 ) -> Run:
     """Return a run of a variant: its name, a path, or what `load` and `parse_variant` return.
 
-    `scheme` one of `SCHEMES` or "exact", the motion without a scheme's error (where None that of the file, else "exact" for a
-    chain of groups and "euler" for all others); `step` in s, "20 ms", "h/18" (h the step of the file), or "auto" with `error`
-    (rad or m), the largest one wished for; `end` in s or with a unit (step and end of the file where None); `quantities` asked
-    for (those of the file where None; names of columns restrict the table to them); `project` Newton corrections a step;
-    `gain` of Baumgarte's correction in 1/s; `precision` "single" where round-off is asked about, see `Run.round_off`;
-    `student` to `institution` stand in the title block; a `blank` sheet of the graph-analytical check leaves the construction
-    to the student.  Warns with `CourseworkWarning` of what looks like a slip; raises `InputError`.
+    `scheme`: one of `SCHEMES`, or "exact" for the motion without a scheme's error; if None, that of the file, else "exact" for
+    a chain of groups and "euler" for other files.  `step`: in s, or "20 ms", or "h/18" (h is the step of the file), or "auto"
+    for the largest step within `error` (rad or m).  `end`: in s, or with a unit; if None, step and end are those of the file.
+    `quantities`: the names asked for, those of the file if None; names of columns restrict the table to them.  `project`:
+    Newton corrections per step; `gain` of Baumgarte's correction in 1/s; `precision`: "single" shows round-off, see
+    `Run.round_off`.  `student` to `institution` stand in the title block; on a `blank` sheet of the graph-analytical check
+    the student makes the construction.  Warns with `CourseworkWarning` of likely slips; raises `InputError`.
 
     >>> import coursework
     >>> run = coursework.solve("31", scheme="rk4", quantities=["table"])
@@ -87,7 +87,7 @@ def make_run(
     quantities: Iterable[str] | None = None, project: int = 0, gain: float = 0.0, error: float | None = None,
     precision: str = "double", blank: bool = False, **title: str | None,
 ) -> Run:  # fmt: skip
-    """Return what `solve` returns, and warn of nothing: the command line says itself what looks like a slip."""
+    """Return what `solve` returns, without warnings: the command line reports likely slips itself."""
     for name, text in title.items():
         if not (text is None or isinstance(text, str)):
             raise InputError(say("fault.D032", name=name, found=repr(text)))
@@ -104,7 +104,7 @@ def make_run(
         raise InputError(say("fault.C029"))
     chosen = timed(chosen, step_of(step, chosen), seconds(end))
     asked, columns = _sorted(chosen, quantities)
-    corrections = int(project) if isinstance(project, bool) else project  # as a flag, one
+    corrections = int(project) if isinstance(project, bool) else project  # True means one correction
     order = max((one.order for one in quantities_for(asked).values()), default=1)
     asked_for = Settings(scheme_for(chosen, scheme), corrections, gain, columns, order=order)
     settings = asked_for.checked(chosen.time.step, by_forces=chosen.motor is not None)
@@ -116,7 +116,7 @@ def exact(
 ) -> pd.DataFrame:
     """Return the table of the exact motion (index t), with the same columns as `solve(variant).table`.
 
-    `step`, `end` and `quantities` as in `solve`.  Warns with `CourseworkWarning` where the motion ends early; raises
+    `step`, `end` and `quantities` as in `solve`.  Warns with `CourseworkWarning` if the motion ends early; raises
     `InputError`.
 
     >>> import coursework
@@ -133,17 +133,20 @@ def exact(
 
 
 def variant_of(path_or_name: str | Path) -> Variant:
-    """Return the variant of a file or of the catalogue; among the faults of a file are the names that nobody can ask for."""
+    """Return the variant of a file or of the catalogue; raise `InputError` also for quantities that it cannot ask for."""
     return load(path_or_name, _asked_in_vain)
 
 
 def variant_in(text: str, name: str, tables: Mapping[str, bytes]) -> Variant:
-    """Return the variant of a text, as `variant_of` does that of a file; `tables` are those it may name."""
+    """Return the variant of a text as `variant_of` does for a file; `tables` are those that the text may name."""
     return parse_variant(text, name, tables, _asked_in_vain)
 
 
 def step_of(step: float | str | None, variant: Variant) -> float | None:
-    """Return a step in seconds: a number, a text with a unit, or h/N, a whole part of the step h of the file."""
+    """Return a step in seconds, given as a number, as text with a unit, or as h/N, where h is the step of the file.
+
+    Raises `InputError` for other text; None stays None.
+    """
     if not isinstance(step, str):
         return step
     head, slash, parts = step.partition("/")
@@ -156,21 +159,21 @@ def step_of(step: float | str | None, variant: Variant) -> float | None:
 
 
 def seconds(time: float | str | None) -> float | str | None:
-    """Return a time in seconds; a text that is none as it is, so that it is told by whoever takes it."""
+    """Return a time in seconds; text that is no time is returned unchanged, so that the function that uses it reports it."""
     if not isinstance(time, str):
         return time
     with suppress(UnitFault):
         found = read(time, "s")
         return found.value if found.si in {"s", ""} else time
-    with suppress(ValueError):  # nan and infinity are told as what they are
+    with suppress(ValueError):  # nan and infinity become numbers, so that they are reported as such
         return float(time)
     return time
 
 
 def step_choice(run: Run, error: float | None) -> StepChoice:
-    """Return the largest step with which a run stays within an error (rad or m), and what it costs.
+    """Return the largest step with which a run stays within `error` (rad or m), and its cost.
 
-    Raises `InputError` for an error that cannot be had, and for a motion that stops.
+    Raises `InputError` if `error` is missing or cannot be reached, and for a motion that stops.
     """
     if error is None:
         raise InputError(say("fault.C030"))
@@ -194,7 +197,7 @@ def _asked_in_vain(variant: Variant) -> list[Fault]:
 
 
 def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Split what is asked for into quantities and columns of the table.  Raises `InputError` for what cannot be had."""
+    """Split the names asked for into quantities and columns of the table.  Raises `InputError` for impossible ones."""
     listed = _listed(variant, quantities)
     columns = tuple(name for name in listed if name in variant.columns)
     asked = tuple(name for name in listed if name not in columns)
@@ -219,7 +222,7 @@ def _listed(variant: Variant, quantities: Iterable[str] | None) -> tuple[str, ..
 
 
 def _cannot_ask(variant: Variant, name: str) -> Sentence | None:
-    """Return why a quantity cannot be had of a variant, None where it can."""
+    """Return why a quantity is not possible for a variant, None if it is possible."""
     records = known_quantities()
     if name in records:
         return records[name].refuses(variant)
@@ -229,7 +232,7 @@ def _cannot_ask(variant: Variant, name: str) -> Sentence | None:
 
 
 def _in_file(message: Sentence, variant: Variant, name: str, is_in_file: bool) -> Fault:
-    """Return the fault, with its line where the file itself asks."""
+    """Return the fault, with its line if the file itself asks for the quantity."""
     if not is_in_file:
         return Fault(message)
     line = variant.line_of("ask", "quantities", variant.ask.index(name))

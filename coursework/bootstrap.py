@@ -23,15 +23,15 @@ ROOT = Path(__file__).resolve().parent.parent
 HOME = ROOT / ".venv"
 OLDEST = (3, 11)
 WRONG_INPUT, NOT_PREPARED, INTERRUPTED = 2, 3, 130
-MEASURED = "tests/benchmarks"  # their ratios want a machine that is not at work beside them
+MEASURED = "tests/benchmarks"  # their ratios need a machine that does nothing else
 LONG = "--long"
 MEGABYTES = {"[test]": 250, "[desk]": 95}
 EXTRAS = {"test": "[test]", "edit": "[desk]", "serve": "[desk]"}
-SILENCE = 15  # seconds after which a word is due that the installation is still at work
+SILENCE = 15  # seconds after which a line says that the installation is still at work
 
 
 class NotPrepared(Exception):
-    """The environment cannot be made; the text says what the user can do."""
+    """The error if the environment cannot be made; its text tells the user what to do."""
 
 
 def main(arguments: list[str]) -> int:
@@ -40,7 +40,7 @@ def main(arguments: list[str]) -> int:
         print(__doc__)
         return 0 if arguments else WRONG_INPUT
     for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="replace")  # type: ignore[union-attr]  # a folder's name may be beyond the terminal's letters
+        stream.reconfigure(errors="replace")  # type: ignore[union-attr]  # folder names may have letters the terminal lacks
     testing = arguments[0] == "test"
     try:
         refuse_too_old(sys.version_info[:2])
@@ -57,7 +57,7 @@ def main(arguments: list[str]) -> int:
 
 
 def ended(command: subprocess.Popen[bytes]) -> int:
-    """Return the exit status of a command, which hears an interrupt as we do and ends by itself."""
+    """Return the exit status of a command; an interrupt reaches the command too, which ends by itself."""
     while True:
         try:
             return command.wait()
@@ -66,9 +66,9 @@ def ended(command: subprocess.Popen[bytes]) -> int:
 
 
 def test(python: Path, wanted: list[str]) -> int:
-    """Run the wanted tests; without a wish all of them, on every core, and behind them alone what is measured.
+    """Run the `wanted` tests; if none are named, all tests on every core, and then the benchmarks alone.
 
-    What takes long is left out unless `LONG` is among the words.
+    Long tests are left out unless `LONG` is among the words.
     """
     marked = ["-m", ""] if LONG in wanted else []
     wanted = [word for word in wanted if word != LONG]
@@ -90,9 +90,9 @@ def refuse_too_old(version: tuple[int, ...]) -> None:
 
 
 def prepare(extra: str) -> Path:
-    """Make the environment and install the package with `extra` into it, whatever of both is missing; return its Python.
+    """Make the environment and install the package with `extra` into it, unless that has been done; return its Python.
 
-    Installs again where pyproject.toml, the folder or Python has changed.  Raises `NotPrepared`.
+    Installs again if pyproject.toml, the folder or Python has changed.  Raises `NotPrepared`.
     """
     python = python_of(HOME)
     stamp = HOME / f"installed{extra or '-plain'}.txt"
@@ -118,12 +118,12 @@ def python_of(home: Path) -> Path:
 
 
 def version_of(python: Path) -> str:
-    """Return the version of an interpreter, "" for one that is not there, does not start or is too old."""
+    """Return the version of an interpreter, "" if it does not exist, does not start or is too old."""
     return answers(python, "-c", f"import sys; print(*sys.version_info[:2]) if sys.version_info >= {OLDEST} else sys.exit(1)")
 
 
 def answers(python: Path, *arguments: str) -> str:
-    """Return what a call of an interpreter prints, "" where it fails."""
+    """Return the output of a call of an interpreter, "" if the call fails."""
     try:
         return subprocess.run([str(python), *arguments], capture_output=True, text=True, check=True).stdout.strip()
     except (OSError, subprocess.CalledProcessError):
@@ -131,7 +131,7 @@ def answers(python: Path, *arguments: str) -> str:
 
 
 def make_environment() -> None:
-    """Make `.venv`; one that an interrupted try left half-made, or that another Python made, is made anew."""
+    """Make `.venv`; replace one that is half-made or whose Python is gone.  Raises `NotPrepared`."""
     missing = [name for name in ("venv", "ensurepip") if importlib.util.find_spec(name) is None]
     if missing:
         raise NotPrepared(lacking(missing[0]))
@@ -153,7 +153,7 @@ def make_environment() -> None:
 
 
 def lacking(module: str) -> str:
-    """Return what to install where Python came without a part of itself, as on Debian and Ubuntu."""
+    """Return what to install if Python came without one of its modules, as on Debian and Ubuntu."""
     number = f"{sys.version_info[0]}.{sys.version_info[1]}"
     return (
         f'This Python ({sys.executable}) came without its module "{module}". On Debian and Ubuntu it is one package: '
@@ -162,9 +162,9 @@ def lacking(module: str) -> str:
 
 
 def install(python: Path, extra: str) -> None:
-    """Install the package from this folder, editable; a line now and then says that it is still at work.
+    """Install the package from this folder, editable; a line every `SILENCE` seconds says that it is still at work.
 
-    Modules are compiled when they are first imported: most never are, and all together took half of the time.
+    Modules are compiled only when they are first imported: most never are, and compiling all took half of the time.
     """
     begun = time.monotonic()
     quiet = ["--quiet", "--disable-pip-version-check", "--no-compile"]

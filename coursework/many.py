@@ -1,10 +1,10 @@
-"""Many sets of data of one template solved together, with the certainty of solving them one by one.
+"""Many sets of data of one template solved together, as reliably as one by one.
 
 Enters: a template and columns of data.  Leaves: `Solutions`, frozen arrays.  Raises `InputError`.
 Used through `import coursework`.
 
-What the sets share is computed for all at once.  Whatever leaves a doubt (a start that may not close, a determinant that comes
-near zero, a step that is too wide, …) is solved alone, as `solve` does it, and has its sentences from there.
+The sets are computed all at once.  A doubtful set (its start may not close, a determinant comes near zero, the step is too wide,
+…) is solved alone, as by `solve`, from which its messages come.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ if TYPE_CHECKING:
     import pandas as pd
 
 Template = Variant | Model | str | Path | int
-# Values of more bytes than this are kept in a file of the system's folder for such, which leaves with them.
+# Bytes of values that are kept in memory; more are kept in a temporary file of the system, which disappears with them.
 MOST_KEPT = 2**28
-# Sets that are computed together: their columns stay in the processor's cache.
+# Sets that are computed together, so few that their columns stay in the processor's cache.
 TOGETHER = 2048
 
 
 class Feasibility(NamedTuple):
-    """Whether a whole motion is possible, and `why` not; false where it is not, and two values where two are wanted."""
+    """Whether a whole motion is possible, and `why` not; false if it is not, but it can also be unpacked into two values."""
 
     possible: bool
     why: str
@@ -60,8 +60,8 @@ class Feasibility(NamedTuple):
 class Solutions:
     """The tables of n sets: `t` (rows,) in s, `values` (n, rows, columns), nan after a motion has stopped.
 
-    `columns` as in `Run.table`, in rad, m, rad/s and m/s; `stops` (n) says why a motion ended early, None where it did not;
-    `name` of the template and its `sets` of data.  `len`, `[i]` and a loop give tables.
+    `columns` as in `Run.table`, in rad, m, rad/s and m/s; `stops` (n) says why a motion ended early, None if it did not;
+    `name` of the template and its `sets` of data.  `len` counts the sets; `[i]` and a loop give their tables.
 
     >>> import coursework
     >>> solutions = coursework.solve_many("31", {"p": [12.0, 13.08]})
@@ -95,7 +95,7 @@ class Solutions:
         return pd.DataFrame(dict(self.sets.given), index=pd.RangeIndex(len(self), name="set"))
 
     def table(self, index: int) -> pd.DataFrame:
-        """Return the table of one set (index t), as `solve` gives it: only the rows it has.  Raises `IndexError`."""
+        """Return the table of one set (index t), as from `solve`: only the rows it has.  Raises `IndexError`."""
         import pandas as pd
 
         from coursework.takeaway.frames import time_index
@@ -123,10 +123,10 @@ def solve_many(
 ) -> Solutions:  # fmt: skip
     """Return the tables of many sets of data; each is what `solve(variant.with_data(…))` gives, to 1e-12.
 
-    `data`: a mapping or a frame; keys are given names and coordinates (their start), values numbers in SI, texts with a unit,
-    or one for all sets.  `scheme` as in `solve`; `step` and `end` in s, the same for all sets; those of the file where None;
-    `quantities` are the columns to keep, all where None.  What takes more than `MOST_KEPT` bytes lies in a file without a name.
-    Raises `InputError` for data that do not fit, and for a set that `solve` refuses, by its number.
+    `data`: a mapping or a frame; its keys are given names and coordinates (for their start), its values numbers in SI or texts
+    with a unit, one per set or one for all sets.  `scheme` as in `solve`; `step` and `end` in s, the same for all sets, those
+    of the file if None; `quantities`: the columns to keep, all if None.  Values of more than `MOST_KEPT` bytes are kept in a
+    temporary file.  Raises `InputError` for data that do not fit, and, with its number, for a set that `solve` refuses.
 
     >>> import coursework
     >>> solved = coursework.solve_many("31", {"p": [12.0, 13.08], "r1": "953 mm"}, scheme="rk4")
@@ -165,7 +165,7 @@ def solve_many(
 
 
 def feasible(variant: Variant | str | Path | int) -> Feasibility:
-    """Return whether the whole motion of a variant is possible, and if not why: through its table and through a period.
+    """Return whether the whole motion of a variant, through its table and a period, is possible, and if not, why.
 
     >>> import coursework
     >>> found = coursework.feasible(coursework.load("31").with_data({"alpha": 0.02}))
@@ -181,7 +181,7 @@ def feasible(variant: Variant | str | Path | int) -> Feasibility:
 
 
 def feasible_many(variant: Template, data: Any) -> tuple[Flags, tuple[str, ...]]:
-    """Return for which sets of data (n,) the whole motion is possible, and for each of the others why it is not.
+    """Return for n sets of data whether the whole motion is possible (n,), and the reasons why not ("" if it is possible).
 
     >>> import coursework
     >>> coursework.feasible_many("31", {"alpha": [4.35, 0.02]})[0].tolist()
@@ -205,7 +205,7 @@ def feasible_many(variant: Template, data: Any) -> tuple[Flags, tuple[str, ...]]
 
 
 def _kept(names: tuple[str, ...], quantities: Iterable[str] | None) -> list[int]:
-    """Return the places of the columns to keep.  Raises `InputError` for what is no column."""
+    """Return the indices of the columns to keep.  Raises `InputError` for a name that is no column."""
     wanted = list(names) if quantities is None else [quantities] if isinstance(quantities, str) else list(quantities)
     for name in wanted:
         if name not in names:
@@ -214,7 +214,7 @@ def _kept(names: tuple[str, ...], quantities: Iterable[str] | None) -> list[int]
 
 
 def _room(shape: tuple[int, ...]) -> Array:
-    """Return room for values, all nan: in memory, or in a file where they take more than `MOST_KEPT`."""
+    """Return an array of nan for the values: in memory, or in a file if it takes more than `MOST_KEPT` bytes."""
     if 8 * math.prod(shape) <= MOST_KEPT:
         return np.full(shape, np.nan)
     with tempfile.TemporaryFile() as file:
@@ -229,7 +229,7 @@ def _model(variant: Template) -> Model:
 
 
 def _chunks(sets: Data) -> Iterator[tuple[slice, Data]]:
-    """Yield parts of the sets and where they stand."""
+    """Yield parts of the sets, each after the slice of its indices."""
     for first in range(0, sets.count, TOGETHER):
         part = slice(first, min(first + TOGETHER, sets.count))
         yield part, sets.part(part)
@@ -241,7 +241,7 @@ def _with(template: Variant, sets: Data, index: int) -> Variant:
 
 
 def _alone(template: Variant, sets: Data, index: int, scheme: str) -> Motion:
-    """Return the motion of one set, as `solve` gives it."""
+    """Return the motion of one set, as from `solve`.  Raises `InputError` with the number of the set."""
     try:
         alone = timed(_with(template, sets, index), template.time.step, template.time.end)
         return scene_of(alone, Settings(scheme).checked(alone.time.step)).motion
@@ -251,7 +251,7 @@ def _alone(template: Variant, sets: Data, index: int, scheme: str) -> Motion:
 
 
 def _refuse_own_times(model: Model, sets: Data, step: float | None, end: float | None) -> None:
-    """Raise `InputError` where every set would have rows at times of its own."""
+    """Raise `InputError` if step or end depend on changed data, so that every set would have rows at its own times."""
     for key, value in (("step", step), ("end", end)):
         formula = model.variant.times.get(("time", key))
         names = [name for name in sets.changed if formula is not None and name in formula.names()]

@@ -1,7 +1,7 @@
 """The library of procedures for a student's own script: Assur groups, analogs, invariants, tables, a crank of variable length.
 
 Enters: numbers and NumPy arrays of a student.  Leaves: positions, velocities, accelerations, all rows at once.
-Used by students, through `from coursework.procedures import …`; the tool itself takes each from its own room.
+Used by students, through `from coursework.procedures import …`; the tool itself imports each from its own module.
 
 Kinematics of a linkage, group by group ([library], the lectures): turn a crank, hang a group on it, take the point it meets,
 hang the next group on that.  With rate 1 everything is in analogs; `in_seconds` brings them to a crank that turns at omega_1.

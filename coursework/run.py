@@ -1,7 +1,7 @@
-"""A run as a person holds it: its table as a pandas frame, its points, its plots, what a notebook shows of it.
+"""A run as users get it: its table as a pandas frame, its points, its plots, its form in a notebook.
 
 Enters: a `Scene` and the names asked for, from `api.py`.  Leaves: `Run`.
-Used by `api.py` and `commands/`; the floors below make pages and files of the `SceneRun` that it is.
+Used by `api.py` and `commands/`; lower layers make pages and files from it as a `SceneRun`.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ if TYPE_CHECKING:
     from coursework.takeaway.study import Study
 
 
-_SAME_TIME = 1e-6  # of a step
+_SAME_TIME = 1e-6  # parts of a step
 
 
 @frozen
 class Advice:
-    """What would do where a table is coarse: a `step` (s), or a `scheme` at the same step; None where none was found."""
+    """Advice for a table that is coarse: a `step` (s), or a `scheme` with the same step, that suffices; None if not found."""
 
     step: float | None
     scheme: str | None
@@ -47,10 +47,11 @@ class Advice:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Run(SceneRun):
-    """A run: `scene` (variant, settings and the way to the motion), the names `asked` for, computed when looked at.
+    """A run: `scene` (variant, settings and motion) and the names `asked` for; results are computed when they are read.
 
-    `table` is a pandas frame (index t); `checks` the judged facts; `stop` why the motion ended early, or None; `of(QUANTITY)`
-    anything that can be asked for, by its record or its name.  `timed` replaces the study of accuracy by one with seconds.
+    `table` is a pandas frame (index t); `checks` are the checks with their verdicts; `stop` is why the motion ended early, or
+    None; `of(QUANTITY)` returns any quantity, by its record or its name.  `timed`, if given, is the study of accuracy with
+    running times, and replaces the one without.
 
     >>> import coursework
     >>> run = coursework.solve("31", scheme="rk4", quantities=["table", "checks"])
@@ -97,14 +98,14 @@ class Run(SceneRun):
 
     @cached_property
     def checks(self) -> Findings:
-        """Return what each check has found."""
+        """Return the finding of each check."""
         from coursework.takeaway.findings import Findings
 
         return Findings(super().checks)
 
     @property
     def accuracy(self) -> Study | None:
-        """Return the study of accuracy against cost, None where it was not asked for."""
+        """Return the study of accuracy against cost, None if it was not asked for."""
         from coursework.takeaway.study import study_of
 
         study = super().accuracy
@@ -112,18 +113,18 @@ class Run(SceneRun):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return what looks like a slip in the file, and where the last row stands that is not the end asked for."""
+        """Return the likely slips in the file, and a remark if the last row is not at the end asked for."""
         end = self.variant.time.end
         return (*self.slips, *([str(say("remark.last_row", last=self.end, end=end))] if self.end != end else []))
 
     @property
     def slips(self) -> tuple[str, ...]:
-        """Return what looks like a slip of the pen in the file."""
+        """Return the sentences on likely slips in the file."""
         return tuple(str(remark.sentence) for remark in self.variant.plausibility)
 
     @property
     def advice(self) -> Advice:
-        """Return which step or scheme would do where the table is coarse."""
+        """Return the step or scheme that suffices if the table is coarse; without step and scheme if it is not."""
         coarse = [check for check in self.results.checks if check.option]
         if not coarse:
             return Advice(None, None, "")
@@ -132,7 +133,7 @@ class Run(SceneRun):
 
     @property
     def round_off(self) -> pd.DataFrame:
-        """Return what round-off does: index steps, largest error (rad or m) in double, in single, in single with t += h."""
+        """Return the effect of round-off: by number of steps, the error (rad or m) in double, single, and single with t += h."""
         import pandas as pd
 
         rows = list(self.round_off_rows())
@@ -150,23 +151,23 @@ class Run(SceneRun):
 
     @property
     def end(self) -> float:
-        """Return the time of the last row asked for (s); a motion that stops ends before it."""
+        """Return the time of the last row asked for (s), which a motion that stops does not reach."""
         time = self.variant.time
         last = time.steps * time.step
         return time.end if abs(last - time.end) < _SAME_TIME * time.step else float(f"{last:.12g}")
 
     @property
     def passed(self) -> bool:
-        """Return whether the motion reached its end and no check failed; COARSE is no failure."""
+        """Return whether the motion reached its end and no check failed; COARSE is not a failure."""
         return self.status() == 0
 
     @property
     def plan(self) -> Plan:
-        """Return what is computed for the asked quantities and what is left out."""
+        """Return the plan: what is computed for the quantities asked for, and what is left out."""
         return self.plan_with()
 
     def of(self, quantity: Quantity[Any] | str) -> Any:
-        """Return a quantity of the rows, by its record or by its name.  Raises `InputError` for a name that is none."""
+        """Return a quantity of the rows, by its record or by its name.  Raises `InputError` for an unknown name."""
         if isinstance(quantity, str):
             if quantity not in known_quantities():
                 raise InputError(no_quantity(quantity))
@@ -174,17 +175,17 @@ class Run(SceneRun):
         return super().of(quantity)
 
     def compute(self) -> Run:
-        """Return the run with everything asked for computed: a pool sends it back whole."""
+        """Return the run after computing everything asked for, so that a worker process can send it back complete."""
         for name in self.asked:
             self.of(name)
         return self
 
     def plot(self, *names: str, exact: bool = False, ax: Any = None) -> Any:
-        """Return Axes with columns against time; with `exact` the motion itself as a line beside the rows.
+        """Return Axes with columns against time; with `exact`, the exact motion as a line beside the rows.
 
         Columns are those of the table, accelerations ("dw3") and points ("B.x", "B.vx", "B.ax"), asked for or not.
-        One Axes where all names (those of the velocities where none is given) have one unit, else an array, one a unit.
-        Drawn into `ax` where it is given.  Raises `InputError` for a name that the table does not have.
+        Returns one Axes if all `names` (the velocities if none are given) have one unit, else an array with one per unit.
+        Draws into `ax` if it is given.  Raises `InputError` for an unknown name.
 
         >>> import coursework
         >>> axes = coursework.solve("31").plot("w3", exact=True)
@@ -198,7 +199,7 @@ class Run(SceneRun):
     def to_excel(self, path: Path | str, *, language: str = "en") -> None:
         """Write the workbook that computes: data, table as formulas, the exact motion, checks and graphs.
 
-        Raises `NotToBeHad` without XlsxWriter, and where rows follow no formula; `OutputError` for a path that cannot be
+        Raises `NotToBeHad` without XlsxWriter, or if the rows follow no formula; `OutputError` for a path that cannot be
         written or does not end in .xlsx.
 
         >>> from pathlib import Path

@@ -1,1 +1,1 @@
-"""The desk: a server that answers in the browser while a variant is typed.  `serving/` talks, `answering/` computes beside it."""
+"""The desk: a server for a page on which a variant is typed.  `serving/` talks to the browser, `answering/` computes."""

@@ -1,4 +1,4 @@
-"""Files of one folder and none outside it: names that every system takes, no link followed out, never more than a bound.
+"""Files of one folder and none outside it: only names valid on every system, no links that lead out, a limited size.
 
 Enters: a folder and a name.  Leaves: a path, bytes.  Used by `folder.py`, `config.py` and `typed.py`.
 """
@@ -16,27 +16,27 @@ from coursework.grading.platforms.names import file_stem
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-MOST_NAMES = 500  # tables of a folder that are named to who asks for another
+MOST_NAMES = 500  # tables of a folder that are listed if a text names an unknown one
 _WORD = re.compile(r"[\w-]{1,60}")
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_NONBLOCK", "O_CLOEXEC", "O_BINARY"))
 
 
 def is_name(name: str) -> bool:
-    """Return whether a file may be called so: one word of letters, figures, - and _, and on no system a device."""
+    """Return whether a file may have this name: one word of letters, digits, - and _, and no name of a device on any system."""
     plain = unicodedata.normalize("NFKC", name)
     plain = plain if plain[:1].isalnum() else f"x{plain}"
     return _WORD.fullmatch(name) is not None and (not plain.isascii() or file_stem(plain) == plain)
 
 
 def refused_name(name: str) -> Sentence:
-    """Return what is told of a name that no file may have."""
+    """Return the sentence on a name that no file may have."""
     return say("fault.C084", name=name[:60])
 
 
 def read_inside(folder: Path, name: str, most: int) -> bytes | None:
-    """Return at most so many bytes and one more of a file of the folder, None where there is no regular file of this name.
+    """Return at most `most` + 1 bytes of a file of the folder, or None if there is no regular file of this name.
 
-    Raises `OSError` where it cannot be read.
+    The extra byte shows that the file is too large.  Raises `OSError` if it cannot be read.
     """
     if "/" in name or "\\" in name or "\0" in name or name.startswith("."):
         return None
@@ -52,7 +52,7 @@ def read_inside(folder: Path, name: str, most: int) -> bytes | None:
 
 
 class TablesOf(Mapping[str, bytes]):
-    """The tables that a text may name: those sent with it, then those of some folders, read when looked at."""
+    """The tables that a text may name, by file name: those sent with it, then those of `folders`, read only when needed."""
 
     def __init__(self, sent: Mapping[str, bytes], folders: tuple[Path, ...], most: int) -> None:
         self._sent, self._folders, self._most = sent, folders, most

@@ -1,6 +1,6 @@
-"""What the server hands to the processes that compute, and what it gets back.
+"""The records that the server sends to the processes that compute, and those that it gets back.
 
-Enters: what a browser asked.  Leaves: records that travel as lines.  Used by `serving/` and `answering/`.
+Enters: the request of a browser.  Leaves: records that are sent as lines.  Used by `serving/` and `answering/`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ JSON = "application/json"
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """One thing to be done: its `kind`, the `body` of the request (JSON), the language, whether the answer is compressed."""
+    """One task: its `kind`, the `body` of the request (JSON), the language, whether the answer is to be compressed (`packed`)."""
 
     kind: str
     body: Any = field(default_factory=dict)
@@ -28,7 +28,7 @@ class Job:
 
 @frozen
 class Answer:
-    """What goes back to the browser; `name` of a file to be kept, `packed`: compressed."""
+    """The answer for the browser; `name` of a file to be downloaded, "" for none; `packed`: the body is compressed."""
 
     status: int
     type: str
@@ -39,7 +39,7 @@ class Answer:
 
 @frozen
 class Bounds:
-    """What one job may take: `seconds` of processor time, `memory` in MiB beyond the start."""
+    """The limits of one job: `seconds` of processor time, `memory` in MiB beyond that at the start."""
 
     seconds: float
     memory: float
@@ -47,7 +47,7 @@ class Bounds:
 
 @frozen
 class Policy:
-    """What a desk offers; an empty `formats` is every one, an empty `language` that of the browser."""
+    """What a desk offers; empty `formats` mean all formats, an empty `language` means that of the browser."""
 
     equations: bool = True
     exact: bool = True
@@ -57,7 +57,7 @@ class Policy:
 
 @frozen
 class Setup:
-    """What each process knows: bounds, policy, and in `folder` where tables lie beside the text ("": nowhere)."""
+    """The settings of each process: bounds, policy, and the `folder` with the tables of a text ("" for none)."""
 
     bounds: Bounds
     policy: Policy = field(default_factory=Policy)
@@ -65,17 +65,17 @@ class Setup:
 
 
 def plain(status: int, content: Any) -> Answer:
-    """Return an answer of JSON."""
+    """Return an answer with `content` as JSON."""
     return Answer(status, JSON, json.dumps(content, ensure_ascii=False, allow_nan=False).encode("utf-8", "replace"))
 
 
 def told(status: int, language: str, key: str, /, **values: object) -> Answer:
-    """Return a refusal in one sentence."""
+    """Return an answer of one sentence, such as a refusal; `key` and `values` name the sentence and fill its gaps."""
     return plain(status, {"sentence": load_phrases(language).written(say(key, **values))})
 
 
 def fault_entry(code: str, sentence: str, line: int = 0, column: int = 0, mend: Any = None) -> dict[str, Any]:
-    """Return a fault as the browser shows it; what stands nowhere in the text has no line.
+    """Return a fault as the browser shows it; a fault without a place in the text (`line` 0) has no line.
 
     >>> [(one["line"], one["column"]) for one in (fault_entry("", "", 3, 7), fault_entry("", "", 3), fault_entry("", ""))]
     [(3, 7), (3, 1), (None, None)]
@@ -86,5 +86,5 @@ def fault_entry(code: str, sentence: str, line: int = 0, column: int = 0, mend: 
 
 
 def faulty(kind: str, faults: list[dict[str, Any]], **more: Any) -> Answer:
-    """Return the answer to a text with faults, and what `more` is known of it."""
+    """Return the answer to a text with faults; `more` are further entries of it."""
     return plain(OK, {"faults": faults, "summary": None, **({"page": None} if kind == "page" else {}), **more})

@@ -1,9 +1,9 @@
-"""What a department lets its desk offer: a small TOML file.
+"""The policy of a department for its desk, from a small TOML file.
 
-    equations = false            # nobody writes the equations for the student
+    equations = false            # the desk does not write the equations for the student
     exact = false                # no table without the scheme's error
-    formats = ["html", "csv"]    # what can be taken away
-    language = "uk"              # whatever the browser says
+    formats = ["html", "csv"]    # the formats that can be downloaded
+    language = "uk"              # used in place of the browser's language
 
 Enters: a path.  Leaves: `Policy`.  Raises `InputError` with every fault.  Used by `commands/desk.py`.
 """
@@ -24,7 +24,7 @@ from coursework.words.sentences import closest, load_phrases, say
 
 
 def read_policy(path: Path) -> Policy:
-    """Return what a file allows.  Raises `InputError`."""
+    """Return the policy in a file.  Raises `InputError`."""
     try:
         data = tomllib.loads(read_bytes(path).decode("utf-8-sig"))
     except ValueError as error:
@@ -37,7 +37,7 @@ def read_policy(path: Path) -> Policy:
 
 def _faults(data: dict[str, Any]) -> Iterator[Any]:
     known = [field.name for field in fields(Policy)]
-    for key, value in data.items():  # a language or a format that there is not is told by who knows them
+    for key, value in data.items():  # the functions called here raise an error for an unknown language or format
         if key not in known:
             yield say("fault.C082", key=key, hint=closest(key, known) or say("hint.known", known=", ".join(known)))
         elif key == "language":

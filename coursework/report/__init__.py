@@ -1,1 +1,1 @@
-"""Pages of a run: text and formulas, graphs, sections, the part that moves, and the files that are written."""
+"""Pages of a run: text and formulas, graphs, sections, the live part, and the files that are written."""

@@ -1,1 +1,1 @@
-"""What the processes behind the desk do: a job as data in, an answer as bytes out."""
+"""The work of the processes behind the desk: a job comes in as data, an answer goes out as bytes."""

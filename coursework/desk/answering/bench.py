@@ -1,6 +1,6 @@
-"""Inside a process of the desk: a job as plain data -> an answer, each under a budget of its own.
+"""The function that each process of the desk runs: a job as plain data -> an answer, each under its own budget.
 
-Enters: `Setup`, jobs.  Leaves: `Answer`s.  Every process of `serving/renderers.py` opens one, by name; nobody imports it.
+Enters: `Setup`, jobs.  Leaves: `Answer`s.  Every process of `serving/renderers.py` opens it by name; no module imports it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from coursework.system.plain_lines import record_of
 from coursework.words.errors import CourseworkError
 from coursework.words.sentences import say
 
-PACKED_FROM = 2000  # bytes, below which compressing an answer costs more than it saves
+PACKED_FROM = 2000  # bytes; compressing a shorter answer costs more than it saves
 KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
     "page": naming_terms("page", variant_page.page),
     "check": naming_terms("check", variant_page.check),
@@ -42,16 +42,16 @@ KINDS: dict[str, Callable[[Desk], dict[str, Any] | Answer]] = {
 
 @contextmanager
 def opened(plain_setup: Any) -> Iterator[Callable[[Any], Answer]]:
-    """Yield what answers one job after the other."""
+    """Yield a function that answers one job after the other."""
     setup = record_of(Setup, plain_setup)
     with suppress(OSError), Path("/proc/self/statm").open(encoding="ascii") as file:
-        held = int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")  # with all its libraries
-        limit_memory(2 * setup.bounds.memory, held)  # what is held is watched; this ends what grows between two looks
+        held = int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")  # bytes that the process holds with all its libraries
+        limit_memory(2 * setup.bounds.memory, held)  # stops growth between two looks of the watch
     yield lambda job: answer(record_of(Job, job), setup)
 
 
 def answer(job: Job, setup: Setup) -> Answer:
-    """Return what comes of a job: what a text breaks is told as its faults."""
+    """Return the answer to a job; errors caused by its text become faults of the text."""
     budget = Budget(setup.bounds.seconds, setup.bounds.memory)
     desk = Desk(job.body, job.language, setup)
     try:
@@ -63,7 +63,7 @@ def answer(job: Job, setup: Setup) -> Answer:
         return faulty(job.kind, [fault_entry("E002", desk.words.written(say("screen.memory")))])
     except Exception as error:
         place = traceback.extract_tb(error.__traceback__)[-1]
-        sys.stderr.write(f"{type(error).__name__} in {Path(place.filename).name}:{place.lineno}\n")  # no word of the text
+        sys.stderr.write(f"{type(error).__name__} in {Path(place.filename).name}:{place.lineno}\n")  # nothing of the text
         return told(FAULT, job.language, "desk.our_fault")
     found = made if isinstance(made, Answer) else plain(OK, made)
     if not job.packed or found.name or len(found.body) < PACKED_FROM:

@@ -1,5 +1,5 @@
-"""What may stand in a text, each word with one line of meaning: sections and keys of the schema, units, functions, quantities;
-and what can be started from: the catalogue with its pictures.
+"""The words that a text may contain, each with one line of meaning: sections and keys, units, functions, quantities;
+and the texts to start from: the catalogue with its pictures.
 
 Enters: a `Desk`, for its language.  Leaves: plain data.  Used by `bench.py`.
 """
@@ -26,7 +26,7 @@ from coursework.words.data_folders import folder
 from coursework.words.sentences import say
 
 _LISTED = "$defs"
-_LINES = {  # of sections whose names the author chooses: how a line of it is written
+_LINES = {  # example lines of sections in which the author chooses the names
     "given": ['r1 = "0.5 m"'],
     "drive": ['VMx = "0"', 'w1 = "n1"'],
     "coordinates": ['phi1 = { start = "0 rad", rate = "w1" }', 'x1 = { start = "0 m", rate = "u1", unit = "m" }'],
@@ -37,7 +37,7 @@ _LINES = {  # of sections whose names the author chooses: how a line of it is wr
 
 
 def keys(desk: Desk) -> dict[str, Any]:
-    """Return it in the language of the desk."""
+    """Return the words that a text may contain, with their meanings in the language of the desk."""
     schema = json_schema()
     written = desk.words.written
     sections = [_section(name, entry, schema[_LISTED], desk) for name, entry in schema["properties"].items()]
@@ -51,7 +51,7 @@ def keys(desk: Desk) -> dict[str, Any]:
 
 
 def _section(name: str, entry: dict[str, Any], models: dict[str, Any], desk: Desk) -> dict[str, Any]:
-    """Return a section with its keys; `many`: [[name]], `named`: the author chooses the names in it."""
+    """Return a section with its keys; "many": it is written [[name]]; "named": the author chooses the names in it."""
     found = dict.fromkeys(key for model in _models(entry, models) for key in models[model]["properties"])
     inner = {key: desk.words.template(f"desk.key.{name}_{key}") for key in found if desk.words.has(f"desk.key.{name}_{key}")}
     inner |= {key: desk.words.template(f"desk.key.{key}") for key in found if key not in inner}
@@ -62,7 +62,7 @@ def _section(name: str, entry: dict[str, Any], models: dict[str, Any], desk: Des
 
 
 def _models(entry: Any, models: dict[str, Any]) -> Iterator[str]:
-    """Yield the models that an entry of the schema leads to, those inside them too."""
+    """Yield the names of the models that an entry of the schema refers to, including models inside them."""
     if isinstance(entry, dict) and "$ref" in entry:
         name = str(entry["$ref"]).rpartition("/")[2]
         yield name
@@ -82,7 +82,7 @@ def _pairs(named: dict[str, str]) -> list[dict[str, str]]:
 
 
 def catalogue(desk: Desk) -> Answer:
-    """Return name, title, what each variant teaches, its links and groups, and its picture."""
+    """Return the variants of the catalogue: name, title, what each teaches, number of links, groups, picture."""
     return plain(OK, [
         {"name": one.name, "title": one.title, "teaches": one.teaches, **_drawn(one.name)} for one in entries(desk.language)
     ])  # fmt: skip

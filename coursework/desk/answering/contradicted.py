@@ -1,7 +1,7 @@
-"""Written equations that the geometry contradicts: which term differs and how, while the others keep their verdicts.
+"""Written equations that the geometry contradicts: which term differs and how; other equations keep their verdicts.
 
-Enters: a `Desk` and its faults.  Leaves: those faults, each at its term, and a verdict an equation.  Used by `bench.py`.
-The search is that of the grading, with the velocities that the geometry gives.  What would be right is not told.
+Enters: a `Desk` and its faults.  Leaves: those faults, each at its term, and a verdict per equation.  Used by `bench.py`.
+The search is that of the grading, with the velocities that the geometry gives.  The right term is not revealed.
 """
 
 from __future__ import annotations
@@ -38,14 +38,17 @@ from coursework.words.sentences import say
 
 CONTRADICTS = "V302"
 _OTHER_WAY = "fault.bound.other_way"
-_LONGEST = 60  # letters of a term within a sentence
-_MOST = 10  # wrong equations that are looked into, each for a tenth of a second at most
-Slip = tuple[Sentence, int]  # which term differs and how, and where it begins in the equation: 0 where none stands
+_LONGEST = 60  # characters of a term within a sentence
+_MOST = 10  # wrong equations that are searched, each for a tenth of a second at most
+Slip = tuple[Sentence, int]  # the sentence on a term that differs, and its column in the equation, 0 if it is missing there
 Answering = Callable[[Desk], dict[str, Any] | Answer]
 
 
 def naming_terms(kind: str, made: Answering) -> Answering:
-    """Return what answers as `made` does, and where equations contradict the geometry says which term of each differs."""
+    """Return a function that answers as `made` does, but names the differing term of equations that contradict the geometry.
+
+    `kind` is that of the job.
+    """
 
     def answer(desk: Desk) -> dict[str, Any] | Answer:
         try:
@@ -61,7 +64,7 @@ def naming_terms(kind: str, made: Answering) -> Answering:
 def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
     wrong = {str(fault.message.values["name"]): fault for fault in error.faults}
     agreed, slips = tuple[str, ...](), dict[str, Slip]()
-    with suppress(CourseworkError):  # what is left may be no mechanism
+    with suppress(CourseworkError):  # without the wrong equations the text may describe no mechanism
         right = _without(wrong, desk.variant)
         agreed = agreed_of(make_run(right, quantities=[TABLE.name]))
         judge, written = Judge(key_of(right)), [one for one in desk.variant.constraints if not one.is_closure]
@@ -79,7 +82,7 @@ def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
 
 
 def _without(names: Collection[str], variant: Variant) -> Variant:
-    """Return the variant with what the geometry says in the place of some of its equations."""
+    """Return the variant with the equations `names` replaced by those that follow from the geometry."""
     rest = replace(variant, constraints=tuple(one for one in variant.constraints if one.name not in names))
     found = differentiate(build(rest))
     more = tuple(Constraint(one.name, one.because, *one.shown(found.order)) for one in lacking(found))
@@ -87,12 +90,12 @@ def _without(names: Collection[str], variant: Variant) -> Variant:
 
 
 def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], desk: Desk) -> Slip | None:
-    """Return what alone is wrong with an equation; a slip that would make it one of the `others` is none."""
+    """Return the one slip in an equation, or None; a change that would make it equal to one of the `others` does not count."""
     tree = Formula("-", one.sides)
     text, probe = _text(one, desk)[1], judge.off_closure
     for edit in judge.slips(tree, text):
         mended = linear(applied(tree, edit), probe)
-        # A name that is zero in the place of another, or sin(pi) before it, says that nothing belongs there.
+        # A replacement that is zero, such as a zero name or a factor sin(pi), means that the term does not belong there.
         is_nothing = edit.kind in {"name", "factor"} and np.all(np.abs(value_of(edit.replacement, probe.names)) < NOTHING)
         if mended.residual <= RIGHT and not is_nothing and not any(is_same(mended, other) for other in others):
             column = column_as_handed_in(text, text, edit.column, is_sign=True) if edit.kind == "sign" else edit.column
@@ -102,7 +105,7 @@ def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], desk: Desk) -
 
 
 def _edited(tree: Formula, edit: Edit) -> Formula:
-    """Return what an edit is about: a name or a call itself, else the term that it changes."""
+    """Return the part of a formula to show for an edit: the edited name or call itself, else the term that it changes."""
     term = tree
     for place in edit.path:
         within, tree = tree.op, tree.args[place]
@@ -120,22 +123,22 @@ def _shown(term: Formula) -> str:
 
 
 def _entry(fault: Fault, slip: Slip, desk: Desk) -> dict[str, Any]:
-    """Return a fault at the term that differs, on the whole line where a term is missing."""
+    """Return a fault at the term that differs, or at the begin of the equation if a term is missing."""
     how, column = slip
     name, sections, about = (fault.message.values[name] for name in ("name", "sections", "about"))
     about = about if isinstance(about, Sentence) and about.key == _OTHER_WAY else ""
     sentence = desk.words.written(say("desk.equation_differs", name=name, sections=sections, how=how, about=about))
     own = next(one for one in desk.variant.constraints if one.name == name)
     begin, text = _text(own, desk)
-    # What is missing is so between the quotes.
+    # The place of a missing term is the text between the quotes.
     line, place = line_and_column(desk.text, begin + column - 1) if text else (fault.line, 0)
     return fault_entry(fault.code, sentence, line, place)
 
 
 def _text(one: Constraint, desk: Desk) -> tuple[int, str]:
-    """Return where the text of an equation begins (letters from 0) and the text, "" where escapes stand in it."""
+    """Return the offset (from 0) and the text of an equation; (0, "") if it contains escapes."""
     place = desk.variant.constraints.index(one)
     begin, end = place_of(desk.text, ("constraint", place, one.key)) or (0, 0)
-    begin += desk.text.startswith("\n", begin)  # behind three quotes, where it is no part of the value
+    begin += desk.text.startswith("\n", begin)  # a line break after three quotes is not part of the value
     text = desk.text[begin:end]
     return (begin, text) if "\\" not in text else (0, "")

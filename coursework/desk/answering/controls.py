@@ -1,6 +1,6 @@
-"""The data of a text that can be moved: what each is, how far, and where it stands in the text.
+"""The sliders for the data of a text: what each datum is, its range, and its place in the text.
 
-Enters: a `Desk` whose text has no faults.  Leaves: a plain record a datum or start value.
+Enters: a `Desk` whose text has no faults.  Leaves: a plain record per datum or start value.
 Used by `variant_page.py` and `drag.py`.
 """
 
@@ -21,12 +21,12 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 
 MOST = 80
-_FEWEST = 50  # places of a slider
+_FEWEST = 50  # least number of places of a slider
 
 
 @frozen
 class Written:
-    """A number that the file writes: where (`path`), `text` and `unit` as it has them, what it measures (`si`)."""
+    """A number written in the file: its `path`, its `text` and `unit` as written, and the SI unit of what it measures (`si`)."""
 
     path: KeyPath
     text: str
@@ -40,21 +40,21 @@ class Written:
 
     @property
     def digits(self) -> int:
-        """Return how many decimals the file writes."""
+        """Return the number of decimals that the file writes."""
         return len(self.text.partition(".")[2])
 
     @property
     def size(self) -> float:
-        """Return what one of its unit is in SI."""
+        """Return the size of its unit in SI."""
         return size_of(self.unit) or 1.0
 
     def spelled(self, value: float, decimals: int) -> str:
-        """Return another value (SI) as the file writes it."""
+        """Return another value (SI) in the unit of the file, with `decimals`."""
         return f"{value / self.size:.{decimals}f} {self.unit}".rstrip()
 
 
 def written_numbers(variant: Variant) -> Iterator[Written]:
-    """Give the data of the task sheet and the start values that the file writes, in its order."""
+    """Yield the data of the task sheet, then the start values that the file writes, in its order."""
     for given in variant.given:
         yield Written(("given", given.name), given.text, given.unit, given.si)
     for one in variant.coordinates:
@@ -63,7 +63,7 @@ def written_numbers(variant: Variant) -> Iterator[Written]:
 
 
 def controls(desk: Desk) -> list[dict[str, Any]]:
-    """Return what can be moved, with the words for it in the language of the desk."""
+    """Return the sliders, at most `MOST`, each with its title in the language of the desk."""
     mechanism, said = desk.run.scene.mechanism, desk.variant.texts.get(desk.language)
     means = meanings(mechanism) | coordinate_meanings(mechanism) | (dict(said.means) if said else {})
     shown = islice(written_numbers(desk.variant), MOST)

@@ -1,6 +1,6 @@
-"""The velocity equations that the geometry of a text gives, written into it with their reasons; and what it says of written ones.
+"""The velocity equations that follow from the geometry of a text, written into it with reasons; verdicts on written ones.
 
-Enters: a `Desk`.  Leaves: the text with them; a verdict an equation.  Used by `bench.py`, `contradicted.py`, `variant_page.py`.
+Enters: a `Desk`.  Leaves: the text with them; a verdict per equation.  Used by `bench.py`, `contradicted.py`, `variant_page.py`.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ from coursework.variant.formula.tree import spelled
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-ROWS, SPREAD = 4, 0.1  # positions about the start at which equations are compared, and how far (rad, m)
+ROWS, SPREAD = 4, 0.1  # number of positions near the start at which equations are compared, and their distance (rad, m)
 _GEOMETRY = re.compile(r"^(?:#[^\n]*\n+)?\[(?:points|links|frame|closure|ask)\]", re.M)
 
 
 def equations(desk: Desk) -> dict[str, Any] | Answer:
-    """Return the text with the equations which the written ones lack, as it is where they lack none."""
+    """Return the text with the equations that the written ones lack; it is unchanged if they lack none."""
     if not desk.setup.policy.equations:
         return told(FORBIDDEN, desk.language, "desk.not_offered")
     lines = lacking_lines(desk)
@@ -39,7 +39,7 @@ def equations(desk: Desk) -> dict[str, Any] | Answer:
 
 
 def lacking_lines(desk: Desk) -> list[str]:
-    """Return the equations which the written ones lack, as a text has them."""
+    """Return the equations that the written ones lack, as lines of a text."""
     found = differentiate(build(desk.variant))
     kept = [one for one in lacking(found) if _parts(one, found) <= MOST_PARTS]
     taken = {constraint.name for constraint in desk.variant.constraints}
@@ -48,12 +48,12 @@ def lacking_lines(desk: Desk) -> list[str]:
 
 
 def lacking(found: VelocityEquations) -> Iterator[VelocityEquation]:
-    """Give the derived equations that are independent of the written ones, and of those before them."""
+    """Yield the derived equations that are independent of the written ones and of those yielded before."""
     own = {constraint.name for constraint in found.variant.constraints}
     written = [one for one in found.equations if one.name in own]
     derived = [one for one in (*found.equations, *found.from_closure, *found.bound) if one.name not in own]
     if found.variant.groups or not derived:
-        return  # a chain stands for its equations
+        return  # a chain of groups needs no written equations
     start = np.array(start_values(found))
     about = start + SPREAD * np.sin(np.arange(ROWS * len(start)).reshape(ROWS, len(start)))
     matrices, *_ = compile_system(found, [*written, *derived]).matrices(np.zeros(ROWS), about)
@@ -85,7 +85,7 @@ def _written(name: str, one: VelocityEquation, found: VelocityEquations, desk: D
 
 
 def _line(desk: Desk) -> int:
-    """Return the line behind which equations stand: the last one written, else that before the geometry."""
+    """Return the line after which equations are added: the end of the last one written, else the line before the geometry."""
     if desk.variant.constraints:
         last = max(constraint.line for constraint in desk.variant.constraints)
         following = desk.text.split("\n")[last:]
@@ -95,7 +95,7 @@ def _line(desk: Desk) -> int:
 
 
 def verdicts(desk: Desk) -> list[dict[str, Any]]:
-    """Return of each written equation what the geometry says of it: right, or nothing (None)."""
+    """Return for each written equation whether the geometry confirms it (True) or says nothing about it (None)."""
     return judged(desk, agreed_of(desk.run), {})
 
 
@@ -106,7 +106,7 @@ def agreed_of(run: Run) -> tuple[str, ...]:
 
 
 def judged(desk: Desk, agreed: Collection[str], wrong: Mapping[str, Sentence | str]) -> list[dict[str, Any]]:
-    """Return what is told beside each written equation: it is `agreed` on, nothing judges it, or how it is `wrong`."""
+    """Return the verdict beside each written equation: confirmed (in `agreed`), not judged, or `wrong` with its sentence."""
     found = []
     for one in desk.variant.constraints:
         if one.is_closure:

@@ -1,7 +1,7 @@
-"""A joint dragged: the start values, or the lengths, with which it comes as near as it can to where the hand is.
+"""A joint dragged: the start values, or the lengths, with which it comes as near as possible to the pointer.
 
-Enters: a `Desk`, a joint, a place (m).  Leaves: the text with other values, where the joint is then.  Used by `bench.py`.
-By damped least squares; what geometry determines follows, so that a closed chain stays closed.
+Enters: a `Desk`, a joint, a place (m).  Leaves: the text with new values, and the place that the joint reaches.
+By damped least squares; values that geometry determines follow, so that a closed chain stays closed.  Used by `bench.py`.
 """
 
 from __future__ import annotations
@@ -30,15 +30,15 @@ from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-MOST_STEPS, CLOSE = 12, 1e-4  # corrections; of the mechanism's size, nearer than which nobody sees a difference
-NUDGE, WIDEST = 1e-5, 0.6  # rad or m: of a derivative, and of one correction
-FINE = 1e-3  # rad or m, to which start values are written at least
+MOST_STEPS, CLOSE = 12, 1e-4  # number of corrections; parts of the mechanism's size, a smaller distance is not seen
+NUDGE, WIDEST = 1e-5, 0.6  # rad or m: step of a difference quotient, and largest correction
+FINE = 1e-3  # rad or m: start values are written at least so finely
 _HARDER, _EASIER, _STUCK = 10.0, 0.2, 1e3
 At = Callable[[Array], complex]
 
 
 def drag(desk: Desk) -> dict[str, Any]:
-    """Return `text`, `ranges`, the place `reached`, and a `sentence` where nothing moves the joint."""
+    """Return `text` and `ranges`, the place `reached`, whether that is `near`, and a `sentence` if the joint did not move."""
     variant, joint, place = desk.variant, str(desk.body["joint"]), complex(*desk.body["place"])
     lengths = desk.body.get("free") is True
     before = _places(variant)
@@ -78,16 +78,16 @@ def _value(one: Written) -> float:
 
 
 def _moved(variant: Variant, moving: Sequence[Written], values: Array) -> Variant:
-    """Return the variant with other values (SI); starts that its geometry determines follow.  Raises `InputError`."""
+    """Return the variant with other values (SI); start values that its geometry determines follow.  Raises `InputError`."""
     changed = {one.name: value for one, value in zip(moving, values.tolist(), strict=True)}
     return variant.with_data(given=changed) if moving and moving[0].path[0] == "given" else variant.with_data(start=changed)
 
 
 def _sketched(variant: Variant, moving: Sequence[Written], values: Array) -> Variant:
-    """Return what `_moved` does where points are all that is asked for: no file is read again.  Raises `ArithmeticError`."""
+    """Return a variant as `_moved` does, but faster, as only its points are needed.  Raises `ArithmeticError`."""
     now = {one.name: value for one, value in zip(moving, values.tolist(), strict=True)}
     if any(now.get(one.name, 1.0) <= 0 < one.value for one in variant.given):
-        raise ArithmeticError  # a link without a length
+        raise ArithmeticError  # a length would not be positive
     given = tuple(replace(one, value=now[one.name]) if one.name in now else one for one in variant.given)
     follow = follow_from(variant, [one.path for one in moving])
     starts = tuple(
@@ -98,7 +98,7 @@ def _sketched(variant: Variant, moving: Sequence[Written], values: Array) -> Var
 
 
 def _places(variant: Variant) -> dict[str, complex]:
-    """Return where the points of a mechanism are at the start (m).  Raises `InputError` where it does not close."""
+    """Return the places of the points at the start (m).  Raises `InputError` if the mechanism does not close."""
     scene = Scene(variant, Settings())
     outline = read_outline(scene.mechanism)
     poses = read_poses(outline, scene.equations)(np.zeros(1), np.array([scene.start])) if outline else None
@@ -106,7 +106,7 @@ def _places(variant: Variant) -> dict[str, complex]:
 
 
 def _nearest(at: At, begin: Array, place: complex, size: float) -> Array | None:
-    """Return the values nearest to `begin` that bring a point nearest to a place, None where none of them moves it."""
+    """Return values, starting from `begin`, that bring the point `at` nearest to `place`; None if no value moves it."""
     values, point, damping = begin, at(begin), 1e-3
     slopes = _slopes(at, begin, point)
     if not np.any(np.abs(slopes) > CLOSE):
@@ -129,7 +129,7 @@ def _nearest(at: At, begin: Array, place: complex, size: float) -> Array | None:
 
 
 def _closing(at: At, begin: Array, nearest: Array, moving: Sequence[Written]) -> Array:
-    """Return the values as the file writes them, so much nearer to `begin` that the mechanism still closes with them."""
+    """Return the values rounded as the file writes them, moved back towards `begin` until the mechanism closes with them."""
     for share in (1.0, 0.98, 0.95, 0.9, 0.8, 0.5):
         values = (begin + share * (nearest - begin)).tolist()
         found = np.array([round(v / one.size, _decimals(one)) * one.size for one, v in zip(moving, values, strict=True)])
@@ -148,14 +148,14 @@ def _slopes(at: At, values: Array, point: complex) -> Complex:
 
 
 def _tried(at: At, values: Array) -> complex | None:
-    """Return where a point is with other values, None where the mechanism does not close with them."""
+    """Return the place of a point with other values, None if the mechanism does not close with them."""
     with suppress(InputError, ArithmeticError):
         return point if cmath.isfinite(point := at(values)) else None
     return None
 
 
 def _written(variant: Variant, after: Variant, moving: Sequence[Written], values: Array) -> dict[KeyPath, str]:
-    """Return what the file has to write, with the decimals it has: those that moved, and starts that follow from them."""
+    """Return the new texts of values that moved, and of start values that follow from them, with the decimals of the file."""
     starts = dict(zip((one.name for one in after.coordinates), Scene(after, Settings()).start, strict=True))
     now = {one.name: value for one, value in zip(moving, values.tolist(), strict=True)}
     found: dict[KeyPath, str] = {}

@@ -1,6 +1,6 @@
-"""Single values of a text replaced, and lines added: the new text, and what in it is new.
+"""Single values of a text replaced, and lines added: the new text, and the ranges that are new in it.
 
-Enters: a text, values by their path.  Leaves: the text, places in it (line and column from 1, the end excluded).
+Enters: a text, values by their path.  Leaves: the new text, places in it (line and column from 1, the end excluded).
 Used by `contradicted.py`, `controls.py`, `derived.py`, `drag.py`, `pieces.py` and `point_pieces.py`.
 """
 
@@ -14,13 +14,13 @@ from coursework.system.frozen import frozen
 from coursework.variant.toml.positions import KeyPath, locate
 from coursework.variant.toml.rewriting import place_of
 
-Piece = tuple[int, int, str]  # where a part of a text begins and ends (letters from 0), and what comes there
-TABLES = ("group", "constraint")  # sections that there may be several of: what is added brings its own head
+Piece = tuple[int, int, str]  # begin and end of a part of a text (offsets from 0), and the text that replaces it
+TABLES = ("group", "constraint")  # sections that may occur several times: added lines bring their own head
 
 
 @frozen
 class Additions:
-    """What a text gets: lines at the end of `sections`, values as written at the end of lists (`entries`), other `values`."""
+    """Changes of a text: lines to add to `sections`, values as written to add to lists (`entries`), `values` to replace."""
 
     sections: dict[str, list[str]]
     entries: dict[KeyPath, list[str]] = field(default_factory=dict)
@@ -28,7 +28,7 @@ class Additions:
 
 
 def value_place(text: str, path: KeyPath) -> dict[str, int] | None:
-    r"""Return where a value stands, None where the file does not write it.
+    r"""Return the place of a value in the text, None if the text does not write it.
 
     >>> value_place('[given]\nr = 2.5', ("given", "r")), value_place('[given]\nr = 2.5', ("given", "s"))
     ({'line': 2, 'column': 5, 'end_line': 2, 'end_column': 8}, None)
@@ -38,22 +38,22 @@ def value_place(text: str, path: KeyPath) -> dict[str, int] | None:
 
 
 def with_values(text: str, values: Mapping[KeyPath, str]) -> dict[str, Any]:
-    """Return the `text` with other values in their places, and their `ranges`; what the file does not write stays unwritten."""
+    """Return the `text` with `values` in their places, and their `ranges`; values that the text does not write are left out."""
     found = ((place_of(text, path), value) for path, value in values.items())
     return changed(text, [(*place, value) for place, value in found if place is not None])
 
 
 def with_lines(text: str, behind: int, lines: Iterable[str]) -> dict[str, Any]:
-    """Return the `text` with lines behind one of it (from 1), and their `ranges`."""
+    """Return the `text` with `lines` added after line `behind` (from 1), and their `ranges`."""
     own = text.split("\n")[:behind]
     at = len("\n".join(own))
     return changed(text, [(at, at, "".join(f"\n{line}" for line in lines))])
 
 
 def with_additions(text: str, more: Additions) -> dict[str, Any]:
-    """Return the `text` with lines and values at the ends of its sections and lists, and their `ranges`.
+    """Return the `text` with the changes `more`, and their `ranges`.
 
-    A section that is missing comes last.
+    A section that is missing is added at the end.
     """
     found = locate(text)
     last = {str(path[0]): 0 for path in found.keys}
@@ -82,12 +82,12 @@ def with_additions(text: str, more: Additions) -> dict[str, Any]:
 
 
 def _gap(before: str) -> str:
-    """Return what stands before the end of a list whose author left a space after its beginning."""
+    """Return the space before the end of a list, if its author left one after its beginning, else ""."""
     return " " if before.startswith(" ") else ""
 
 
 def changed(text: str, pieces: list[Piece]) -> dict[str, Any]:
-    """Return the `text` with its pieces changed, and the `ranges` of what is new."""
+    """Return the `text` with the `pieces` replaced, and the `ranges` of the new parts."""
     new, grown, spans = text, 0, []
     for begin, end, value in sorted(pieces):
         new = new[: begin + grown] + value + new[end + grown :]

@@ -1,6 +1,6 @@
-"""A fault that says "Did you mean …?", which section is missing, or how a line has to be written -> the change that does it.
+"""A fault that says "Did you mean …?", which section is missing, or how to write a line -> the change that mends it.
 
-Enters: a fault and the lines of the text.  Leaves: where to put what, or None.  Used by `typed.py`.
+Enters: a fault and the lines of the text.  Leaves: the place and the new text, or None.  Used by `typed.py`.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from coursework.words.sentence import Sentence
 
 _ADVICE, _COMMA = "hint.closest", "V106"
 _MISSING, _NOTHING_WRITTEN, _TOO_FEW = "V012", "V072", "V404"
-_BEGUN = {  # how a section begins that no file can do without
+_BEGUN = {  # the begin of each section that no file can do without
     "coordinates": '[coordinates]\nphi1 = { start = "0 rad", rate = "w1" }',
     "time": '[time]\nstep = "0.02 s"\nend  = "0.48 s"',
-    # what stands first on a task sheet
+    # the first data on a task sheet
     "given": '[given]\nr1 = "0.5 m"\nV1 = "1 m/s"\np  = "10 1/s"\n\n[drive]\nVMx = "0"\nVMy = "V1*sin(p*t)"',
     "constraint": '[[constraint]]\nbecause  = ""\nequation = ""',
 }
 _UNQUOTED = re.compile(r"""^(\s*(?:[\w-]+|"[^"]*")\s*=\s*)([^\s"'\[{#](?:[^"'\[\]{}#]*[^\s"'\[\]{}#])?)""")
 _NUMBER = re.compile(r"[-+]?[\d.]+")
-_ONE_SIGN = {  # what stands at the column of a fault in a formula, and what has to stand there
+_ONE_SIGN = {  # by code of a fault in a formula: the sign at its column, and the sign to be written there
     "V116": (re.compile(""), ")"),
     "V120": (re.compile(""), "*"),
     "V121": (re.compile(r"(?<=\d),(?=\d)"), "."),
@@ -37,9 +37,9 @@ Mend = dict[str, Any]
 
 
 def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]:
-    """Return of each fault `line`, `column`, `end_line`, `end_column` (from 1, end excluded), the `text` to stand there; or None.
+    """Return the mend of each fault, or None: `line`, `column`, `end_line`, `end_column` (from 1, end excluded), new `text`.
 
-    A section that only has another name in the text is not begun anew.
+    A missing section is not added if another fault says that it is only misspelled in the text.
     """
     meant = [_meant(fault) for fault in faults]
     return [
@@ -69,7 +69,7 @@ def _beginning(fault: Fault, lines: Sequence[str], meant: Sequence[str | None]) 
 
 
 def appended(text: str, lines: Sequence[str]) -> Mend:
-    """Return the mend that puts a section behind all others."""
+    """Return the mend that adds a section at the end."""
     gap = "" if not any(lines) else "\n" if not lines[-1] else "\n\n"
     return _put(len(lines), len(lines[-1]), len(lines[-1]), f"{gap}{text}\n")
 
@@ -79,14 +79,14 @@ def _put(line: int, begin: int, end: int, text: str) -> Mend:
 
 
 def _one_sign(fault: Fault, line: str) -> Mend | None:
-    """Return the mend of a formula that lacks one sign, or has one too many or another one."""
+    """Return the mend of a formula in which one sign is missing, superfluous or wrong."""
     wrong, right = _ONE_SIGN.get(fault.code, (None, ""))
     found = wrong.match(line, fault.column - 1) if wrong is not None else None
     return None if found is None else _put(fault.line, *found.span(), right)
 
 
 def _rewritten(fault: Fault, line: str) -> Mend | None:
-    """Return the mend of a line whose fault says how it has to be written: what stands there in another spelling."""
+    """Return the mend of a line whose fault says how a part of it has to be written."""
     found = _spelling(fault, line)
     if found is None or found[0] not in line:
         return None
@@ -95,7 +95,7 @@ def _rewritten(fault: Fault, line: str) -> Mend | None:
 
 
 def _spelling(fault: Fault, line: str) -> tuple[str, str] | None:
-    """Return what of a line has to be written otherwise, and how."""
+    """Return the part of a line that has to be written otherwise, and its new spelling; None if the fault does not say that."""
     advice = {one.key.removeprefix("fault.toml."): one.values for one in _sentences(fault.message)}
     if fault.code == _COMMA:
         return str(fault.message.values["found"]), str(fault.message.values["advised"])
@@ -131,7 +131,7 @@ def _sentences(message: Sentence) -> Iterator[Sentence]:
 
 
 def _words(message: Sentence) -> Iterator[str]:
-    """Give what a fault speaks about, and the words of it: "3.37 rd" and "rd"."""
+    """Yield the texts that a fault quotes, and the words in them: "3.37 rd", "3.37" and "rd"."""
     for value in message.values.values():
         if isinstance(value, str) and not isinstance(value, Sentence):
             yield from dict.fromkeys(word for word in (value, *value.split()) if word)

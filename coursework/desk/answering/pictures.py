@@ -1,6 +1,6 @@
-"""A mechanism as a small picture that moves: its bars, wheels, pivots and guides, in the ink of whoever shows it.
+"""A mechanism as a small animated picture: its bars, wheels, pivots and guides, in the text colour of the page around it.
 
-Enters: a `Scene`.  Leaves: SVG, whose animation stands until it is started.  Used by `completion.py`.
+Enters: a `Scene`.  Leaves: SVG, whose animation waits until it is started.  Used by `completion.py`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from coursework.drawing.outline.tracing import read_outline
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Complex
 
-SIZE, ROOM = 100.0, 9.0  # of the square, and what stays free at its edge, in its own measure
+SIZE, ROOM = 100.0, 9.0  # units of the picture: side of the square, and margin that stays free
 JOINT, BLOCK = 1.8, 1.7
 FRAMES, SECONDS = 24, 4
 _HEAD = (
@@ -25,7 +25,7 @@ _HEAD = (
 
 
 def picture(scene: Scene) -> str:
-    """Return the picture, "" where a file places no points."""
+    """Return the picture, "" if the file places no points."""
     outline = read_outline(scene.mechanism)
     if outline is None or not outline.names:
         return ""
@@ -39,7 +39,7 @@ def picture(scene: Scene) -> str:
 
 
 class _Picture:
-    """Places on the picture, frame by frame."""
+    """The picture of an outline, with its places frame by frame."""
 
     def __init__(self, outline: Outline, poses: Poses) -> None:
         radii = {wheel.centre: float(abs(poses.at[wheel.contact][0] - poses.at[wheel.centre][0])) for wheel in outline.wheels}
@@ -53,11 +53,11 @@ class _Picture:
         self.at = {name: self.put(places) for name, places in poses.at.items()}
 
     def put(self, places: Complex) -> Complex:
-        """Return places (m) on the picture, whose middle is that of the mechanism."""
+        """Return places given in m in units of the picture, whose middle is that of the mechanism."""
         return np.asarray(((places - self.middle) * self.scale).conjugate() + (1 + 1j) * SIZE / 2)
 
     def parts(self) -> Iterator[str]:
-        """Yield the lines of the picture."""
+        """Yield the elements of the SVG, from its opening to its closing tag."""
         outline = self.outline
         yield _HEAD
         for rail in outline.rails:
@@ -91,7 +91,7 @@ class _Picture:
 
 
 def _line(poses: Poses, slot: Slot) -> tuple[Complex, Complex]:
-    """Return the ends of what riders slide on (m), frame by frame."""
+    """Return the ends of the line on which riders slide (m), frame by frame."""
     along = poses.along(slot.base, slot.toward)
     beside, low, high = poses.line(slot)
     start = poses.at[slot.at] + 1j * along * beside

@@ -1,6 +1,6 @@
-"""Pieces to build from, groups and what is none: a picture of each, and its lines put into a text, on points that it has.
+"""Pieces to build from, groups and others: a picture of each, and its lines added to a text, attached to points of the text.
 
-Enters: a `Desk`, a kind, the points it hangs on.  Leaves: the text with it.  Used by `bench.py`.
+Enters: a `Desk`, a kind, the points to which the piece is attached.  Leaves: the text with it.  Used by `bench.py`.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 ASKED = (TABLE, PLOTS, CHECKS, GRAPH_CHECK, ACCELERATIONS, POINTS)
-STILL = 1e-9  # m: a point that goes less far stands
+STILL = 1e-9  # m: a point that moves less stands still
 DRIVEN = next(kind for kind, shape in GROUP_SHAPES.items() if shape.driven)
-# The group that is a rod and a slider in a guide of the frame.
+# The group of a rod and a slider in a guide of the frame.
 ROD = next(kind for kind, shape in GROUP_SHAPES.items() if (shape.points, shape.lengths, shape.guides) == (1, (1,), 1))
 
 
 def pieces(desk: Desk) -> Answer:
-    """Return each kind with its title, its picture, and what it asks: the point it hangs on."""
+    """Return each kind with its title, its picture, and what it asks for: the point to which it is attached."""
     return plain(OK, [*(_group(kind, desk) for kind in GROUP_KINDS), *_by_points(desk)])
 
 
@@ -52,7 +52,7 @@ def _group(kind: str, desk: Desk) -> dict[str, Any]:
 
 
 def _by_points(desk: Desk) -> Iterator[dict[str, Any]]:
-    """Yield the pieces that are no groups, each drawn on the one before it."""
+    """Yield the pieces that are not groups, each drawn attached to the one before it."""
     text, on = "", ""
     for kind, on in zip(ASKS, ("", "A", "B"), strict=True):
         text = piece(Desk({"kind": kind, "on": [on] if on else [], "text": text}, desk.language, desk.setup))["text"]
@@ -70,12 +70,12 @@ def _alone(kind: str, desk: Desk) -> str:
     if kind in ASKS:
         return led(desk.name, desk.words.written, [one.name for one in ASKED])
     draft = draft_of([DRIVEN] if kind == DRIVEN else [DRIVEN, kind])
-    # Above it stands how a terminal runs it, and of what it is a chain: the one is not needed here, the other not for long.
+    # The first line, on how to run the file in a terminal and on its chain, is dropped: the desk does not need it.
     return text_of(draft, desk.name, desk.words.written, [one.name for one in ASKED]).partition("\n")[2]
 
 
 def piece(desk: Desk) -> dict[str, Any]:
-    """Return `text` and `ranges` with one more piece, and a `sentence` where it cannot be had there."""
+    """Return `text` and `ranges` with one more piece, or a `sentence` if it cannot be attached there."""
     kind, hung = str(desk.body["kind"]), [str(name) for name in desk.body["on"]]
     if kind not in GROUP_KINDS and kind not in ASKS:
         return _without(desk, say("desk.no_file", name=kind[:40]))
@@ -97,12 +97,12 @@ def piece(desk: Desk) -> dict[str, Any]:
     number = max((*digits, *(int(link.name) for link in desk.variant.links if link.name.isdecimal())), default=0) + 1
     if kind in ASKS and not (kind == GUIDE and desk.variant.groups):
         return _put_to(kind, hung[0], known, number, taken, desk)
-    beside = [*known.values()][-1:] if kind == DRIVEN else []  # so that it does not stand on another
+    beside = [*known.values()][-1:] if kind == DRIVEN else []  # so that it stands clear of the others
     return _hang(ROD if kind == GUIDE else kind, [known[name] for name in hung] or beside, number, taken, desk)
 
 
 def _put_to(kind: str, on: str, known: dict[str, End], number: int, taken: set[str], desk: Desk) -> dict[str, Any]:
-    """Return the text with a piece that is no group; where it has equations of its own, with those of the piece too."""
+    """Return the text with a piece that is not a group, and with equations for it if the text has written equations."""
     letter = next(letter for letter in letters() if letter not in taken)
     slider = slider_of(desk.variant, on)
     if kind == GUIDE:
@@ -120,7 +120,7 @@ def _put_to(kind: str, on: str, known: dict[str, End], number: int, taken: set[s
 
 
 def _hang(kind: str, ends: list[End], number: int, taken: set[str], desk: Desk) -> dict[str, Any]:
-    """Return the text with one more group."""
+    """Return the text with one more group on `ends`, or a sentence if the group does not close."""
     try:
         draft = draft_on(kind, ends, taken, number)
     except (DoesNotClose, CourseworkError, ArithmeticError):
@@ -136,7 +136,7 @@ def _without(desk: Desk, why: Sentence) -> dict[str, Any]:
 
 
 def _ends(scene: Scene) -> dict[str, End]:
-    """Return the points that something may hang on, along the motion."""
+    """Return the points to which a piece may be attached, with their paths; empty if they or the motion are not known."""
     outline, motion = read_outline(scene.mechanism), scene.exact
     if outline is None or not len(motion.t) or not all_rows(scene.equations, motion):
         return {}

@@ -1,6 +1,6 @@
-"""Pieces that are no groups: a driven point, a rod with a slider in a straight guide, a wheel that rolls beneath a slider.
+"""Pieces that are not groups: a driven point, a rod with a slider in a straight guide, a wheel that rolls beneath a slider.
 
-Enters: a text's variant, the point a piece hangs on with its path.  Leaves: what the text gets.  Used by `pieces.py`.
+Enters: a text's variant, the point to which a piece is attached, with its path.  Leaves: additions.  Used by `pieces.py`.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from coursework.words.sentences import say
 from coursework.words.templates import filled
 
 POINT, GUIDE, WHEEL = "point", "guide", "wheel"
-ASKS = {POINT: "", GUIDE: "desk.piece.hangs", WHEEL: "desk.piece.centre"}  # what each asks for: a point of the text
-# Length of a rod and radius of a wheel, in parts of how far their point goes from its middle, or of a quarter of the mechanism.
+ASKS = {POINT: "", GUIDE: "desk.piece.hangs", WHEEL: "desk.piece.centre"}  # keys of the words that ask for a point of the text
+# Length of a rod and radius of a wheel, in parts of `size_about`.
 REACH, ROUND = 2.5, 0.25
 Said = Callable[[str], str]
 
 
 def led(name: str, said: Said, asked: Sequence[str]) -> str:
-    """Return a whole text whose point M a drive moves; two links hold it."""
+    """Return a whole text with a point M that a drive moves and two links hold."""
     text = filled(
         "new-point.toml.j2", name=name, asked=asked, schemes=SCHEME_NAMES, say=lambda key, **values: said(say(key, **values))
     )
@@ -36,15 +36,15 @@ def led(name: str, said: Said, asked: Sequence[str]) -> str:
 
 
 def size_about(end: End, ends: Collection[End]) -> float:
-    """Return what sizes of pieces on a point are parts of (m)."""
+    """Return the size (m) to which pieces on a point are scaled: its amplitude, or a quarter of the mechanism if larger."""
     every = np.concatenate([one.path for one in ends])
     return max(end.amplitude, float(np.ptp(every.real)) / 4, float(np.ptp(every.imag)) / 4)
 
 
 def with_guide(end: End, ends: Collection[End], number: int, letter: str) -> Additions:
-    """Return a rod on a point, and a slider on a level guide through the other end of the rod, as high as the point's middle.
+    """Return a rod on a point, with a slider at its other end on a horizontal guide as high as the middle of the point's path.
 
-    It goes to the side on which fewer of the other points are.
+    The rod points to the side on which there are fewer other points.
     """
     others = [one.middle.real for one in ends if one is not end]
     length = float(f"{REACH * size_about(end, ends):.2g}")
@@ -63,9 +63,9 @@ def with_guide(end: End, ends: Collection[End], number: int, letter: str) -> Add
 
 @frozen
 class Slider:
-    """How a point slides: the `angle` of its guide, its `rate` along that where a chain has a name for it.
+    """A point that slides: the `angle` of its guide, and its `rate` along the guide, "" if there is no name for it.
 
-    `rail` is the place of the guide among those of the frame, where it stands there for this point.
+    `rail` is the index of the guide among the frame's rails, None if it is the guide of a group.
     """
 
     angle: Formula
@@ -74,7 +74,7 @@ class Slider:
 
 
 def slider_of(variant: Variant, point: str) -> Slider | None:
-    """Return how a point slides in a guide of the frame, None where it does not."""
+    """Return the slider of a point in a guide of the frame, None if it does not slide in one."""
     return next(iter([*_in_rails(variant, point), *_in_chain(variant, point)]), None)
 
 
@@ -84,7 +84,7 @@ def _in_rails(variant: Variant, point: str) -> Iterator[Slider]:
 
 
 def _in_chain(variant: Variant, point: str) -> Iterator[Slider]:
-    """Yield how the end of a group slides whose last coordinate is its way along a guide of the frame."""
+    """Yield the slider of a point that ends a group whose last coordinate is a length along a guide of the frame."""
     moving = {name for one in variant.coordinates for name in (one.name, one.rate)}
     rates = {one.name: one.rate for one in variant.coordinates if one.unit == "m"}
     for group in variant.groups:
@@ -95,9 +95,9 @@ def _in_chain(variant: Variant, point: str) -> Iterator[Slider]:
 
 
 def with_wheel(end: End, slider: Slider, size: float, number: int, letter: str, said: Said) -> Additions:
-    """Return a wheel about a point that slides, and the line on which it rolls, in the place of the point's guide.
+    """Return a wheel on a point that slides, and the rail on which it rolls, which replaces the point's own rail.
 
-    A chain, whose group keeps its guide, says in an equation that it rolls.
+    In a chain the group keeps its guide, so an equation says that the wheel rolls.
     """
     radius, angle = float(f"{ROUND * size:.1g}"), "0" if constant(slider.angle) == 0 else spelled(slider.angle)
     beneath = f"(0, R{number})" if angle == "0" else f"R{number} @ ({angle} + pi/2)"

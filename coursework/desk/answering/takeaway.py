@@ -1,6 +1,6 @@
-"""What is taken away from the desk, a file or several in a zip; and what a table of one's own is worth.
+"""Downloads from the desk, one file or several in a zip; and the check of a student's own table.
 
-Enters: a `Desk`.  Leaves: an `Answer` with a file, or what `precheck` says.  Used by `bench.py`.
+Enters: a `Desk`.  Leaves: an `Answer` with a file, or the findings of `precheck`.  Used by `bench.py`.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ NO_DATA = 422
 
 
 def take(desk: Desk) -> Answer:
-    """Return the file of a format, several as one zip.  Raises `InputError` for a format that there is not."""
+    """Return the file of a format, several files as one zip.  Raises `InputError` for an unknown format."""
     (wanted,) = chosen([str(desk.body["format"])], "run")
     offered = desk.setup.policy.formats
     if offered and wanted.suffix not in offered:
@@ -40,7 +40,7 @@ def take(desk: Desk) -> Answer:
 
 
 def table(desk: Desk) -> dict[str, Any] | Answer:
-    """Return what `precheck` says of one file: read, partly read or unreadable, and why."""
+    """Return the findings of `precheck` on one file: read, partly read or unreadable, and why."""
     try:
         content = base64.b64decode(str(desk.body["data"]), validate=True)
     except (binascii.Error, ValueError):

@@ -1,7 +1,7 @@
-"""A text as it was typed -> its variant and its run, or its faults where they are.
+"""A typed text -> its variant and its run, or its faults with their places.
 
 Enters: the body of a request.  Leaves: `Desk`, which reads the variant once; faults as the browser shows them.
-Used by `bench.py` and what answers beside it.
+Used by `bench.py` and the modules beside it.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ DEAR = {"E001": "desk.over_time", "E002": "desk.over_memory"}
 
 
 class Desk:
-    """One text with what was asked about it."""
+    """One text and the request about it; `body` is that of the request."""
 
     def __init__(self, body: dict[str, Any], language: str, setup: Setup) -> None:
         self.body, self.language, self.setup = body, language, setup
@@ -38,12 +38,12 @@ class Desk:
 
     @property
     def words(self) -> Phrases:
-        """Return the words of the language that is asked for."""
+        """Return the words of the language of the request."""
         return load_phrases(self.language)
 
     @cached_property
     def tables(self) -> TablesOf:
-        """Return the tables that the text may name: sent with it, of the folder, or of the catalogue."""
+        """Return the tables that the text may name: those sent with it, those of the folder, those of the catalogue."""
         sent = {name: str(text).encode("utf-8") for name, text in (self.body.get("tables") or {}).items()}
         own = (Path(self.setup.folder),) if self.setup.folder else ()
         return TablesOf(sent, (*own, folder("variants")), MAX_TABLE_BYTES)
@@ -55,7 +55,7 @@ class Desk:
 
     @cached_property
     def run(self) -> Run:
-        """Return the run with the scheme and step of the desk.  Raises `InputError`."""
+        """Return the run with the scheme and step of the request, as far as the policy allows.  Raises `InputError`."""
         scheme = str(self.body["scheme"]) if self.body.get("scheme") else None
         if not self.setup.policy.exact and scheme_for(self.variant, scheme) not in SCHEMES:
             if scheme == EXACT:
@@ -65,12 +65,12 @@ class Desk:
 
     @property
     def step(self) -> float | None:
-        """Return the step asked for (s), None for that of the file.  Raises `InputError`."""
+        """Return the step of the request (s), None for that of the file.  Raises `InputError`."""
         return step_of(str(self.body["step"]), self.variant) if self.body.get("step") else None
 
 
 def faults_of(error: CourseworkError, desk: Desk) -> list[dict[str, Any]]:
-    """Return the faults of a text, each with its place in it (None for what is wrong elsewhere) and what would mend it."""
+    """Return the faults of a text, each with its place in it (None for a fault elsewhere) and the change that mends it."""
     lines = desk.text.split("\n")
     faults = error.faults[:MOST_SHOWN]
     mends = mends_of(faults, lines)
@@ -81,13 +81,13 @@ def faults_of(error: CourseworkError, desk: Desk) -> list[dict[str, Any]]:
 
 
 def _said(fault: Fault, desk: Desk) -> str:
-    """Return a fault as `check` says it; who has the desk from others cannot give a text more than they do."""
+    """Return the sentence of a fault, as `check` says it; on a shared desk, users are not told how to raise limits."""
     dear = DEAR.get(fault.code) if not desk.setup.folder else None
     return desk.words.written(say(dear, limit=fault.message.values["limit"])) if dear else fault.said(desk.words.written)
 
 
 def remarks_of(desk: Desk) -> list[dict[str, Any]]:
-    """Return what can be computed but looks like a slip of the pen, and which section would tell more."""
+    """Return the remarks on values that look like slips, and the advice on which section to add next."""
     slips = [
         {"code": remark.code, "line": remark.line, "sentence": desk.words.written(remark.sentence)}
         for remark in desk.variant.plausibility
@@ -96,7 +96,7 @@ def remarks_of(desk: Desk) -> list[dict[str, Any]]:
 
 
 def _next_section(desk: Desk) -> list[dict[str, Any]]:
-    """Return what a text with equations lacks for a drawing or for judging them, with how it begins."""
+    """Return the section that a text with equations needs for a drawing or for judging them, and its first lines; or empty."""
     variant = desk.variant
     if not variant.constraints or variant.driven or variant.holds or any(one.is_closure for one in variant.constraints):
         return []

@@ -1,6 +1,6 @@
-"""A text -> the very report of `run`, or its faults.
+"""A text -> the same report as that of the command `run`, or its faults.
 
-Enters: a `Desk`.  Leaves: what `/api/page` and `/api/check` answer.  Used by `bench.py`.
+Enters: a `Desk`.  Leaves: the answers to `/api/page` and `/api/check`.  Used by `bench.py`.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from coursework.report.sections.sections import BEHIND
 from coursework.scene.quantities import ACCURACY, GRAPH_CHECK, TABLE
 from coursework.words.sentences import ENGLISH
 
-KEPT = 12  # pages, some 300 kB each
+KEPT = 12  # pages kept in a cache, about 300 kB each
 _PAGES: OrderedDict[tuple[str, tuple[str, ...]], str] = OrderedDict()
-DEAR = {ACCURACY.name, GRAPH_CHECK.name}  # nothing else on a page needs them
+DEAR = {ACCURACY.name, GRAPH_CHECK.name}  # costly quantities, which no other part of a page needs
 
 
 def page(desk: Desk) -> dict[str, Any]:
-    """Return the page and what stands around it; of what is read last only the headings where that is asked for later."""
+    """Return the page and the data around it; if "study" is false, sections read last have only headings for now."""
     run, later = desk.run, tuple[str, ...]()
     if desk.body.get("study") is False:
         later = tuple(write.__name__ for write, needed in BEHIND if needed is None or run.asks(needed))
@@ -35,7 +35,7 @@ def page(desk: Desk) -> dict[str, Any]:
 
 
 def _written(results: Results) -> str:
-    """Return the page, the one of before where only remarks were typed, or a hand went back."""
+    """Return the page, from the cache if the variant is unchanged (only comments were typed) or was shown shortly before."""
     key = (results.stamp, results.later)
     if key not in _PAGES:
         results.compute(pages=True)
@@ -47,13 +47,13 @@ def _written(results: Results) -> str:
 
 
 def check(desk: Desk) -> dict[str, Any]:
-    """Return faults, none, and the first sentence of `run`."""
+    """Return the findings on a text without computing its page."""
     Results(desk.run, desk.language).compute(pages=False)
     return found(desk)
 
 
 def found(desk: Desk) -> dict[str, Any]:
-    """Return what is told of a text without faults."""
+    """Return the findings on a text without faults: no faults, the summary of `run`, remarks, verdicts on equations."""
     summary = desk.run.summary if desk.language == ENGLISH else desk.run.named_summary
     return {
         "faults": [],
@@ -64,6 +64,6 @@ def found(desk: Desk) -> dict[str, Any]:
 
 
 def warm(_desk: Desk) -> dict[str, Any]:
-    """Have what a first page would wait for: everything imported, and the typesetter with its faces."""
+    """Load everything for which a first page would have to wait: all imports, and Typst with its fonts."""
     draw(["omega_1"], breaks=True)
     return {}

@@ -1,1 +1,1 @@
-"""What the browser talks to: who may, how much, the files of the folder.  It computes nothing and imports no mathematics."""
+"""The server that the browser talks to: access, limits, the files of the folder.  It computes and imports no mathematics."""

@@ -1,4 +1,4 @@
-"""The desk as a server answers for it: routes, and what they hand to the processes that compute.
+"""The desk as a web application: its routes, and the jobs that they send to the processes that compute.
 
 Enters: a `Plan`.  Leaves: an ASGI application.  Used by `server.py`.
 """
@@ -32,7 +32,7 @@ from coursework.desk.serving.replies import language_of, refusal, reply
 from coursework.system.frozen import frozen
 from coursework.words.errors import OutputError
 
-# What is computed, with what each body must have.
+# The kinds of job that a browser may ask for, with the keys that the body of each must have.
 COMPUTED: dict[str, dict[str, str]] = {
     "page": {"text": TEXT},
     "check": {"text": TEXT},
@@ -46,7 +46,7 @@ COMPUTED: dict[str, dict[str, str]] = {
 
 @frozen
 class Plan:
-    """What one desk is: who may come in, in which `folder` (None: it has no files), what is opened, in which language."""
+    """The settings of one desk: who has access (`gate`), its `folder` (None: no files), the `opened` file, its language."""
 
     gate: Gate
     bounds: Bounds
@@ -58,7 +58,7 @@ class Plan:
 
 
 class Application:
-    """The routes of a desk, and what they share."""
+    """The routes of a desk and the state that they share."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan, self.metrics = plan, Metrics()
@@ -66,7 +66,7 @@ class Application:
         self.renderers = Renderers(Setup(plan.bounds, plan.policy, str(plan.folder or "")), plan.workers)
 
     def asgi(self) -> Guard:
-        """Return what the server runs."""
+        """Return the ASGI application that the server runs."""
         routes = [
             Route("/", self.shell), Route("/desk/frame", self.frame), Route("/desk/{name:path}", assets.file),
             Route("/health", self.health), Route("/metrics", self.told_metrics),
@@ -79,7 +79,7 @@ class Application:
 
     @asynccontextmanager
     async def life(self, _app: Starlette) -> AsyncIterator[None]:
-        """Have a process ready from the start, and leave none behind."""
+        """Start a process before the first request, and end all processes at the end."""
         self.renderers.warm()
         resting = asyncio.create_task(self.renderers.rest())
         try:
@@ -99,19 +99,19 @@ class Application:
         return page
 
     async def frame(self, request: Request) -> Response:
-        """Return the page that the report is put into."""
+        """Return the page into which the report is put."""
         return assets.frame(self.plan.gate.root, language_of(request, self.plan.policy.language, self.plan.language))
 
     async def health(self, request: Request) -> Response:
-        """Say that the server answers."""
+        """Return a sign that the server answers."""
         return PlainTextResponse("ok\n")
 
     async def told_metrics(self, request: Request) -> Response:
-        """Say how it goes."""
+        """Return the metrics of the server."""
         return PlainTextResponse(self.metrics.text(self.renderers.ended, self.renderers.waiting))
 
     async def computed(self, request: Request) -> Response:
-        """Have something computed."""
+        """Return the result of a job, computed by a process."""
         begun, wanted = time.monotonic(), request.path_params.get("format")
         kind = "take" if wanted else request.url.path.rpartition("/")[2]
         body = await body_of(request, COMPUTED[kind], MOST_TABLE_BYTES if kind == "table" else MOST_BYTES)
@@ -122,7 +122,7 @@ class Application:
         return reply(answer, {"Retry-After": "1"} if answer.status == 503 else None)
 
     async def answer(self, request: Request, kind: str, body: Any) -> Answer:
-        """Return the answer of a process; whoever leaves before does not get it."""
+        """Return the answer of a process to a job; waiting ends if the browser disconnects."""
         language = language_of(request, body.get("language"), self.plan.policy.language or self.plan.language)
         packed = self.plan.folder is None and "gzip" in request.headers.get("accept-encoding", "")
         desk = request.headers.get("x-desk", "")[:60]
@@ -131,6 +131,6 @@ class Application:
 
 
 async def _left(request: Request) -> None:
-    """Return when the browser has gone."""
+    """Wait until the browser disconnects."""
     while (await request.receive())["type"] != "http.disconnect":
         pass

@@ -1,4 +1,4 @@
-"""The page of the desk and the files it loads, from `reports/desk/`; a browser keeps each as long as its content is the same.
+"""The page of the desk and the files it loads, from `reports/desk/`; a browser caches each file until its content changes.
 
 Enters: requests.  Leaves: the shell, the frame of the report, stylesheets and scripts.  Used by `application.py`.
 """
@@ -35,7 +35,7 @@ SHELL = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'nonce-{nonce}'; img-src 'self' data: blob:; connect-src 'self'; "
     "font-src 'self'; frame-src 'self'; form-action 'none'; base-uri 'none'; frame-ancestors 'none'"
 )
-# The report brings styles and scripts of its own: in an origin of its own it reaches nothing.
+# The report brings its own styles and scripts: in its own origin they have no access to the desk.
 FRAME = (
     "sandbox allow-scripts; default-src 'none'; script-src 'nonce-{nonce}'; style-src 'unsafe-inline'; img-src data: blob:; "
     "font-src data:; connect-src 'none'; form-action 'none'; base-uri 'none'; frame-ancestors 'self'"
@@ -43,7 +43,7 @@ FRAME = (
 
 
 async def file(request: Request) -> Response:
-    """Return one file; where the address names the hash of its content, for good."""
+    """Return one file; a browser may keep it forever if the address contains the hash of its content."""
     name = request.path_params["name"]
     content, packed, version = _piece(_path(name))
     headers = {"ETag": f'"{version}"', "Cache-Control": "no-cache", "Vary": "Accept-Encoding"}
@@ -57,12 +57,12 @@ async def file(request: Request) -> Response:
 
 
 def shell(root: str, config: Mapping[str, Any], **content: Any) -> Response:
-    """Return the page of the desk; `config` is what its scripts know from the start."""
+    """Return the page of the desk; `config` is the data of its scripts at the start."""
     return _page("index.html.j2", SHELL, root, config=dict(config), **content)
 
 
 def frame(root: str, language: str) -> Response:
-    """Return the empty page, of an origin of its own, into which the shell puts the report."""
+    """Return the empty page with its own origin into which the shell puts the report."""
     return _page("frame.html.j2", FRAME, root, language=language)
 
 
@@ -93,7 +93,7 @@ def _piece(path: Path) -> tuple[bytes, bytes, str]:
 
 @lru_cache(maxsize=256)
 def _read(path: Path, _changed: int) -> tuple[bytes, bytes, str]:
-    """Return content, content compressed and hash of a file."""
+    """Return the content of a file, the compressed content (empty if it is not text), and the hash of the content."""
     content = path.read_bytes()
     packed = gzip.compress(content, 9) if path.suffix in _TEXTS else b""
     return content, packed, hashlib.sha256(content).hexdigest()[:16]

@@ -1,4 +1,4 @@
-"""What a browser sends: never more than a bound, never for ever, and of the shape that was agreed.
+"""The bodies of requests: limited in size and time, and checked for their keys and types.
 
 Enters: a request.  Leaves: bytes, or the body as data.  Raises `Refused`.  Used by `application.py` and `files.py`.
 """
@@ -17,7 +17,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 MOST_BYTES, MOST_TABLE_BYTES = 10**6, 6 * 10**6
-PATIENCE = 20.0  # s for a whole body
+PATIENCE = 20.0  # s, time limit for a whole body
 TOO_LATE, TOO_LARGE, NO_JSON, OTHER_SHAPE = 408, 413, 400, 422
 TEXT, TEXTS, NAMES, FLAG, NUMBER, PLACE = "text", "texts by name", "texts", "flag", "number", "two numbers"
 OPTIONAL = {
@@ -26,7 +26,7 @@ OPTIONAL = {
 
 
 class Refused(HTTPException):
-    """A request that is not answered: its status and a sentence about it."""
+    """The refusal of a request, with a status and a sentence."""
 
     def __init__(self, status: int, sentence: Sentence, headers: Mapping[str, str] | None = None) -> None:
         super().__init__(status, headers=headers)
@@ -51,7 +51,7 @@ async def bytes_of(request: Request, most: int = MOST_BYTES) -> bytes:
 
 
 async def body_of(request: Request, needed: Mapping[str, str], most: int = MOST_BYTES) -> dict[str, Any]:
-    """Return a body of JSON that has what is `needed`, perhaps what is optional, and nothing else.  Raises `Refused`."""
+    """Return a JSON body with all keys in `needed`, perhaps keys in `OPTIONAL`, and no other keys.  Raises `Refused`."""
     try:
         body = json.loads(await bytes_of(request, most))
     except (ValueError, RecursionError):
@@ -82,7 +82,7 @@ def _is(kind: str, value: Any) -> bool:
 
 
 def _is_writable(text: str) -> bool:
-    """Return whether a text has no halves of letters, which JSON can hold and no file."""
+    """Return whether a text has no lone surrogates, which JSON can contain but no file."""
     try:
         text.encode("utf-8")
     except UnicodeEncodeError:

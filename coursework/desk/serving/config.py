@@ -1,7 +1,7 @@
-"""What the scripts of the shell know from the start: words, schemes, formats, what was opened, what this desk offers.
+"""The data of the shell's scripts at the start: words, schemes, formats, the opened file, the policy of this desk.
 
-Enters: a `Plan`'s parts and a language; a name and a folder.  Leaves: plain data.  Raises `InputError` for a name that no file
-may have.  Used by `application.py` and `server.py`.
+Enters: the parts of a `Plan` and a language; a name and a folder.  Leaves: plain data.  Raises `InputError` for a name that
+no file may have.  Used by `application.py` and `server.py`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,10 @@ from coursework.words.sentences import ENGLISH, load_phrases, say
 
 
 def opened(name: str, folder: Path | None) -> dict[str, Any]:
-    """Return `name`, `text` and `etag`, None for what is not in the folder yet: a file, a variant under this name, or nothing."""
+    """Return `name`, `text` and `etag` of a file in the folder, else of a variant of the catalogue, else an empty text.
+
+    `etag` is None for a text that is not in the folder yet.
+    """
     stem = name.removesuffix(SUFFIX)
     if not name or folder is None:
         return {"name": "", "text": "", "etag": None}
@@ -44,7 +47,7 @@ def opened(name: str, folder: Path | None) -> dict[str, Any]:
 def config_of(
     language: str, root: str, policy: Policy, files: Files | None, opened: Mapping[str, Any]
 ) -> dict[str, Any]:  # fmt: skip
-    """Return it; what was opened is read anew where the file is another by now."""
+    """Return the data for the scripts; the text of the `opened` file is read anew, since it may have changed."""
     phrases = load_phrases(language)
     now = dict(opened)
     if files and opened["name"] and (content := files.folder.read(opened["name"])) is not None:
@@ -61,7 +64,7 @@ def config_of(
 
 
 def shell_words(language: str) -> dict[str, str]:
-    """Return the words of the shell, in English where a language has none yet."""
+    """Return the words of the shell; words that a language does not have yet are English."""
     own, english = (load_phrases(each).entries.get("desk", {}).get("shell", {}) for each in (language, ENGLISH))
     return {**english, **own}
 
@@ -73,7 +76,7 @@ def _schemes(policy: Policy) -> Iterator[tuple[str, Sentence]]:
 
 
 def _formats(policy: Policy, *, is_own: bool) -> Iterator[str]:
-    """Yield what can be taken away; what misses an extra is told with the line that installs it to who can do so."""
+    """Yield the formats offered for download; `is_own`: those that lack an extra too, as the user can install it."""
     for suffix, each in formats_for("run").items():
         if (is_own or each.is_here()) and suffix in (policy.formats or (suffix,)):
             yield suffix

@@ -1,6 +1,6 @@
-"""The routes of files, for a desk on one's own machine; what other programs change in the folder is told as it happens.
+"""The routes of files, for a desk on the user's machine; the browser is told when other programs change the folder.
 
-Enters: requests.  Leaves: the text of a variant and its version, or what is written.  Used by `application.py`.
+Enters: requests.  Leaves: the text of a variant and its version, or written files.  Used by `application.py`.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from coursework.desk.serving.replies import language_of, reply
 from coursework.desk.serving.zips import packed, unpacked
 from coursework.words.sentences import load_phrases, say
 
-ALIVE = 15_000  # ms after which a browser hears that the line still stands
-_SETTLED = 100  # ms in which changes are told together
+ALIVE = 15_000  # ms without a change after which a browser is told that the connection is alive
+_SETTLED = 100  # ms within which changes are reported together
 
 
 async def events(folder: Folder) -> AsyncIterator[str]:
-    """Yield the list of files now, and after each change of one."""
+    """Yield the list of files at once, and again after each change, as server-sent events."""
     yield "retry: 1000\n\n"
     told = ""
     watching = awatch(
@@ -38,7 +38,7 @@ async def events(folder: Folder) -> AsyncIterator[str]:
     try:
         while True:
             change = asyncio.ensure_future(anext(watching))
-            await asyncio.sleep(0)  # from here on nothing is missed
+            await asyncio.sleep(0)  # from here on no change is missed
             files = json.dumps(await asyncio.to_thread(folder.listed))
             yield ":\n\n" if files == told else f"event: files\ndata: {files}\n\n"
             told = files
@@ -53,7 +53,7 @@ TEXT = "text/plain; charset=utf-8"
 
 
 class Files:
-    """What can be asked of the files of a folder."""
+    """The routes for the files of a folder."""
 
     def __init__(self, path: Path) -> None:
         self.folder = Folder(path)
@@ -73,7 +73,7 @@ class Files:
         return reply(plain(OK, await asyncio.to_thread(self.folder.listed)))
 
     async def changes(self, request: Request) -> Response:
-        """Tell what changes in the folder, as long as the browser listens."""
+        """Return a stream of the changes in the folder, which lasts as long as the browser listens."""
         return StreamingResponse(events(self.folder), media_type="text/event-stream")
 
     async def packed(self, request: Request) -> Response:
@@ -82,20 +82,20 @@ class Files:
         return reply(Answer(OK, "application/zip", content, f"{self.folder.path.name or 'work'}.zip"))
 
     async def unpacked(self, request: Request) -> Response:
-        """Write what is in a zip and not yet in the folder."""
+        """Write the files of a zip that are not yet in the folder."""
         content = await bytes_of(request, MOST_TABLE_BYTES)
         words = load_phrases(language_of(request))
         return reply(plain(OK, await asyncio.to_thread(unpacked, self.folder, content, words)))
 
     async def read(self, request: Request) -> Response:
-        """Return a text with its version."""
+        """Return the text of a variant with its version."""
         content = await asyncio.to_thread(self.folder.read, request.path_params["name"])
         if content is None:
             raise Refused(NOT_THERE, say("desk.no_file", name=request.path_params["name"]))
         return Response(content, media_type=TEXT, headers={"ETag": etag_of(content)})
 
     async def write(self, request: Request) -> Response:
-        """Write a text over the version that was seen, or a new one."""
+        """Write a text in place of the version that the browser has seen, or as a new file."""
         content = await bytes_of(request)
         seen = _seen(request)
         try:
@@ -106,7 +106,7 @@ class Files:
         return reply(plain(NEW if is_new else OK, {"etag": version}), {"ETag": version})
 
     async def delete(self, request: Request) -> Response:
-        """Put a file away, from where it can be brought back."""
+        """Move a file to the deleted ones, from which it can be restored."""
         try:
             await asyncio.to_thread(self.folder.delete, request.path_params["name"], _seen(request) or "")
         except Stale as stale:
@@ -114,7 +114,7 @@ class Files:
         return Response(status_code=NO_CONTENT)
 
     async def change(self, request: Request) -> Response:
-        """Rename a file, write a copy of it, or bring it back."""
+        """Rename a file, write a copy of it, or restore it."""
         try:
             wish = json.loads(await bytes_of(request))
         except (ValueError, RecursionError):
@@ -136,7 +136,7 @@ class Files:
 
 
 def _seen(request: Request) -> str | None:
-    """Return the version that a change is meant for, None for a new file.  Raises `Refused` where neither is said."""
+    """Return the version that a change replaces, None for a new file.  Raises `Refused` if the request says neither."""
     if version := request.headers.get("if-match"):
         return version.removeprefix("W/")
     if request.headers.get("if-none-match", "").strip() == "*":

@@ -1,4 +1,4 @@
-"""The files of the folder in which the desk was opened: variants by name, each written whole, none outside.
+"""The files of the folder in which the desk was opened: variants by name, each written completely, none outside.
 
 Enters: names, bytes, the version last seen.  Leaves: bytes and versions.  Raises `Stale`, `Refused`, `OutputError`.
 Used by `files.py`.
@@ -26,13 +26,13 @@ from coursework.words.sentences import say
 SUFFIX = ".toml"
 DELETED = ".deleted"
 NOT_THERE, NO_NAME, CONFLICT = 404, 403, 409
-PATIENCE = 5.0  # s for another desk that is writing into the folder
-LEFT_OVER = 60.0  # s after which what somebody began to write is what a process that was killed left
+PATIENCE = 5.0  # s to wait for another desk that is writing into the folder
+LEFT_OVER = 60.0  # s after which an unfinished file counts as left over by a killed process
 MOST_FILES = 2000
 
 
 class Stale(Exception):
-    """The file is another by now: `theirs`, None where there is none."""
+    """The error for a file that has changed since it was seen: `theirs` is its content now, None if there is no such file."""
 
     def __init__(self, theirs: bytes | None) -> None:
         super().__init__()
@@ -55,7 +55,7 @@ class Folder:
         return os.access(self.path, os.W_OK)
 
     def read(self, name: str, below: str = "") -> bytes | None:
-        """Return the bytes of NAME.toml, None where there is none.  Raises `Refused` for what no file may be called."""
+        """Return the bytes of NAME.toml, None if there is none.  Raises `Refused` for an invalid name or a file too large."""
         if not is_name(name):
             raise Refused(NO_NAME, refused_name(name))
         with refused(self._file(name)):
@@ -65,18 +65,18 @@ class Folder:
         return content
 
     def listed(self) -> list[dict[str, Any]]:
-        """Return the names of the variants with their versions, and of those that were deleted and can be brought back."""
+        """Return names and versions of the variants, and of deleted ones that can be restored."""
         return [*self._listed(""), *self._listed(DELETED)]
 
     def write(self, name: str, content: bytes, seen: str | None) -> bool:
-        """Write a file whose version `seen` is still there (None: that is not there); return whether it is new."""
+        """Write a file if its version is still `seen` (None: there is no such file); return whether it is new."""
         with self._at_rest(name, seen):
             write_bytes(self._file(name), content)
             self._lay_tables_beside(content)
         return seen is None
 
     def delete(self, name: str, seen: str) -> None:
-        """Move a file to where it can be brought back from."""
+        """Move a file to the deleted ones, from which it can be restored."""
         with self._at_rest(name, seen):
             place = self.path / DELETED
             refuse_link(place)
@@ -85,7 +85,7 @@ class Folder:
                 self._file(name).replace(place / (name + SUFFIX))
 
     def restore(self, name: str) -> None:
-        """Bring a deleted file back.  Raises `Stale` where another has its name by now."""
+        """Restore a deleted file.  Raises `Stale` if another file has its name now."""
         with self._at_rest(name, None):
             if self.read(name, DELETED) is None:
                 raise Refused(NOT_THERE, say("desk.no_file", name=name))
@@ -93,18 +93,18 @@ class Folder:
                 (self.path / DELETED / (name + SUFFIX)).replace(self._file(name))
 
     def rename(self, name: str, other: str) -> None:
-        """Give a file another name.  Raises `Stale` where there is one of that name."""
+        """Rename a file.  Raises `Stale` if there is a file with the other name."""
         content = self._present(name)
         self.write(other, content, None)
         with self._at_rest(name, etag_of(content)), refused(self._file(name)):
             self._file(name).unlink()
 
     def duplicate(self, name: str, other: str) -> None:
-        """Write a copy.  Raises `Stale` where there is a file of that name."""
+        """Write a copy of a file.  Raises `Stale` if there is a file with the other name."""
         self.write(other, self._present(name), None)
 
     def clear(self) -> None:
-        """Remove what a process that was killed had begun to write here."""
+        """Remove unfinished files that a killed process has left here."""
         for left in self.path.glob(".coursework-*.part"):
             if time.time() - left.lstat().st_mtime > LEFT_OVER:
                 left.unlink(missing_ok=True)
@@ -120,7 +120,7 @@ class Folder:
 
     @contextmanager
     def _at_rest(self, name: str, seen: str | None) -> Iterator[None]:
-        """Hold the folder while a file is the one that was seen.  Raises `Stale` where it is another."""
+        """Lock the folder while a file still has the version `seen`.  Raises `Stale` if it has another."""
         self.read(name)
         with held(self.path, PATIENCE, own=False):
             there = self.read(name)
@@ -138,7 +138,7 @@ class Folder:
                 yield {"name": path.stem, "etag": etag_of(content), "bytes": len(content), "deleted": bool(below)}
 
     def _lay_tables_beside(self, content: bytes) -> None:
-        """Copy the tables of the catalogue that a text names and the folder does not have: `run` reads them from here."""
+        """Copy tables of the catalogue that a text names and the folder lacks, because `run` reads them from the folder."""
         for name in tables_named(content):
             source = read_inside(folder_of_reports("variants"), name, MOST_BYTES)
             if source is not None and not (self.path / name).exists():
@@ -146,7 +146,7 @@ class Folder:
 
 
 def tables_named(content: bytes) -> list[str]:
-    """Return the files of tables that a text names, none where it is no TOML."""
+    """Return the files of tables that a text names; empty if it is not TOML."""
     try:
         data = tomllib.loads(content.decode("utf-8"))
     except (ValueError, RecursionError):

@@ -1,9 +1,9 @@
-"""Who may ask: the right host, no foreign page, the cookie of this desk, not too often.
+"""The access control: the right host, no foreign page, the cookie of this desk, not too many requests.
 
 Enters: requests.  Leaves: those that may pass; all others are refused with a status.  Used by `application.py`.
 
-The secret in the address that was opened becomes a cookie and leaves the address bar.  Pages of other origins are kept out by
-Host (names that somebody lets point here), Origin and the cookie's SameSite.
+The secret in the opened address becomes a cookie and disappears from the address bar.  Pages of other origins are kept out by
+the headers Host (other names may be made to point here) and Origin, and by the cookie's SameSite.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from coursework.desk.serving.replies import language_of, reply
 from coursework.system.frozen import frozen
 
 NO_COOKIE, TOO_MANY, MOVED = 401, 429, 303
-OPEN = ("/health", "/metrics")  # ask for no cookie and tell no names
+OPEN = ("/health", "/metrics")  # need no cookie and reveal no names
 LOCAL = ("127.0.0.1", "localhost", "[::1]")
 HEADERS = {
     "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cross-Origin-Opener-Policy": "same-origin",
@@ -39,10 +39,10 @@ HEADERS = {
 
 @frozen
 class Gate:
-    """`port` of the server, a `secret` for who opened it ("": open to everybody), `hosts` by which it is called.
+    """The access rules of a desk: `port` of the server; a `secret` known to the user who opened it ("": open to everybody).
 
-    `root`: what stands before every path, whether or not a proxy takes it away;
-    `proxied`: what a proxy says of the client is believed; `limits` of a desk that is open to others.
+    `hosts`: its other names; `root`: prefix of every path, whether or not a proxy strips it; `proxied`: trust what a proxy
+    says about the client; `limits` of a desk that is open to others.
     """
 
     port: int
@@ -57,19 +57,23 @@ class Gate:
         object.__setattr__(self, "cookie", f"coursework-desk-{self.port}")  # two desks do not log each other out
 
     def knows(self, host: str) -> bool:
-        """Return whether this desk is called by this name."""
+        """Return whether `host`, with or without a port, is a name of this desk."""
         local = (f"{name}:{self.port}" for name in LOCAL)
         return host.lower() in {*local, *self.hosts} or host.rpartition(":")[0].lower() in self.hosts
 
 
 class Guard:
-    """Stands before everything."""
+    """The ASGI application in front of all others, which lets requests pass or refuses them."""
 
     def __init__(self, app: ASGIApp, gate: Gate) -> None:
         self.app, self.gate = app, gate
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+<<<<<<< HEAD
         """Let a request pass, or refuse it; whatever goes wrong behind is written down without a word of what was typed."""
+=======
+        """Let a request pass, or refuse it; errors of the application are reported without any of the user's text."""
+>>>>>>> prose3
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
@@ -121,11 +125,11 @@ class Guard:
         return self._told(request, NO_COOKIE, "desk.no_cookie")
 
     def _too_often(self, request: Request, path: str) -> Response | None:
-        """Count what costs something, by browser and by address."""
+        """Count a request that costs something, by browser and by address; return a refusal if there are too many."""
         if not path.startswith("/api/"):
             return None
         address = request.client.host if request.client else ""
-        if self.gate.proxied:  # the last entry is the proxy's own; those before it anybody can write
+        if self.gate.proxied:  # the last entry is the proxy's own; anybody can write those before it
             address = request.headers.get("x-forwarded-for", address).rpartition(",")[2].strip()
         limits, client = self.gate.limits, request.scope["state"]["client"] or address
         assert limits is not None
@@ -140,5 +144,5 @@ class Guard:
 
 
 def new_cookie(response: Response, gate: Gate, secure: bool) -> None:
-    """Give a browser a name without meaning, by which its requests are counted."""
+    """Give a browser a random name, by which its requests are counted."""
     response.set_cookie(gate.cookie, secrets.token_urlsafe(16), httponly=True, samesite="strict", secure=secure, path="/")

@@ -1,6 +1,6 @@
-"""The routes of what can be started from: the catalogue, the text of a variant, what may stand in a text.
+"""The routes that help to begin a text: the catalogue, the text of a variant, the words and pieces for a text.
 
-Enters: requests.  Leaves: what is computed once for each language, and files of the package.  Used by `application.py`.
+Enters: requests.  Leaves: answers computed once per language, and files of the package.  Used by `application.py`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ KEPT = {"Cache-Control": "private, max-age=600"}
 
 
 class Library:
-    """What is the same for everybody; `answer` has something computed for a request."""
+    """The routes whose answers are the same for everybody; `answer` computes the answer to a request."""
 
     def __init__(self, answer: Callable[[Request, str, dict[str, Any]], Awaitable[Answer]]) -> None:
         self._answer = answer
@@ -39,7 +39,7 @@ class Library:
         return [*made, Route(one, self.text), Route(f"{one}/tables", self.tables)]
 
     async def made_once(self, request: Request) -> Response:
-        """Return what is computed for the first who asks in a language, and kept for all others."""
+        """Return an answer that is computed for the first request in a language and kept for all others."""
         kind = request.url.path.rpartition("/")[2]
         asked = (kind, language_of(request), "gzip" in request.headers.get("accept-encoding", ""))
         answer = self._kept.get(asked) or await self._answer(request, kind, {})
@@ -52,7 +52,7 @@ class Library:
         return Response(await asyncio.to_thread(_text, request.path_params["name"]), media_type="text/plain", headers=KEPT)
 
     async def tables(self, request: Request) -> Response:
-        """Return the tables that it reads."""
+        """Return the tables that a variant of the catalogue reads, by name."""
         text = await asyncio.to_thread(_text, request.path_params["name"])
         read = {name: (folder("variants") / name).read_text(encoding="utf-8") for name in tables_named(text)}
         return reply(plain(OK, read), KEPT)

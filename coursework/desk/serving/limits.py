@@ -1,6 +1,6 @@
-"""How often somebody may ask: so many a second on average, so many at once.
+"""The limits of requests: so many per second on average, so many in a burst, so many at once.
 
-Enters: who asks, and when (s).  Leaves: the seconds to wait, 0 where the request may pass.  Used by `guard.py`.
+Enters: who asks, and when (s).  Leaves: the seconds to wait, 0 if the request may pass.  Used by `guard.py`.
 """
 
 from __future__ import annotations
@@ -9,19 +9,19 @@ import math
 from collections import OrderedDict
 from dataclasses import dataclass, field
 
-MOST_KNOWN = 20_000  # whoever asked longest ago is forgotten beyond, which only helps him
+MOST_KNOWN = 20_000  # clients remembered; the least recent one is forgotten first, which does it no harm
 
 
 @dataclass(slots=True)
 class Rate:
-    """`rate` a second, `burst` at once, for each who asks."""
+    """A limit for each client: `rate` requests per second on average, `burst` in quick succession."""
 
     rate: float
     burst: float
     _left: OrderedDict[str, tuple[float, float]] = field(default_factory=OrderedDict)
 
     def wait(self, who: str, now: float) -> int:
-        """Count a request, and return the whole seconds after which one may pass again, 0 for one that may pass now."""
+        """Count a request of `who` at the time `now` (s); return 0 if it may pass, else the whole seconds to wait."""
         left, before = self._left.pop(who, (self.burst, now))
         left = min(self.burst, left + (now - before) * self.rate)
         passes = left >= 1
@@ -33,7 +33,7 @@ class Rate:
 
 @dataclass(slots=True)
 class Limits:
-    """The limits of a desk that is open to others: of a browser, and of an address, behind which a whole school may sit."""
+    """The limits of a desk that is open to others: per browser, per address (which a whole school may share), and at once."""
 
     client: Rate = field(default_factory=lambda: Rate(4, 20))
     address: Rate = field(default_factory=lambda: Rate(60, 300))
@@ -41,7 +41,7 @@ class Limits:
     _running: dict[str, int] = field(default_factory=dict)
 
     def wait(self, client: str, address: str, now: float) -> int:
-        """Return the seconds that a request has to wait, 0 where it may pass."""
+        """Return the seconds that a request has to wait, 0 if it may pass."""
         if self._running.get(client, 0) >= self.at_once:
             return 1
         return self.address.wait(address, now) or self.client.wait(client, now)
@@ -51,7 +51,7 @@ class Limits:
         self._running[client] = self._running.get(client, 0) + 1
 
     def end(self, client: str) -> None:
-        """Count it no longer."""
+        """Stop counting a request that has been answered."""
         left = self._running.pop(client, 1) - 1
         if left > 0:
             self._running[client] = left

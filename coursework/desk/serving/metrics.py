@@ -1,7 +1,7 @@
-"""What the server tells of itself: how many requests, how long they took, how many processes were replaced.
+"""The metrics of the server: how many requests, how long they took, how many processes were replaced.
 
 Enters: a route, a status, seconds.  Leaves: text for Prometheus.  Used by `application.py`.
-No text and no name is kept.
+No text and no name is stored.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from collections import Counter, defaultdict, deque
 from collections.abc import Iterator
 from functools import partial
 
-KEPT = 1000  # of the latest requests of a route, from which the quantiles are
+KEPT = 1000  # latest requests of each route, from which the quantiles are computed
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
 
 
 class Metrics:
-    """Counts since the start."""
+    """The counts since the start of the server."""
 
     def __init__(self) -> None:
         self._requests: Counter[tuple[str, int]] = Counter()
@@ -23,13 +23,13 @@ class Metrics:
         self._sums: Counter[str] = Counter()
 
     def count(self, route: str, status: int, seconds: float) -> None:
-        """Count an answer."""
+        """Count an answer of a route that took `seconds`."""
         self._requests[route, status] += 1
         self._seconds[route].append(seconds)
         self._sums[route] += seconds  # type: ignore[assignment]  # a sum of seconds, as Prometheus wants it
 
     def text(self, ended: int, waiting: int) -> str:
-        """Return everything as Prometheus reads it; `ended`: processes that were replaced, `waiting`: jobs under way."""
+        """Return all metrics as Prometheus reads them; `ended`: processes that were replaced, `waiting`: jobs under way."""
         return "\n".join([*self._lines(ended, waiting), ""])
 
     def _lines(self, ended: int, waiting: int) -> Iterator[str]:

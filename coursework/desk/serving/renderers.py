@@ -1,7 +1,7 @@
-"""The processes that compute, as the server sees them: a bounded queue, a newer text before an older one of the same desk,
-one answer for all who ask the same.
+"""The processes that compute, as the server sees them: a bounded queue; a newer text replaces an older one of the same desk;
+equal jobs get the same answer.
 
-Enters: `Job`s.  Leaves: `Answer`s.  Raises `Refused` where the queue is full.  Used by `application.py`.
+Enters: `Job`s.  Leaves: `Answer`s.  Raises `Refused` if the queue is full.  Used by `application.py`.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ from coursework.system.pool import Pool, Trade
 from coursework.words.sentences import load_phrases, say
 
 CONFLICT = 409
-QUIET = 120.0  # s without a job after which all processes but one end
-PACE = 10.0  # s between two looks for them
-PATIENCE = 1.0  # s that a process may go on with what nobody waits for any longer: it is dearer to start another
-MOST_WAITING = 32  # jobs for each process
-LONGEST = 5.0  # s that the oldest of them may have waited: more than some seconds nobody waits
-KEPT = 256  # answers, some 70 kB each: a class opens one variant within a minute
+QUIET = 120.0  # s without a job after which all processes but one are ended
+PACE = 10.0  # s between two checks for that
+PATIENCE = 1.0  # s that a process may go on with a job for which nobody waits: starting another process costs more
+MOST_WAITING = 32  # jobs per process
+LONGEST = 5.0  # s that the oldest job may have waited before new ones are refused: nobody waits longer than some seconds
+KEPT = 256  # answers kept in a cache, about 70 kB each: a class opens the same variant within a minute
 RETRY = {"Retry-After": "2"}
-_SLOWER = 4.0  # a process may wait for others so many times as long as it computes
+_SLOWER = 4.0  # time that a job may take on a busy machine, in multiples of its processor time
 
 
 @dataclass(slots=True)
 class _Asked:
-    """A job that was handed in, what comes of it, and how many wait for that."""
+    """A submitted job, its future answer, and how many requests are waiting for that."""
 
     job: Job
     future: Future[Answer]
@@ -45,7 +45,7 @@ class _Asked:
 
 
 class Renderers:
-    """Some processes of one trade."""
+    """The processes of a desk, with their queue and the cache of answers."""
 
     def __init__(self, setup: Setup, workers: int) -> None:
         seconds = setup.bounds.seconds
@@ -61,28 +61,28 @@ class Renderers:
         self._pool: Pool[Job, Answer] = Pool(trade, workers)
         self._newest: dict[str, asyncio.Future[None]] = {}
         self._workers = workers
-        self._alike = not setup.folder  # nothing but the question decides an answer: no table beside the text
+        self._alike = not setup.folder  # equal jobs have equal answers, because there are no tables beside the text
         self._asked: dict[bytes, _Asked] = {}
         self._kept: OrderedDict[bytes, Answer] = OrderedDict()
         self.waiting = 0  # jobs under way and in the queue
 
     @property
     def ended(self) -> int:
-        """Return how many processes have ended over a job."""
+        """Return how many processes have ended during a job."""
         return self._pool.ended
 
     def warm(self) -> None:
-        """Start a process, before somebody waits for it."""
+        """Start a process before a request needs it."""
         self._pool.submit(Job("warm"))
 
     async def rest(self) -> None:
-        """End again and again what has been quiet for long, until cancelled."""
+        """End idle processes at intervals of `PACE`, until cancelled."""
         while True:
             await asyncio.sleep(PACE)
             await asyncio.to_thread(self._pool.rest, QUIET)
 
     async def answer(self, job: Job, desk: str = "", gone: Awaitable[None] | None = None) -> Answer:
-        """Return the answer of a job; a newer one of the same `desk`, or its asker being `gone`, ends the waiting for it."""
+        """Return the answer to a job; waiting ends if a newer job of the same `desk` comes or the client is `gone`."""
         newer: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         stops: list[asyncio.Future[None]] = [newer, *([asyncio.ensure_future(gone)] if gone is not None else [])]
         if desk:
@@ -98,7 +98,7 @@ class Renderers:
                 del self._newest[desk]
 
     async def _found(self, job: Job, stops: list[asyncio.Future[None]]) -> Answer:
-        """Return the answer of a job, that of an equal one before it or beside it; once one of `stops` is there, none."""
+        """Return the answer to a job, shared with equal jobs before or beside it, or a cancellation if one of `stops` is done."""
         key = hashlib.sha256(line_of(job)).digest() if self._alike else job.kind.encode() + id(job).to_bytes(8)
         if (kept := self._kept.get(key)) is not None:
             self._kept.move_to_end(key)
@@ -130,13 +130,13 @@ class Renderers:
                 self.warm()
 
     def _is_full(self) -> bool:
-        """Return whether who comes now would wait for too long."""
+        """Return whether a new job would wait for too long."""
         oldest = next(iter(self._asked.values()), None)
         late = oldest is not None and time.monotonic() - oldest.begun > LONGEST
         return self.waiting >= self._workers * MOST_WAITING or (late and self.waiting > 2 * self._workers)
 
     def _leave(self, key: bytes, asked: _Asked) -> None:
-        """Nobody waits for a job any longer: it is not begun, or it may end by itself, for to start a process is dearer."""
+        """Give up a job for which nobody waits; it is dropped after `PATIENCE`, and a process that computes it is ended."""
         del self._asked[key]
         self.waiting -= 1
         asked.answer.cancel()
@@ -144,5 +144,5 @@ class Renderers:
             asyncio.get_running_loop().call_later(PATIENCE, self._pool.drop, asked.future, asked.job)
 
     def close(self) -> None:
-        """End all processes, whatever they are doing."""
+        """End all processes, even busy ones."""
         self._pool.close()

@@ -1,4 +1,4 @@
-"""What goes back to a browser, and in which language; what was raised on the way to an answer is a status and one sentence.
+"""The responses to a browser and their language; an exception becomes a status and one sentence.
 
 Enters: an `Answer`, or a request, perhaps with an exception.  Leaves: a response; a language that has a words file.
 Used by `guard.py` and the routes.
@@ -22,7 +22,7 @@ from coursework.words.errors import CourseworkError
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 NOT_WRITTEN = 507
-_CLOSED = {408, 413}  # what is still coming of such a body nobody reads
+_CLOSED = {408, 413}  # the connection is closed, because the rest of such a body is not read
 
 
 @cache
@@ -33,14 +33,14 @@ def languages() -> tuple[str, ...]:
 
 
 def language_of(request: Request, wanted: object = None, before: str = "") -> str:
-    """Return the language that is `wanted` of a request, or asked for in its address, or that of the desk, or of the browser."""
+    """Return the first known of these languages: `wanted`, that in the address, `before`, those of the browser, English."""
     accepted = re.findall(r"[a-z]{2}", request.headers.get("accept-language", "").lower())[:20]
     asked = (wanted, request.query_params.get("language"), before, *accepted)
     return next((language for language in asked if isinstance(language, str) and language in languages()), ENGLISH)
 
 
 def reply(answer: Answer, headers: Mapping[str, str] | None = None) -> Response:
-    """Return the response that an answer goes back with."""
+    """Return the response that carries an answer."""
     response = Response(answer.body, answer.status, headers, answer.type)
     if answer.packed:
         response.headers["Content-Encoding"] = "gzip"
@@ -50,10 +50,10 @@ def reply(answer: Answer, headers: Mapping[str, str] | None = None) -> Response:
 
 
 async def refusal(request: Request, error: Exception) -> Response:
-    """Return what is told of a request that cannot be answered."""
+    """Return the response for an error: a status and one sentence."""
     written = load_phrases(language_of(request)).written
     if isinstance(error, CourseworkError):
-        # Its own sentence advises an option that the desk does not have.
+        # The error's own sentence advises an option that the desk does not have.
         return reply(plain(NOT_WRITTEN, {"sentence": written(say("desk.no_room"))}))
     if not isinstance(error, HTTPException):
         return reply(plain(FAULT, {"sentence": written(say("desk.our_fault"))}))

@@ -1,6 +1,6 @@
-"""From the words of the command line to a server that answers, until Ctrl-C.
+"""The server of the desk, started from the options of the command line, until Ctrl-C.
 
-Enters: `Wish`.  Leaves: the address on standard output, then requests answered.  Used by `commands/desk.py`.
+Enters: `Wish`.  Leaves: the address on standard output, then answers to requests.  Used by `commands/desk.py`.
 """
 
 from __future__ import annotations
@@ -29,19 +29,19 @@ from coursework.words.errors import InputError, reason_of
 from coursework.words.sentences import say
 
 MOST_WORKERS = 4
-TRIED = 50  # ports from the one that was wished
+TRIED = 50  # ports tried, from the wished one on
 LEAVING = 1  # s that a connection has to end by itself
 MOST_CONNECTIONS = 500
-BEAT = 0.5  # s between two looks whether to end
-SILENCE = 20.0  # s from the opening of a line to the end of the head of a request
+BEAT = 0.5  # s between two checks whether to end
+SILENCE = 20.0  # s allowed from the opening of a connection to the end of the head of a request
 HERE = "127.0.0.1"
 
 
 class Impatient(H11Protocol):
-    """A line on which no request has come in time is closed: whoever opens many and is silent takes nobody's place."""
+    """A connection that is closed if no request comes in time, so that silent connections do not use up the limit."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Begin to wait for a request."""
+        """Start the time limit for the first request."""
         super().connection_made(transport)
         self.loop.call_later(SILENCE, self._look)
 
@@ -51,17 +51,17 @@ class Impatient(H11Protocol):
 
 
 class Calm(uvicorn.Server):
-    """A server that looks twice a second whether to end: ten times, as others do, cost a hundredth of a processor all day."""
+    """A server that checks twice a second whether to end: ten times, as usual, would cost 1 % of a processor all day."""
 
     async def main_loop(self) -> None:
-        """Renew the date of answers until it is time to end."""
+        """Update the date in the headers until it is time to end."""
         while not await self.on_tick(0):
             await asyncio.sleep(BEAT)
 
 
 @frozen
 class Wish:
-    """What the command line says; `host` "" is this machine alone, `folder` None a desk without files."""
+    """The options of the command line; `host` "" means only this machine, `folder` None a desk without files."""
 
     port: int
     bounds: Bounds
@@ -78,7 +78,7 @@ class Wish:
 
 
 def serve(wish: Wish, tell: Callable[[str], None]) -> None:
-    """Answer until Ctrl-C, which becomes `KeyboardInterrupt`; `tell` says what a person should know on standard error."""
+    """Answer requests until Ctrl-C, which becomes `KeyboardInterrupt`; `tell` writes messages to standard error."""
     begin = opened(wish.name, wish.folder)
     sockets, port = bound(wish.host, wish.port)
     if wish.port not in {0, port}:
@@ -109,9 +109,9 @@ def _bracketed(host: str) -> str:
 
 
 def bound(host: str, wished: int) -> tuple[list[socket.socket], int]:
-    """Return sockets on this machine alone, of both kinds of addresses, or on a `host`, and their port.
+    """Return sockets and their port: on `host`, or only on this machine (IPv4 and IPv6) if `host` is "".
 
-    Where the port that is wished is taken, the next free one; 0 is any.  Raises `InputError`.
+    If the `wished` port is taken, the next free one is used; 0 means any port.  Raises `InputError` if there is none.
     """
     for port in range(wished, wished + TRIED) if wished else [0] * TRIED:
         try:
@@ -133,7 +133,7 @@ def _listening(host: str, port: int) -> tuple[list[socket.socket], int]:
         if error.errno == errno.EADDRINUSE:
             first.close()
             raise
-        return [first], port  # a machine without the newer addresses
+        return [first], port  # a machine without IPv6
 
 
 def _socket(host: str, port: int) -> socket.socket:

@@ -1,6 +1,6 @@
-"""All the work of a folder as one zip, and back on another computer.
+"""All files of a folder as one zip, and such a zip unpacked on another computer.
 
-Enters: a `Folder`, bytes of a zip.  Leaves: bytes; what was written and what was left aside.  Used by `files.py`.
+Enters: a `Folder`, bytes of a zip.  Leaves: bytes; names of files that were written and skipped.  Used by `files.py`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ NO_ZIP = 422
 
 
 def packed(folder: Folder) -> bytes:
-    """Return every variant of a folder with the tables that it names."""
+    """Return a zip with every variant of a folder and the tables that they name."""
     return zipped(_work(folder))
 
 
@@ -38,7 +38,7 @@ def _work(folder: Folder) -> Iterator[tuple[str, bytes]]:
 
 
 def unpacked(folder: Folder, content: bytes, words: Phrases) -> dict[str, Any]:
-    """Write what is in a zip, nothing over what is there; return `written` and `skipped` (name, sentence).  Raises `Refused`."""
+    """Write the files of a zip without replacing any; return "written" and "skipped" (name, sentence).  Raises `Refused`."""
     found: dict[str, Any] = {"written": [], "skipped": []}
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
@@ -56,7 +56,7 @@ def unpacked(folder: Folder, content: bytes, words: Phrases) -> dict[str, Any]:
 
 
 def _taken_back(folder: Folder, name: str, content: bytes) -> str | None:
-    """Write one file, and return why it was not written, None where it was or is there already."""
+    """Write one file; return why it was not written, or None if it was written or is there with the same content."""
     stem, _, suffix = name.rpartition(".")
     if not is_name(stem) or suffix not in {"toml", "csv"}:
         return say("desk.zip_other", name=name[:100])

@@ -1,7 +1,7 @@
 """A displayed equation on as many lines as it needs.
 
-Enters: both sides as `Formula`.  Leaves: Typst math.  What does not fit a line is broken before a sign; a quotient whose
-numerator is too wide becomes a short fraction before brackets.
+Enters: both sides as `Formula`.  Leaves: Typst math.  An equation too long for a line is broken before a sign; a quotient
+with a wide sum in its numerator becomes a short fraction before that sum in brackets.
 Used by `assigning/page_words.py`, `laws.py`, `model.py`, `motion_equations.py` and `solution.py`.
 """
 
@@ -20,10 +20,10 @@ from coursework.variant.formula.tree import Formula, factors, product_of
 from coursework.words.templates import clean
 
 LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
-INDENT = 4  # the same measure: what a continued line loses on the left
+INDENT = 4  # in the same unit: the indent of a continued line
 
 Piece = tuple[int, str]  # width, source
-_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![^\W⁰¹²³⁴-⁹]|\.)")  # 2.5, also that of 2.5², not that of 2.5.1
+_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![^\W⁰¹²³⁴-⁹]|\.)")  # 2.5, also in 2.5², but not in 2.5.1
 
 
 def math_equation(left: Formula, right: Formula, rates: Rates = NO_RATES) -> str:
@@ -46,18 +46,18 @@ def math_equation(left: Formula, right: Formula, rates: Rates = NO_RATES) -> str
 
 
 def display(left: Formula, right: Formula, rates: Rates = NO_RATES, name: str = "", before: Runs | None = None) -> Display:
-    """Return "left = right" with its number at the margin and the words before it."""
+    """Return "left = right" as a display, with `name` at the margin and the words `before` it."""
     math, text = _set(left, right, rates)
     return Display(math, text, name=clean(name, 40), before=before or [])
 
 
-@lru_cache(maxsize=2048)  # a page has about thirty, and the next page of a template the same
+@lru_cache(maxsize=2048)  # a page has about thirty; the next page of the same task template has the same ones
 def _set(left: Formula, right: Formula, rates: Rates) -> tuple[str, str]:
     return math_equation(left, right, rates), text_equation(left, right, rates)
 
 
 def marked(one: Display, mark: str) -> Display:
-    """Return a display whose numbers have the decimal sign of a language."""
+    """Return a display whose numbers have the decimal sign `mark`."""
     if mark == POINT:
         return one
     pieces = one.math.split('"')
@@ -66,7 +66,7 @@ def marked(one: Display, mark: str) -> Display:
 
 
 def marked_text(text: str, mark: str) -> str:
-    """Return a formula in plain text with the decimal sign of a language."""
+    """Return a formula in plain text with the decimal sign `mark`."""
     return _DECIMAL.sub(rf"\1{mark}\2", text)
 
 
@@ -79,7 +79,7 @@ def _terms(tree: Formula, typst: Setter, plain: Setter) -> Iterator[Piece]:
 
 
 def _spread(tree: Formula, plain: Setter) -> tuple[bool, Formula, Formula] | None:
-    """Split a quotient or product with a wide sum into (is negative, what stands before, the sum), or None."""
+    """Split a quotient or product at its widest sum into (is negative, the factor before the sum, the sum); None without one."""
     if tree.op == "neg":
         inner = _spread(tree.args[0], plain)
         return None if inner is None else (not inner[0], inner[1], inner[2])
@@ -100,7 +100,7 @@ def _folded(parts: list[Piece]) -> str:
     lines: list[list[str]] = [[]]
     room = LINE
     for width, source in parts:
-        # A left side no wider than the indent stays: below it the line would be no shorter.
+        # No break follows a left side that is no wider than the indent: the next line would have no more room.
         if lines[-1] and width > room and (len(lines) > 1 or LINE - room > INDENT):
             lines.append([])
             room = LINE - INDENT

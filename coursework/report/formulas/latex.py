@@ -1,6 +1,6 @@
-r"""Typst math of this program -> LaTeX, the form in which a formula leaves the house.
+r"""Typst math of this program -> LaTeX, for a formula that is copied to another document.
 
-Enters: the source of a display.  Leaves: LaTeX for `amsmath`, on one line: where it breaks is for the next page to say.
+Enters: the source of a display.  Leaves: LaTeX for `amsmath`, on one line: the other document decides where it breaks.
 Used by the report's page.
 """
 
@@ -16,7 +16,7 @@ _GREEK = {
     "υ": "upsilon", "φ": "varphi", "χ": "chi", "ψ": "psi", "ω": "omega", "Γ": "Gamma", "Δ": "Delta", "Θ": "Theta",
     "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma", "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega",
 }  # fmt: skip
-# Words of Typst -> LaTeX; what takes arguments has as many gaps.
+# Words of Typst -> LaTeX; those in `_CALLS` have a gap (%s) for each argument.
 _WORDS = {
     "dot": r"\cdot", "angle": r"\angle", "partial": r"\partial", "degree": r"^\circ", "slash": "/", "quad": r"\quad",
     "thin": r"\,", "phi": r"\varphi", "omega": r"\omega",
@@ -44,7 +44,7 @@ def latex(source: str) -> str:
 
 
 class _Reader:
-    """Reads tokens one by one."""
+    """A reader that turns Typst tokens into LaTeX one by one."""
 
     def __init__(self, source: str) -> None:
         self.tokens = [token for token in _TOKEN.findall(source) if not token.isspace()] + [""]
@@ -56,7 +56,7 @@ class _Reader:
         return token
 
     def until(self, *ends: str) -> str:
-        """Return what stands before one of the ends, which is taken."""
+        """Return the LaTeX of all tokens before the first of `ends`, and take that token too."""
         found = ""
         while self.tokens[self.at] not in (*ends, ""):
             piece = self.one()
@@ -65,7 +65,7 @@ class _Reader:
         return found
 
     def one(self) -> str:
-        """Return the next piece: a letter, a number, a word with its arguments, an index, something in brackets."""
+        """Return the LaTeX of the next piece: a letter, a number, a word with its arguments, an index, or a bracket."""
         token = self.take()
         if token in {"_", "^"}:
             inside = self.grouped()
@@ -97,7 +97,7 @@ class _Reader:
 
 
 def _quoted(text: str) -> str:
-    """Return what Typst sets as it stands: numbers and their signs, else words."""
+    """Return the LaTeX of a quoted text, which is a number with its signs, or words."""
     if any(sign.isalpha() for sign in text):
         return r"\text{" + "".join(_SIGNS.get(sign, sign) for sign in text) + "}"
     text = re.sub(r"(?<=\d),(?=\d)", "{,}", text.replace(" ", ""))

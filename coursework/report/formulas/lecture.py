@@ -1,4 +1,4 @@
-"""The formula of a scheme as a lecture writes it, from its tableau.
+"""The formula of a scheme as a lecture writes it, made from its tableau.
 
 Enters: a `Scheme`.  Leaves: (Typst math, plain text) of each line.  Used by the section about the method.
 """
@@ -10,8 +10,8 @@ from fractions import Fraction
 from coursework.drawing.paper.symbols import LOWERED
 from coursework.motion.schemes import Scheme, Sum
 
-_A_LINE = 2  # slopes
-# Of a motion under forces: the rates first, by the accelerations, then the coordinates by the rates just made.
+_A_LINE = 2  # slopes on one line
+# For a motion under forces: first the rates, from the accelerations, then the coordinates, from the new rates.
 SEMI_IMPLICIT = (
     ("v_(i+1) = v_i + h a(t_i, q_i, v_i)", "v_{i+1} = v_i + h a(t_i, q_i, v_i)"),
     ("q_(i+1) = q_i + h v_(i+1)", "q_{i+1} = q_i + h v_{i+1}"),
@@ -19,7 +19,7 @@ SEMI_IMPLICIT = (
 
 
 def lines(scheme: Scheme) -> tuple[tuple[str, str], ...]:
-    """Return the slopes k1, k2 … two a line, then the step; one line where no slope is read twice (Euler, midpoint)."""
+    """Return the slopes k1, k2 … two per line, then the step; one line only if no slope is used twice (Euler, midpoint)."""
     read = [place for row in (*scheme.inner, scheme.outer) for place, _ in row.terms]
     if scheme.slopes <= _A_LINE and len(read) == len(set(read)):
         inside: list[str] = []
@@ -48,7 +48,7 @@ def _slope(scheme: Scheme, stage: int, names: list[str]) -> str:
 
 
 def _moved(row: Sum, names: list[str]) -> str:
-    """Return q_i and one row of the tableau behind it."""
+    """Return q_i plus the increment that one row of the tableau gives."""
     if not row.terms:
         return "q_i"
     terms = [f"{'' if abs(whole) == 1 else f'{abs(whole)} '}{names[place]}" for place, whole in row.terms]
@@ -60,7 +60,7 @@ def _moved(row: Sum, names: list[str]) -> str:
 
 
 def _part(part: Fraction | int) -> str:
-    """Return a part of h: h, h/2, 2/3 h."""
+    """Return a fraction of the step h: "h", "h/2", "2/3 h"."""
     if part.numerator == 1:
         return "h" if part.denominator == 1 else f"h/{part.denominator}"
     return f"{part} h"

@@ -1,6 +1,6 @@
-"""Where a person would break a displayed formula: before a sign of its outer sum or before "=".
+"""The places where a person would break a displayed formula: before "=" or before a sign of its outer sum.
 
-Enters: Typst math of one line.  Leaves: its pieces; a browser puts as many on a line as fit.
+Enters: Typst math of one line.  Leaves: its pieces, of which a browser puts as many on a line as fit.
 Used by `svg.py`.
 """
 
@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import re
 
-LONG = 56  # signs of Typst math; a shorter formula fits the screen of a phone
-TOGETHER = 44  # signs of pieces that stand on one line of it beside the number of the formula: no break is needed between them
-_SET_ALREADY = re.compile(r"^& | \\ & quad(?= )")  # lines of a formula that is too long for paper
+LONG = 56  # characters of Typst math; a shorter formula fits the screen of a phone
+TOGETHER = 44  # characters of neighbouring pieces that fit on one line of a phone beside the formula's number, so they are joined
+_SET_ALREADY = re.compile(r"^& | \\ & quad(?= )")  # line breaks already set in a formula that is too long for a line on paper
 _SIGNS = (" = ", " + ", " - ")
-_AFTER = " "  # before a sign that begins a piece: `equation.typ` sets it as one between two terms
+_AFTER = " "  # stands before a sign that begins a piece, so that `equation.typ` sets the sign as one between two terms
 
 
 def pieces(source: str) -> list[str]:
-    """Return the pieces of a formula, which is one piece where it is short or has no place to break.
+    """Return the pieces of a formula; a short formula, or one without a place to break, stays one piece.
 
     >>> pieces("x = a + b")
     ['x = a + b']
@@ -30,7 +30,7 @@ def pieces(source: str) -> list[str]:
 
 
 def _gathered(found: list[str]) -> list[str]:
-    """Return the pieces, short neighbours as one, "= 0" not alone at the end."""
+    """Return the pieces with short neighbours joined, and with a final "= 0" joined to the piece before it."""
     kept = found[:1]
     for piece in found[1:]:
         if len(kept[-1]) + len(piece) <= TOGETHER or piece == f"{_AFTER}= 0":
@@ -41,7 +41,7 @@ def _gathered(found: list[str]) -> list[str]:
 
 
 def _parted(source: str) -> list[str]:
-    """Return the terms of the outer sums, each but the first with its sign in front."""
+    """Return the formula split before "=", "+" and "-" outside all parentheses; all pieces but the first begin with the sign."""
     places, depth, is_text = [0], 0, False
     for place, sign in enumerate(source):
         if sign == '"':
@@ -56,7 +56,7 @@ def _parted(source: str) -> list[str]:
 
 
 def _opened(piece: str) -> list[str]:
-    """Return a long product with a sum at its end, "g (a - b + c)", in the terms of that sum."""
+    """Return a long product that ends in a sum, "g (a - b + c)", split at the terms of that sum; another piece whole."""
     begin = piece.find(" (")
     if len(piece) < LONG or begin < 0 or not piece.endswith(")") or "(" in piece[:begin].replace("_(", ""):
         return [piece]
@@ -64,6 +64,6 @@ def _opened(piece: str) -> list[str]:
     depth = 0
     for sign in piece[begin + 2 : -1]:
         depth += (sign == "(") - (sign == ")")
-        if depth < 0:  # the parenthesis at the end is another one
+        if depth < 0:  # the last parenthesis does not close the first one
             return [piece]
     return [f"{piece[:begin]} \\({inside[0]}", *inside[1:-1], f"{inside[-1]}\\)"] if len(inside) > 1 else [piece]

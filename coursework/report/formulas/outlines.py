@@ -1,6 +1,6 @@
-"""The outlines of letters and lines in fortieths of a point: a fifteenth of the finest dot of a telephone.
+"""The outlines of letters and lines in whole fortieths of a point; that is a fifteenth of the finest pixel of a phone.
 
-Enters: the path of a shape as Typst writes it, relative commands in pt.  Leaves: the path in whole units.
+Enters: the path of a shape as Typst writes it, with relative commands in pt.  Leaves: the path in whole units.
 Used by `svg.py`.
 """
 
@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import re
 
-UNITS = 40  # a pt
+UNITS = 40  # per pt
 _BEGIN = "M 0 0"
 _COMMAND = re.compile(r"([mlhvcz])([^a-z]*)")
 
 
 def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
-    """Return a path from (x, y) units on whose heights count `up` (1) or down (-1); raises `ValueError` for another kind.
+    """Return a path in whole units that starts at (`x`, `y`); `up` is 1 if the heights in `path` count upwards, else -1.
 
-    Every point is rounded where it stands, so that nothing adds up along a shape.
+    Each point is rounded from its exact place, so that rounding errors do not add up.  Raises `ValueError` for another start.
 
     >>> outline("M 0 0m 8.027 3.151h -3.2775v 3.2775c 0 0.184 -0.092 0.276 -0.276 0.276Z ")
     'm321-126h-131v-131c0-7-4-11-11-11z'
@@ -41,10 +41,10 @@ def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
             begin = at, pen
         if command == "c":
             handle, last = last, (steps[2][0] - steps[1][0], steps[2][1] - steps[1][1])
-            if steps[0] == handle and said in ("c", "s"):  # as far as the curve before it ended
+            if steps[0] == handle and said in ("c", "s"):  # the handle mirrors the last one of the curve before
                 command, steps = "s", steps[1:]
         written = [steps[0][command == "v"]] if command in "hv" else [number for step in steps for number in step]
         text = "".join(f" {number}" if number >= 0 else str(number) for number in written)
-        found += text if command == said != "m" else command + text.lstrip()  # once for all that follow; behind m stand lines
+        found += text if command == said != "m" else command + text.lstrip()  # left out if repeated; after m it would mean l
         said = command
     return found

@@ -1,6 +1,6 @@
-"""Displayed equations as SVG for the HTML page: set by Typst like those on paper, each once per process.
+"""Displayed equations as SVG for the HTML page: set by Typst as on paper, each only once per process.
 
-Enters: Typst math sources.  Leaves: SVG with glyphs by reference, and the glyphs, once for all.
+Enters: Typst math sources.  Leaves: SVGs that refer to glyphs, and the glyphs, which all SVGs share.
 Used by `assigning/sheet.py` and `html.py`.
 """
 
@@ -25,22 +25,22 @@ _SYMBOL = re.compile(r'<symbol id="([^"]+)"[^>]*>\s*<path d="([^"]+)"\s*/>\s*</s
 _RUN = re.compile(r'<g transform="matrix\(1 0 0 -1 (\S+) (\S+)\)"\s*>((?:\s*<use [^>]*/>)*)\s*</g>')
 _COPY = re.compile(r'href="#([^"]+)" x="([^"]+)" y="([^"]+)"')
 _NOTHING = re.compile(r"<g [^>]*/>|</svg>")
-# A bar of a fraction or a root; ends, corners and their limit are those that every line has.
+# A bar of a fraction or a root; its line ends, corners and their limit are those of every line, so they are not kept.
 _BAR = re.compile(
     r'<path fill="none" stroke="#000000" stroke-width="(\S+)"[^>]*? transform="translate\((\S+) (\S+)\)" d="([^"]*)"/>'
 )
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
-# A marker is drawn in units of its line, which is 1 wide.
+# A marker is drawn in units of the width of its line, which is 1.
 MARKERS = ".math{width:var(--wide)}.formula .math,.math{fill:none}marker{overflow:visible}"
-_LETTERS = ascii_letters.swapcase()  # the names of glyphs, the commonest first
-MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
+_LETTERS = ascii_letters.swapcase()  # short names for the most frequent glyphs
+MOST_CACHED = 2000  # equations kept; with more (a batch over many variants) the cache is emptied
 
 
 @frozen
 class Picture:
-    """A formula as SVG, in `pieces` that may stand one below the other."""
+    """A formula as SVG; `pieces` is the number of its pieces, which may stand one below the other."""
 
     svg: str
     pieces: int = 1
@@ -48,7 +48,7 @@ class Picture:
 
 @frozen
 class Drawn:
-    """Pictures by source, and the glyphs and repeated formulas they refer to (to stand once in the page)."""
+    """Pictures by source, and the glyphs and repeated formulas to which they refer (these stand once in the page)."""
 
     pictures: dict[str, Picture]
     glyphs: str
@@ -58,12 +58,12 @@ _cache: dict[tuple[Path, str], tuple[Picture, dict[str, str]]] = {}
 
 
 def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
-    """Return every equation as SVG; `breaks`: a long one in pieces.  Raises `OutputError` where Typst is not installed."""
+    """Return every equation as SVG; `breaks`: a long one in pieces.  Raises `OutputError` if Typst is not installed."""
     listed = [(source, pieces(source) if breaks else [source]) for source in sources]
     wanted = Counter(piece for _, parts in listed for piece in parts)
     if len(_cache) > MOST_CACHED:
         _cache.clear()
-    looks = folder("reports")  # own pieces may draw them in another way
+    looks = folder("reports")  # the instructor's own templates may draw them in another way
     if missing := [piece for piece in wanted if (looks, piece) not in _cache]:
         try:
             pages = typeset("equation.typ", missing, "svg")
@@ -100,8 +100,8 @@ def _joined(parts: list[Picture]) -> Picture:
 
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
-    """Return the picture without its glyphs, and their outlines by id.  Raises `ValueError` where Typst writes another SVG."""
-    glyphs = {intern(found[1]): intern(found[2]) for found in _SYMBOL.finditer(svg)}  # one outline a letter, not one a formula
+    """Return the picture without its glyphs, and their outlines by id.  Raises `ValueError` if the SVG has another form."""
+    glyphs = {intern(found[1]): intern(found[2]) for found in _SYMBOL.finditer(svg)}  # one string per glyph, not one per formula
     opening = _OPENING.search(svg)
     if not opening:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
@@ -109,10 +109,10 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     body = _DEFINITIONS.sub("", svg[opening.end() :])
     placed = [
         (copy[1], round(UNITS * (float(run[1]) + float(copy[2]))), round(UNITS * (float(run[2]) - float(copy[3]))))
-        for run in _RUN.finditer(body)  # whose heights count upwards
+        for run in _RUN.finditer(body)  # heights inside a run count upwards
         for copy in _COPY.finditer(run[3])
     ]
-    # Heights are counted from the line on which most letters stand: there they are 0.
+    # Heights are counted from the baseline of most letters, so that most of them are 0.
     line = Counter(y for _, _, y in placed).most_common(1)[0][0] if placed else 0
     places: dict[str, list[tuple[int, int]]] = {}
     for glyph, x, y in placed:
@@ -121,7 +121,7 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     if "<use" in bars or "transform" in bars or not places.keys() <= glyphs.keys():
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
     size = f'style="--wide:{wide:.2f}pt"'
-    # Two digits more than eyes need: lines of words beside a formula stand on whole pixels by its height.
+    # Two digits more than the eye needs: the height decides on which pixels the text beside the formula stands.
     head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.7g} {UNITS * high:.7g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())
     return Picture(f"{head}{letters}{bars.strip()}</svg>"), glyphs
@@ -130,21 +130,21 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
 def _bar(bar: re.Match[str], line: int) -> str:
     thick, x, y = (UNITS * float(number) for number in bar.groups()[:3])
     way = outline(bar[4], x, y - line, up=-1)
-    # On a dark screen its colour is that of the text.
+    # `currentColor` gives the bar the colour of the text, on a dark screen too.
     return f'<path stroke="currentColor" stroke-width="{thick:g}" d="M{round(x)} {round(y - line)}{way}"/>'
 
 
 @lru_cache(maxsize=MOST_CACHED)
 def _marker(glyph: str, path: str) -> str:
-    """Return a glyph as a marker: the places of all its copies in a formula are numbers of one element.
+    """Return a glyph as an SVG marker, so that one element of a formula holds the places of all copies of the glyph.
 
-    An element with a shift of its own for each copy, a thousand a page, is what a browser goes through whenever it paints.
+    One element per copy would mean a thousand elements on a page, and a browser goes through all of them at each repaint.
     """
     return f'<marker id="{glyph}"><path d="{outline(path)}"/></marker>'
 
 
 def _set(glyph: str, places: list[tuple[int, int]]) -> str:
-    """Return a line that nobody sees with the glyph at each of its corners; its ends bear none."""
+    """Return an invisible line with the glyph at each of its corners, but not at its two ends."""
     way, height, level = "M0 0", 0, False
     for x, y in places:
         level, before = y == height, level

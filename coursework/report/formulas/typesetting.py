@@ -1,7 +1,7 @@
-"""The one way to Typst: loaded when needed, with fonts that do not depend on the machine.
+"""The only access to Typst, which is loaded when needed, with fonts that do not depend on the machine.
 
-Enters: a template of `reports/` and data as JSON.  Leaves: PDF bytes, or one SVG or PNG a page.
-Raises `OutputError` where Typst is not installed or refuses the page.
+Enters: a template of `reports/` and data for JSON.  Leaves: PDF bytes, or one SVG or PNG per page.
+Raises `OutputError` if Typst is not installed; `refusal` turns an error of Typst into one of ours.
 Used by `svg.py` and `pdf.py`.
 """
 
@@ -28,14 +28,14 @@ from coursework.words.templates import failing_piece
 if TYPE_CHECKING:
     import typst
 
-# The sans face for figures and for signs the text face lacks; matplotlib brings it along.
+# The sans-serif font for figures and for signs that the text font lacks; it comes with matplotlib.
 FACES = ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSans-BoldOblique.ttf")
 
-# Typst keeps what it has computed until ten further compilations had no use for it: 480 MB of reports that differ in their
-# data.  So many empty ones before each PDF, 0.2 ms each, leave what the next report takes over, and half the memory.
+# Typst keeps each result until ten further compilations have not used it: 480 MB for reports that differ in their data.  So
+# many empty compilations before each PDF, 0.2 ms each, still keep what the next report reuses, and halve the memory.
 EMPTY = 5
-_PLACE = re.compile(r"┌─ .*?reports/(?P<name>[^:\n]+):(?P<line>\d+):")  # in Typst's account of an error
-_ALONE = threading.Lock()  # a compiler that is used again serves one thread at a time
+_PLACE = re.compile(r"┌─ .*?reports/(?P<name>[^:\n]+):(?P<line>\d+):")  # the place that Typst names in an error
+_ALONE = threading.Lock()  # the compiler that is reused serves one thread at a time
 
 
 def _typst() -> Any:
@@ -47,7 +47,7 @@ def _typst() -> Any:
 
 
 def _fonts(everything: bool) -> typst.Fonts:
-    """Return Typst's own faces, DejaVu Sans and those of `reports/fonts`; `everything` adds those of the machine."""
+    """Return Typst's own fonts, DejaVu Sans and those of `reports/fonts`; `everything` adds the fonts of the machine."""
     return _fonts_in((_faces(), folder("reports") / "fonts"), everything)
 
 
@@ -61,9 +61,9 @@ _places: list[Path] = []
 
 
 def _faces() -> Path:
-    """Return a folder with `FACES` alone: matplotlib's own folder holds faces that would be taken for missing signs.
+    """Return a folder with only `FACES`: for missing signs, Typst would also take the other fonts of matplotlib's folder.
 
-    Typst reads a face when it first needs it, so a folder that was cleared away in between is made anew.
+    Typst reads a font when it first needs it, so the folder is made anew if it was deleted in between.
     """
     if _places and _places[-1].is_dir():
         return _places[-1]
@@ -77,7 +77,7 @@ def _faces() -> Path:
         for face in FACES:
             _link(source / face, place / face)
     except OSError:
-        place = source  # no room for temporary files: the whole folder serves as well
+        place = source  # no room for temporary files: matplotlib's whole folder must do
     _places.append(place)
     return place
 
@@ -90,7 +90,7 @@ def _removed(place: Path, owner: int) -> None:
 def _link(source: Path, target: Path) -> None:
     try:
         target.symlink_to(source)
-    except OSError:  # Windows lets only administrators
+    except OSError:  # on Windows only administrators may make links
         shutil.copyfile(source, target)
 
 
@@ -98,11 +98,11 @@ def typeset(
     template: str, data: Any, kind: Literal["pdf", "svg", "png"], *, standard: str | None = None, everything: bool = False,
     ppi: float | None = None,
 ) -> Any:  # fmt: skip
-    """Return what Typst makes of `reports/<template>` and `data`; the same bytes for the same data.
+    """Return `reports/<template>` filled with `data` by Typst; the same bytes for the same data.
 
-    Parameters: `standard` such as "ua-1" (checked while compiling); `everything` also uses the fonts of the machine; `ppi` are
-    the dots an inch of a PNG.
-    Raises `typst.TypstError` as it comes; `OutputError` where Typst is not installed.
+    `standard` is a PDF standard such as "ua-1", checked while compiling; `everything` adds the fonts of the machine; `ppi` is
+    the resolution of a PNG in dots per inch.
+    Raises `typst.TypstError` unchanged (see `refusal`); `OutputError` if Typst is not installed.
     """
     place = folder("reports")
     if kind == "pdf":
@@ -119,16 +119,16 @@ def typeset(
 
 
 def sources(template: str, data: Any) -> dict[str, bytes]:
-    """Return what Typst does not read from the folder: the page that is the template, and its data as a file.
+    """Return the files that Typst does not read from the folder: a main page that includes the template, and the data.
 
-    As a value told to Typst, data would be part of all that it knows, and nothing of the report before could be taken over.
-    Typst parses every file as a source of its own too: what follows two slashes on a line is a remark there, and soon read.
+    If data were passed as an input value, every result of Typst would depend on it, and the next report could reuse none.
+    Typst also parses every file as its own source: after two slashes, which the data begins with, a line is a quick comment.
     """
     return {"main.typ": f'#include "{template}"'.encode(), "data.json": json.dumps(["//", data], ensure_ascii=False).encode()}
 
 
 def refusal(error: RuntimeError) -> CourseworkError:
-    """Return what is told of a `typst.TypstError`: by which own piece of the instructor it came, else that no page was set."""
+    """Return our error for a `typst.TypstError`: `InputError` if an instructor's own template caused it, else `OutputError`."""
     told = " ".join(str(error).split())
     found = _PLACE.search(getattr(error, "diagnostic", ""))
     if found and (name := found["name"]) in templates_in_use():
@@ -137,7 +137,7 @@ def refusal(error: RuntimeError) -> CourseworkError:
 
 
 def _forget() -> None:
-    """Let Typst drop what only earlier reports had use for."""
+    """Let Typst drop the results that only earlier reports used, by `EMPTY` empty compilations."""
     with _ALONE:
         for _ in range(EMPTY):
             _empty().compile(b"", format="svg")

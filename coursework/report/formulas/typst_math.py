@@ -1,7 +1,8 @@
 """A formula tree -> Typst math, and plain Unicode text of the same meaning.
 
-Enters: `Formula`.  Leaves: source made by this program alone (never text of a student, so the template may `eval` it).
-Products are implicit, quotients are proper fractions in Typst and "a / (b c)" in text, terms keep the author's order.
+Enters: `Formula`.  Leaves: source that only this program makes (never a student's text, so the template may `eval` it).
+Products have no sign, quotients are proper fractions in Typst and "a / (b c)" in text, terms keep the author's order.
+Used by `display.py` and `report/sections/`.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from coursework.variant.formula.tree import Formula
 
 
 class Level(IntEnum):
-    """How tightly a piece holds together; a looser piece inside a tighter place takes parentheses."""
+    """How tightly a piece binds; where a tighter piece is required, it is put into parentheses."""
 
     SUM = 0
     SIGNED = 1
@@ -32,7 +33,7 @@ class Level(IntEnum):
 
 @frozen
 class Piece:
-    """A rendered part.  `inner` is a SIGNED piece without its minus; the flags say what may stand beside it."""
+    """A rendered part.  `inner` is a SIGNED piece without its minus; `opens` and `closes` say how it begins and ends."""
 
     source: str
     level: Level
@@ -44,15 +45,15 @@ class Piece:
 _TYPST_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln", "atan2": 'op("atan2")'}
 _TEXT_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln", "sqrt": "√"}
 _RAISED_FUNCTIONS = {"sin", "cos", "tan"}
-_READ_FROM_DEGREES = 12  # digits at least: nobody writes an angle in radians so long
+_READ_FROM_DEGREES = 12  # least number of digits: nobody writes an angle in radians with so many
 _EXPONENTIAL = re.compile(r"(.*)[eE]\+?(-?\d+)")
 
 
 @frozen
 class Setter:
-    """Sets formulas; `typst` chooses the language, `rates` are the names whose "d…" is a derivative in time.
+    """A writer of formulas, in Typst math if `typst`, else in plain text; `rates` are names whose "d…" is a time derivative.
 
-    `in_sentence`: a bare letter is marked for the sentence around it.
+    `in_sentence`: mark single letters, so that the sentence around the formula does not take them for words.
     """
 
     typst: bool
@@ -61,7 +62,7 @@ class Setter:
     in_sentence: bool = False
 
     def set(self, tree: Formula) -> Piece:
-        """Return the piece of a formula."""
+        """Return a formula as a rendered piece; raises `ValueError` for an unknown operation."""
         match tree.op:
             case "number":
                 return self._number(tree.name)
@@ -220,13 +221,13 @@ def math(tree: Formula, rates: Rates = NO_RATES) -> str:
 
 
 def text_equation(left: Formula, right: Formula, rates: Rates = NO_RATES, *, in_sentence: bool = False) -> str:
-    """Return "left = right" as plain text; `in_sentence`: bare letters are marked, so that none is taken for a word."""
+    """Return "left = right" as plain text; `in_sentence`: mark single letters, so that none is taken for a word."""
     setter = Setter(typst=False, rates=rates, in_sentence=in_sentence)
     return f"{setter.set(left).source} = {setter.set(right).source}"
 
 
 def _degrees(digits: str) -> str:
-    """Return "15" for 0.2617993877991494: an angle that a file gave in degrees; "" for every other number."""
+    """Return "15" for 0.2617993877991494, an angle that a file gave in degrees; "" for any other number."""
     if len(digits.strip("0.")) < _READ_FROM_DEGREES:
         return ""
     value = float(digits)

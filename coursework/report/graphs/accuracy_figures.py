@@ -1,4 +1,4 @@
-"""The figure of the accuracy section: error against cost, each line named where it ends, alike methods as one band.
+"""The figure of the accuracy section: error against cost, a name at the end of each line, similar methods as one band.
 
 Enters: numbers and labels.  Leaves: SVG text and its height in mm.
 Used by `accuracy.py`.
@@ -28,34 +28,34 @@ STYLES = (
     ("#cc79a7", "2.1 .4 .4 .4 .4 .4", "down"), ("#e69f00", "3.4 .9", "plus"), ("#56b4e9", "1.3 .4", "cross"),
     ("#7b3294", "", "star"), ("#8c510a", "1.6 .7", "left"), ("#000", "2.7 .7 .4 .7", "right"),
 )  # fmt: skip
-HEIGHT = 70.0  # mm of the whole
-LEFT, RIGHT, TOP, BOTTOM = 14.0, 42.0, 6.0, 10.5  # mm around the axes; words stand at the right of the lines
-ROOM_X, ROOM_Y = (0.05, 0.05), (0.04, 0.1)  # of the ranges, before and behind what is shown; a name stands above the first line
-LINE = 4.3  # mm of one line of words
-KEY_WIDE, KEY = 7.0, 8.5  # mm of a piece of a line before a name that does not stand right behind it, and to the name
-BESIDE = (1.8, 0.0)  # mm from the end of a line to its name, right behind it
-PEN = 0.42  # mm wide is every line that says nothing else
+HEIGHT = 70.0  # mm, of the whole figure
+LEFT, RIGHT, TOP, BOTTOM = 14.0, 42.0, 6.0, 10.5  # mm around the axes; names stand at the right of the lines
+ROOM_X, ROOM_Y = (0.05, 0.05), (0.04, 0.1)  # parts of the ranges left free at both ends; a name stands above the first line
+LINE = 4.3  # mm, height of one line of words
+KEY_WIDE, KEY = 7.0, 8.5  # mm: length of the sample of a line before a name away from that line's end; from its begin to the name
+BESIDE = (1.8, 0.0)  # mm from the end of a line to a name right behind it
+PEN = 0.42  # mm, default width of a line
 OWN = f'fill="none" stroke="{INK}" stroke-width="0.46"'
 OWN_RADIUS = 1.9  # mm
 BAND = 'class="order" fill="#e6e6e6" stroke="#555" stroke-width="0.2"'
-HALO = ' stroke="#fff" stroke-width="0.8" stroke-linejoin="round" paint-order="stroke"'  # of a name that has to stand on a line
+HALO = ' stroke="#fff" stroke-width="0.8" stroke-linejoin="round" paint-order="stroke"'  # of a name that covers a line
 ROUND_OFF = 'fill="#f2f2f2"'
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
-BAND_ORDER = 2  # of which there are several methods, hardly apart
+BAND_ORDER = 2  # measured order of the methods that are drawn as one band, because their lines are hardly apart
 
-STRIDE, FARTHER = 10.0, 6.0  # mm between places of a name anywhere in the picture, and what standing there is worth of way
-STANDS = 40  # places of a name among which those of all are looked for
-ON_A_LINE = 60.0  # the same for each place of a line that it stands on
-CLEAR = np.array([-0.5, 0.2, 0.5, -0.2])  # mm of a line of words that no other line comes near to; letters are lower than it
-MEETING = 400.0  # mm of way that a name rather takes than standing on another
+STRIDE, FARTHER = 10.0, 6.0  # mm between the places of a name anywhere in the picture, and the extra cost of such a place
+STANDS = 40  # the cheapest places of a name, from which one is chosen
+ON_A_LINE = 60.0  # cost of each dot of a line that a name covers
+CLEAR = np.array([-0.5, 0.2, 0.5, -0.2])  # mm added to a box before covered dots are counted: letters are lower than their line
+MEETING = 400.0  # cost of a name that stands on another one
 
 Box = tuple[float, float, float, float]
-Named = tuple[str, tuple[float, float], str]  # words, the end of what they name, a piece of it as SVG in KEY_WIDE mm
+Named = tuple[str, tuple[float, float], str]  # words, the end of the line they name, a sample of it as SVG, KEY_WIDE mm long
 
 
 @frozen
 class Method:
-    """One line: `points` (cost, largest error, not below `SMALLEST`) from the cheapest on, its measured order."""
+    """One line: `points` (cost, largest error, at least `SMALLEST`) in order of cost, and its measured `order`."""
 
     name: str
     points: tuple[tuple[float, float], ...]
@@ -64,8 +64,9 @@ class Method:
 
 @frozen
 class Chart:
-    """The whole figure; `own` = (cost, error) of the coursework, `labels` by key of the words file; `timed`: cost is running
-    time, else evaluations.
+    """The whole figure; `own` = (cost, error) of the coursework; `floor` = the error that round-off leaves, 0 if not shown.
+
+    `labels` by key of the words file; `timed`: cost is running time, else evaluations; `band` writes the names of a band.
     """
 
     methods: tuple[Method, ...]
@@ -78,7 +79,7 @@ class Chart:
 
 
 def chart(page: Chart) -> tuple[str, float]:
-    """Return error against cost, and mm high."""
+    """Return the figure of error against cost as SVG, and its height in mm."""
     lines = [(one, one.points, *STYLES[index % len(STYLES)]) for index, one in enumerate(page.methods) if one.points]
     shown = [point for _, points, *_ in lines for point in points] + ([page.own] if page.own else [])
     y = scale_for([*(error for _, error in shown), page.floor / 10], HEIGHT - BOTTOM, TOP, ROOM_Y)
@@ -100,7 +101,7 @@ def chart(page: Chart) -> tuple[str, float]:
         inside += _pen(places, ink, dashes) + marks(places, mark, ink)
         drawn.append(places)
         named.append((method.name, places[-1], _piece(mark, ink, dashes)))
-    # Marks count more than what is between them.
+    # Each mark counts as four dots more than a place between marks.
     dots = np.array([dot for line in drawn for dot in (*_dotted(line), *4 * line)]).reshape(-1, 2)
     ring: list[Box] = []
     first = ""
@@ -117,7 +118,7 @@ def chart(page: Chart) -> tuple[str, float]:
 
 
 def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
-    """Return axes and the band of round-off, and the name of that."""
+    """Return the axes and the band of round-off as SVG, and a list with the name of that band, empty without one."""
     inside, named = "", []
     if page.floor > 0:
         low = y.at(page.floor)
@@ -129,9 +130,10 @@ def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
 
 
 def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
-    """Return the names of lines, each at the end of its own or behind a piece of it: on no other name, on fewest `dots` (n, 2).
+    """Return the names of lines as SVG, placed clear of each other and of the boxes `taken`, covering few `dots` (n, 2).
 
-    Each takes the best place that is free.  Then each tries its others once more, from which it drives away whoever stands there.
+    First each name takes its best free place.  Then, twice, each name tries all its places: names that stand there are placed
+    anew, and the change is kept if the total cost falls.
     """
     stands = [_stands(*one, dots) for one in named]
     boxes = np.array([*taken, *(stand.box for one in stands for stand in one)]).reshape(-1, 4)
@@ -142,7 +144,7 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
     ground = functools.reduce(operator.or_, masks[: len(taken)], 0)
 
     def settle(at: dict[int, int], names: Iterable[int]) -> dict[int, int]:
-        """Give each of `names` the best place that those which have one leave."""
+        """Return `at` with each of `names` added, in the best place that the names before it leave free."""
         for k in names:
             full = functools.reduce(operator.or_, (masks[begins[other] + place] for other, place in at.items()), ground)
             free = (place for place in range(len(stands[k])) if not full >> begins[k] + place & 1)
@@ -172,7 +174,10 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
 
 @frozen
 class Stand:
-    """A place of a name: its lines, the box that they fill, how much before them is a piece of the line, what it costs."""
+    """A place of a name: its lines `rows`, the `box` they fill (mm), the width `before` them for a sample of the line (mm).
+
+    `cost` is that of standing there; `covers`: it covers a line.
+    """
 
     rows: tuple[str, ...]
     box: Box
@@ -182,7 +187,7 @@ class Stand:
 
 
 def _stands(text: str, place: tuple[float, float], piece: str, dots: Array) -> list[Stand]:
-    """Return where a name may stand, best places first: in one line, in two, or in lines as wide as the room beside the axes."""
+    """Return the cheapest places of a name first: on one line, on two, or on lines that fit the room beside the axes."""
     key = KEY if piece else 0.0
     every: list[tuple[float, Box, float, tuple[str, ...]]] = []
     for rows in dict.fromkeys(((text,), _rows(text, 0.68 * LETTERS * width(text)), _rows(text, RIGHT - BESIDE[0]))):
@@ -199,9 +204,9 @@ def _stands(text: str, place: tuple[float, float], piece: str, dots: Array) -> l
 
 
 def _written(stand: Stand, piece: str, below: int) -> str:
-    """Return a name with the piece of its line before it; right behind that the piece is hidden.
+    """Return a name with the sample of its line before it; the sample is hidden if the name stands right behind the line.
 
-    A phone, too small for names in the picture, lists them with all pieces under it, each `below` so many lines.
+    A phone is too small for names in the picture, so it lists all names with samples below it, this one in line `below`.
     """
     left, top, _, bottom = stand.box
     base, more = LINE / 2 + RISE * LETTERS - (bottom - top) / 2, HALO if stand.covers else ""
@@ -212,7 +217,7 @@ def _written(stand: Stand, piece: str, below: int) -> str:
 
 
 def _rows(text: str, room: float) -> tuple[str, ...]:
-    """Return a name in lines of so many mm."""
+    """Return a name broken into lines at most `room` mm long; a longer word stays whole."""
     rows = [""]
     for word in text.split(" "):
         longer = f"{rows[-1]} {word}".lstrip()
@@ -224,7 +229,7 @@ def _rows(text: str, room: float) -> tuple[str, ...]:
 
 
 def _covered(boxes: Array, dots: Array) -> list[int]:
-    """Return how many dots lie in each of the boxes (n, 4)."""
+    """Return how many of the `dots` (m, 2) lie in each of the `boxes` (n, 4)."""
     left, top, right, bottom = boxes.T[:, :, None]
     x, y = dots.T
     counts: list[int] = np.count_nonzero((left < x) & (x < right) & (top < y) & (y < bottom), axis=1).tolist()
@@ -247,9 +252,9 @@ def _pen(places: Points, ink: str, dashes: str) -> str:
 
 
 def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
-    """Return where the left middle of words may stand from the end of a line, and how far off that is.
+    """Return the places of a name near its line as (dx, dy, cost), best first; dx and dy lead from the line's end to its left.
 
-    From there the `axes` end so far to the right (mm).
+    `wide` is the width of the name, `axes` the distance from the line's end to the right end of the axes (mm).
     """
     found = []
     for step in range(12):
@@ -261,7 +266,7 @@ def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
 
 
 def _anywhere(place: tuple[float, float], wide: float) -> Iterator[tuple[float, float, float]]:
-    """Yield places all over the picture: behind a piece of its line a name is understood there too."""
+    """Yield places (dx, dy, cost) all over the picture, where a name is understood because a sample of its line precedes it."""
     for left in np.arange(LEFT + 1.5, WIDTH - max(RIGHT, wide), STRIDE).tolist():
         for middle in np.arange(TOP, HEIGHT - BOTTOM, LINE).tolist():
             dx, dy = left - place[0], middle - place[1]
@@ -269,7 +274,7 @@ def _anywhere(place: tuple[float, float], wide: float) -> Iterator[tuple[float, 
 
 
 def _dotted(line: Points) -> Iterator[tuple[float, float]]:
-    """Yield places of a line, about a mm apart."""
+    """Yield points along a line, about 1 mm apart."""
     for (x0, y0), (x1, y1) in pairwise(line if len(line) > 1 else [*line, *line]):
         steps = max(2, int(math.hypot(x1 - x0, y1 - y0)))
         for k in range(steps + 1):

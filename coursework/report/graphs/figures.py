@@ -24,7 +24,7 @@ def drawn(context: PageContext, drawing: record.Drawing) -> Figure:
 
 
 def scale_on_paper(words: Words, caption: Runs) -> Runs:
-    """Return a caption whose words of the scale are marked: on a screen a drawing has another size."""
+    """Return a caption whose words on the scale are marked for paper only: on a screen a drawing has another size."""
     said = re.escape(words("drawing.scale", scale="1")).replace("1", r"[\d.,:]*\d")
     found: Runs = []
     for run in caption:
@@ -35,21 +35,21 @@ def scale_on_paper(words: Words, caption: Runs) -> Runs:
 
 
 def drawn_parts(context: PageContext, drawing: record.Drawing) -> list[Part]:
-    """Return a drawing with the steps in which it was made."""
+    """Return a drawing followed by the steps of its construction, numbered."""
     figure = drawn(context, drawing)
-    # A small letter in a step is the image of a point, whatever datum is called so.
+    # A small letter in a step is the image of a point, even if a datum has that name.
     told = [printed(f"{number}. {context.told(step)}") for number, step in enumerate(drawing.steps, start=1)]
     numbered = [context.lettered(_with_letters(step, drawing.letters), data=False) for step in told]
     return [figure, *(Paragraph(step, "note") for step in numbered)]
 
 
 def _with_letters(step: str, letters: tuple[str, ...]) -> str:
-    """Return a step in which the names of points, "b'", "BC", "P₁", stand as letters of our own, set as in a formula."""
+    """Return a step in which the letters of point names ("b'", "BC", "P₁") are marked, so that they are set as in a formula."""
     if not letters:
         return step
     one = f"[{''.join(map(re.escape, letters))}]"
     many = f"[{''.join(re.escape(letter) for letter in letters if letter.isupper())}]" if any(map(str.isupper, letters)) else one
-    # Two small letters are a unit, mm, and no line between two points.
+    # Two small letters are a unit (mm), not a line between two points.
     named = re.compile(rf"(?<![A-Za-z0-9_/₀-₉])(?:{one}[₀-₉]*|(?:{many}[₀-₉]*)+)(?![A-Za-z0-9_/₀-₉])")
     own = re.compile(one)
     return named.sub(lambda found: own.sub(lambda letter: f"{ITALIC[0]}{letter[0]}{ITALIC[1]}", found[0]), step)

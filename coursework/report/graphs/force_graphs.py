@@ -1,4 +1,4 @@
-"""Graphs of forces: what drives against time with its mean, and the reaction in each pin as a polar curve.
+"""Graphs of forces: the driving forces or moments against time with their mean, and the reaction in each pin as a polar curve.
 
 Enters: a `PageContext`, a `ForceAnalysis`.  Leaves: figures of panels.  Used by `report/sections/effects/forces.py`.
 """
@@ -18,13 +18,13 @@ from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.system.arrays import Array
 
 SIZE, SQUARE = (82.0, 34.0), (82.0, 66.0)  # mm
-MOST = 6  # polar curves of one figure
-_ROUND_OFF = 1e-12  # of the largest force: a drive that never has more is none, and one that locks in every row is unknown
+MOST = 6  # polar curves in one figure
+_ROUND_OFF = 1e-12  # parts of the largest force: a drive that stays below (or is unknown in every row) has no graph
 MEAN_PEN = f'stroke="{INK}" stroke-width="0.2" stroke-dasharray="2 1"'
 
 
 def force_graphs(context: PageContext, found: ForceAnalysis, legend: list[tuple[str, Runs]]) -> list[Part]:
-    """Return the drives against time under a `legend`, then the polar curves of the reactions."""
+    """Return the drives against time under a `legend`, then the polar curves of the reactions; empty for less than 3 rows."""
     if found.rows.count < 3:
         return []
     exact = context.run.results.exact_forces
@@ -62,7 +62,7 @@ def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis 
 
 
 def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | None:
-    """Return the curve of a reaction, its x and y to one scale, from the origin."""
+    """Return the curve of the tip of a reaction drawn from the origin, x and y to one scale; None if it is no curve."""
     x, y = found.column(f"{pair}x"), found.column(f"{pair}y")
     known = np.isfinite(x) & np.isfinite(y)
     if known.sum() < 3 or not (np.ptp(x[known]) or np.ptp(y[known])):
@@ -87,7 +87,7 @@ def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | Non
 
 
 def _square(x: Array, y: Array) -> Field:
-    """Return a field that holds the origin and a curve, x and y to one scale."""
+    """Return a field that contains the origin and a curve, with the same scale for x and y."""
     wide, high = SQUARE[0] - LEFT - RIGHT, SQUARE[1] - TOP - BOTTOM
     low, top = min(0.0, float(y.min())), max(0.0, float(y.max()))
     first, last = min(0.0, float(x.min())), max(0.0, float(x.max()))

@@ -27,24 +27,24 @@ if TYPE_CHECKING:
 
 LETTERS = 3.18  # mm: 9 points on paper, 12 pixels where a screen shows a graph at its size
 LEFT, RIGHT, TOP, BOTTOM = 13.5, 3.0, 6.0, 7.0  # mm around the field; longer words at the ticks take more at the left
-DIGIT = 0.68  # of the height of letters: the widest digit or sign
-TICK, APART = 0.9, 0.6  # mm: a tick, and between it and its words
+DIGIT = 0.68  # parts of the height of letters: width of the widest digit or sign
+TICK, APART = 0.9, 0.6  # mm: length of a tick, and room between it and its words
 PLAIN = Numbers()
-MOST_DECIMALS, LARGEST = 5, 1e6  # of a number at a tick; beyond them stand powers of ten
+MOST_DECIMALS, LARGEST = 5, 1e6  # limits of a number at a tick; beyond them powers of ten are written
 TIME_ROOM = 6.0  # mm at the end of the axis of t, for its name
-MOST_TICKS = 5  # of the values; a low field has fewer, each with the room of its word
-ROOM = 0.07  # of the range of the values, above and below
+MOST_TICKS = 5  # on the axis of values; a low field has fewer, so that each has room for its words
+ROOM = 0.07  # parts of the range of values, left free above and below
 RADIUS = 0.62  # mm of a dot
 MOST_DOTS = 30
 MOST_POINTS = 2000  # of one curve; finer than any printer at this width
-BETWEEN = 8  # points of a smooth curve a row
-# The weights of the four ends of a cubic at BETWEEN + 1 points of it and midway between them; those of the points in its handles.
+BETWEEN = 8  # points of a smooth curve per row
+# Weights of a cubic's four control points at BETWEEN + 1 points of it and midway between; weights of these points in its handles.
 _PART = np.arange(2 * BETWEEN + 1)[:, None] / (2 * BETWEEN)
 _BERNSTEIN = np.hstack([(1 - _PART) ** 3, 3 * _PART * (1 - _PART) ** 2, 3 * _PART**2 * (1 - _PART), _PART**3])
 _ENDS = np.zeros((BETWEEN + 1, BETWEEN + 1))
 _ENDS[:, [0, -1]] = _BERNSTEIN[::2, [0, 3]]
 _HANDLES = np.linalg.pinv(_BERNSTEIN[::2, 1:3]) @ (np.eye(BETWEEN + 1) - _ENDS)
-BESIDE_CURVE = 0.004  # mm that a cubic may be off the steps: nothing that a screen or a printer shows
+BESIDE_CURVE = 0.004  # mm that a cubic may be off its points: less than a screen or a printer shows
 ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
 INK, SCHEME_INK, FAINT = "#111", "#0072b2", "#bbb"
 EXACT_PEN = f'class="exact" fill="none" stroke="{INK}" stroke-width="0.42" stroke-linejoin="round"'
@@ -68,21 +68,21 @@ class Field:
     left: float = LEFT
 
     def x(self, t: Any) -> Any:
-        """Return mm from the left edge."""
+        """Return the distance of a time from the left edge in mm."""
         return self.left + (t - self.first) / (self.last - self.first) * (self.width - self.left - RIGHT)
 
     def y(self, value: Any) -> Any:
-        """Return mm from the upper edge."""
+        """Return the distance of a value from the upper edge in mm."""
         return self.height - BOTTOM - (value - self.low) / (self.high - self.low) * (self.height - TOP - BOTTOM)
 
     def path(self, t: Array, values: Array) -> str:
-        """Return the d of a line through points; a value that is no number interrupts it."""
+        """Return the path data (`d`) of a line through points; a value that is not finite interrupts it."""
         known = np.flatnonzero(np.isfinite(values))
         lines = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1)
         return "".join(way([self.x(t[line]), self.y(values[line])]) for line in lines if len(line))
 
     def curve(self, t: Array, values: Array) -> str:
-        """Return the d of a smooth line through points; a cubic stands for `BETWEEN` steps wherever one goes through them."""
+        """Return the path data (`d`) of a smooth line; one cubic replaces `BETWEEN` steps wherever it fits their points."""
         if len(t) % BETWEEN != 1 or not np.isfinite(values).all():
             return self.path(t, values)
         points = np.column_stack([self.x(t), self.y(values)])
@@ -95,7 +95,7 @@ class Field:
         off = np.abs(steps).max(axis=(1, 2))
         at = np.rint(100 * points[0]).astype(int)
         drawn = way([points[:1, 0], points[:1, 1]])
-        last = None  # from the second handle of the cubic before to its end: the next one goes on as far
+        last = None  # from the last handle of the previous cubic to its end; a cubic that goes on equally needs no first handle
         for piece, corners, is_line in zip(pieces, ends, off > BESIDE_CURVE, strict=True):
             steps = np.rint(100 * (piece if is_line else corners)[1:]).astype(int)
             told = np.diff(np.vstack([at, steps]), axis=0) if is_line else steps - at
@@ -108,7 +108,7 @@ class Field:
 
 
 def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Array], numbers_as: Numbers = PLAIN) -> Field:
-    """Return the field that holds all values, and at its left the words at its ticks; a constant gets room around it."""
+    """Return the field that contains all values, with room for tick words at its left; a constant gets room around it."""
     times, numbers = np.concatenate(t), np.concatenate(values)
     numbers = numbers[np.isfinite(numbers)]
     low, high = (float(numbers.min()), float(numbers.max())) if len(numbers) else (0.0, 1.0)
@@ -123,12 +123,15 @@ def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Ar
 
 
 def _most_ticks(height: float) -> int:
-    """Return how many words stand one above the other beside a field in a graph so high (mm)."""
+    """Return how many words fit one above the other beside the field of a graph `height` mm high."""
     return max(1, min(MOST_TICKS, int((height - TOP - BOTTOM) / LETTERS)))
 
 
 def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tuple[Array, Array]:
-    """Return a curve with `between` points a row by cubic Hermite from values and rates; many rows need fewer."""
+    """Return times and values of a curve, by cubic Hermite from `values` and `rates` with `between` points per row.
+
+    Many rows get fewer points; very many rows, or rates that are not finite, give the rows themselves, thinned.
+    """
     if len(t) < 2 or not np.isfinite(rates).all() or len(t) >= MOST_POINTS:
         return sparse(t), sparse(values)
     between = max(1, min(between, MOST_POINTS // (len(t) - 1)))
@@ -140,7 +143,7 @@ def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tup
 
 
 def sparse(values: Array, most: int = MOST_POINTS) -> Array:
-    """Return at most about `most` of the values, the last one included."""
+    """Return every k-th of the values, about `most` at most, and the last one."""
     pace = max(1, -(-len(values) // most))
     return values[distinct(np.arange(0, len(values), pace), np.array([len(values) - 1]))] if len(values) else values
 
@@ -158,7 +161,7 @@ def round_ticks(low: float, high: float, most: int) -> tuple[list[float], int]:
 
 
 def tick_texts(ticks: Iterable[float], decimals: int, numbers: Numbers) -> list[str]:
-    """Return the words at the ticks; powers of ten where a decimal number would be too long."""
+    """Return the words at the ticks, as powers of ten if decimal numbers would be too long."""
     values = list(ticks)
     largest = max((abs(value) for value in values), default=0.0)
     if decimals > MOST_DECIMALS or largest >= LARGEST:
@@ -176,7 +179,7 @@ def ticks(low: float, high: float, most: int, numbers: Numbers) -> list[tuple[fl
 
 
 def dots(field: Field, t: Array, values: Array) -> str:
-    """Return the d of a dot, a line of no length, at each row or at enough of many rows."""
+    """Return the path data (`d`) of dots, lines of no length, at all rows, or at about `MOST_DOTS` of many rows."""
     t, values = sparse(t, MOST_DOTS), sparse(values, MOST_DOTS)
     known = np.isfinite(values)
     return way([field.x(t[known]), field.y(values[known])], "m", "h0") + "h0" if known.any() else ""
@@ -194,13 +197,13 @@ def letters(symbol: Symbol) -> str:
 
 
 def words(x: float, y: float, inside: str, anchor: str = "start", more: str = "") -> str:
-    """Return an SVG text; `inside` is escaped already."""
+    """Return an SVG text; `inside` must already be escaped."""
     anchored = f' text-anchor="{anchor}"' if anchor != "start" else ""
     return f'<text x="{round(x, 2):g}" y="{round(y, 2):g}"{anchored}{more}>{inside}</text>'
 
 
 def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
-    """Return frame, ticks, zero line and the words of a graph; `label` stands above, `time` at the end of its axis."""
+    """Return frame, ticks, zero line and words of a graph; `label` stands above, `time` at the end of the time axis."""
     left, right, top, bottom = field.left, field.width - RIGHT, TOP, field.height - BOTTOM
     frame, parts = f"M{left:g} {top:g}V{bottom:g}H{right:g}", []
     beside, below = [], []
@@ -222,7 +225,7 @@ def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
 
 
 def framed(context: PageContext, field: Field, symbol: Symbol, unit: str) -> str:
-    """Return the axes of a graph of a page: a symbol and its unit above, those of the time at the end of its axis."""
+    """Return the axes of a graph on a page: a symbol with its unit above, t with its unit at the end of the time axis."""
     label = letters(symbol) + escape(context.words.behind(unit))
     time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
     return axes(field, context.numbers, label, time)
@@ -235,7 +238,7 @@ def line_of_rows(field: Field, t: Array, values: Array) -> str:
 
 
 def sheet(field: Field, inside: str) -> str:
-    """Return the whole SVG of a graph over time, its ranges readable by the live part of a page."""
+    """Return the whole SVG of a graph over time; its ranges are attributes that the live part of a page reads."""
     ranges = (
         f' data-time="{field.first:.9g} {field.last:.9g}" data-values="{field.low:.9g} {field.high:.9g}" '
         f'data-box="{field.left:g} {TOP:g} {field.width - RIGHT:g} {field.height - BOTTOM:g}"'
@@ -244,7 +247,7 @@ def sheet(field: Field, inside: str) -> str:
 
 
 def picture(width: float, height: float, inside: str, more: str = "") -> str:
-    """Return a whole SVG; `more` are attributes of it."""
+    """Return a whole SVG; `more` are further attributes of its element."""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" viewBox="0 0 {width:g} {height:g}" '
         f'font-family="{FONT}" font-size="{LETTERS}" fill="{INK}"{more}>{inside}</svg>'

@@ -1,6 +1,6 @@
 """Graphs with logarithmic axes as SVG in mm: decades, marks that stay apart without colour, dashes.
 
-Enters: positive numbers and words that are escaped already.  Leaves: pieces of SVG, the same bytes in every process.
+Enters: positive numbers and escaped words.  Leaves: pieces of SVG, the same bytes in every process.
 Used by `accuracy_figures.py`.
 """
 
@@ -16,9 +16,9 @@ from coursework.report.graphs.graph_paper import APART, INK, LETTERS, TICK, word
 from coursework.report.text.numbers import superscript
 from coursework.system.frozen import frozen
 
-RISE = 0.36  # of the height of letters, from their middle to the line they stand on
+RISE = 0.36  # parts of the height of letters, from their middle to their baseline
 MOST_TICKS = 8  # of one axis
-FEWEST_DECADES = 2  # with fewer in sight, their doubles and fives are labelled too
+FEWEST_DECADES = 2  # an axis with fewer also has ticks at 2 and 5 times the powers of ten
 GRID = "#d0d0d0"
 RADIUS = 0.75  # mm of a mark
 Points = Sequence[tuple[float, float]]
@@ -39,7 +39,7 @@ MARKS: dict[str, Points] = {
 
 @frozen
 class Scale:
-    """One axis: from `begin` to `end` (mm) lie the values from 10^`low` to 10^`high`."""
+    """One axis: the values from 10^`low` to 10^`high` lie between `begin` and `end` (mm)."""
 
     begin: float
     end: float
@@ -47,12 +47,12 @@ class Scale:
     high: float
 
     def at(self, value: float) -> float:
-        """Return mm of a value; one that is too small for the axis lies at its end."""
+        """Return the place of a value in mm; a value that is too small for the axis lies at `begin`."""
         power = math.log10(value) if value > 0 else self.low
         return self.begin + (max(power, self.low) - self.low) / (self.high - self.low) * (self.end - self.begin)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return round values inside the axis and what is written there: "10⁻³", in a short axis "2·10⁻³" as well."""
+        """Return round values inside the axis with their words: "10⁻³", on a short axis also "2·10⁻³"."""
         first, last = math.ceil(self.low - 1e-9), math.floor(self.high + 1e-9)
         if last - first + 1 >= FEWEST_DECADES:
             pace = -(-(last - first + 1) // MOST_TICKS)
@@ -62,7 +62,7 @@ class Scale:
 
 
 def scale_for(values: Iterable[float], begin: float, end: float, room: tuple[float, float]) -> Scale:
-    """Return the axis that holds all values, with `room` before and behind them in parts of their range."""
+    """Return the axis that contains all values, with `room` before and after them in parts of their range."""
     powers = [math.log10(value) for value in values if value > 0] or [0.0]
     low, high = min(powers), max(powers)
     wide = max(high - low, 0.5)
@@ -74,7 +74,7 @@ def _power(times: int, exponent: int) -> str:
 
 
 def across(x: Scale, bottom: float, top: float, label: str) -> str:
-    """Return the axis at the `bottom` (mm) with its grid up to the `top`, ticks, and `label` below."""
+    """Return the horizontal axis at height `bottom` (mm), its grid up to `top`, its ticks, and `label` below it."""
     ticks = [(round(x.at(value), 2), text) for value, text in x.ticks()]
     grid = "".join(f"M{at:g} {bottom:g}V{top:g}" for at, _ in ticks)
     axis = f"M{x.begin:g} {bottom:g}H{x.end:g}" + "".join(f"M{at:g} {bottom:g}v{TICK}" for at, _ in ticks)
@@ -83,7 +83,7 @@ def across(x: Scale, bottom: float, top: float, label: str) -> str:
 
 
 def upward(y: Scale, left: float, right: float, label: str) -> str:
-    """Return the axis at the `left` (mm) with its grid to the `right`, ticks, and `label` above."""
+    """Return the vertical axis at `left` (mm), its grid up to `right`, its ticks, and `label` above it."""
     ticks = [(round(y.at(value), 2), text) for value, text in y.ticks()]
     grid = "".join(f"M{left:g} {at:g}H{right:g}" for at, _ in ticks)
     axis = f"M{left:g} {y.begin:g}V{y.end:g}" + "".join(f"M{left:g} {at:g}h{-TICK}" for at, _ in ticks)
@@ -96,7 +96,7 @@ def _lines(grid: str, axis: str) -> str:
 
 
 def way_of(points: Points) -> str:
-    """Return the d of a line through points (mm)."""
+    """Return the path data (`d`) of a line through points (mm)."""
     return way(list(np.array(points).T))
 
 

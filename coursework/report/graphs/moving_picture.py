@@ -1,4 +1,4 @@
-"""The mechanism in motion as one animated picture: the true one solid, the one of the table dashed, a graph beside it.
+"""The mechanism in motion as one animated picture: the exact motion solid, that of the table dashed, a graph beside them.
 
 Enters: a `SceneRun` and its exact motion on finer rows.  Leaves: the bytes of a GIF, the same on every run.
 Used by `commands/animate.py`.
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
-SIZE, DPI = (7.2, 3.7), 100  # inches, and dots an inch
+SIZE, DPI = (7.2, 3.7), 100  # inches, and dots per inch
 MOST_FRAMES, PER_SECOND = 100, 12
 MOST_DOTS = 30
 ORANGE = "#d55e00"  # stays apart from the blue of the table for colour-blind readers
@@ -48,15 +48,15 @@ SETTINGS: Any = {
 }  # fmt: skip
 _LOCK = threading.Lock()
 Complex = NDArray[np.complexfloating[Any, Any]]
-# Parts of the drawing's size: half of a block along its guide and across, how far a guide goes on, the depth of a hinge, a stroke
-# of hatching, and how far apart these are.
+# Parts of the drawing's size: half of a block along its guide and across it, how far a guide extends beyond its travel, the depth
+# of a hinge, the length of a stroke of hatching, and the distance between strokes.
 BLOCK, ACROSS, BEYOND, PIVOT, STROKE, APART = 0.03, 0.018, 0.08, 0.035, 0.016, 0.022
 ROUND = np.exp(1j * np.linspace(0, 2 * np.pi, 49))
 GROUND: Any = {"color": "#777777", "zorder": 0}
 
 
 def label_text(symbol: Symbol) -> str:
-    """Return a symbol for a label: Unicode where that suffices, mathtext of our own making for other subscripts."""
+    """Return a symbol for a label: Unicode if there is no subscript or it is digits, else mathtext that this program makes."""
     if not symbol.subscript or symbol.subscript.isdigit():
         return symbol.text
     letter = symbol.letter if len(symbol.letter) == 1 else rf"\mathrm{{{symbol.letter}}}"
@@ -69,14 +69,14 @@ def label_text(symbol: Symbol) -> str:
 def _know_own_faces() -> None:
     from matplotlib.font_manager import fontManager
 
-    logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # our Chinese face has one weight, and it would say so
+    logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # else it warns that our Chinese font has one weight
     for face in sorted((folder("reports") / "fonts").glob("*.otf")):
         fontManager.addfont(face)
 
 
 @contextmanager
 def _drawing() -> Iterator[None]:
-    """Set matplotlib up for one picture, alone, without pyplot."""
+    """Set matplotlib up for one picture at a time, without pyplot."""
     import matplotlib
 
     _know_own_faces()
@@ -85,9 +85,9 @@ def _drawing() -> Iterator[None]:
 
 
 def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
-    """Return the picture of a run beside its `exact` motion, whose rows are the frames.
+    """Return the GIF of a run beside its `exact` motion, whose rows are the frames (at most `MOST_FRAMES` of them).
 
-    Raises `InputError` where a file places no points or a motion has fewer than two rows.
+    Raises `InputError` if the file places no points or the table has fewer than two rows.
     """
     from matplotlib.animation import PillowWriter
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -105,7 +105,7 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
     def told(key: str, **values: object) -> str:
         return phrases.template(f"live.{key}").format(**{name: str(value).replace(".", mark) for name, value in values.items()})
 
-    # The writer wants a file of its own.
+    # matplotlib's writer needs a file.
     with _drawing(), tempfile.TemporaryDirectory() as place:
         figure = Figure(figsize=SIZE, dpi=DPI)
         FigureCanvasAgg(figure)
@@ -119,7 +119,7 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
         scheme = phrases.written(title_of(tableau)) if tableau else table.scheme
         solid = figure.text(0.64, 0.93, told("truth"))
         dashes = figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:.4g}"), color=SCHEME_INK)
-        begin = min(0.64, 0.985 - dashes.get_window_extent().width / (SIZE[0] * DPI))  # longer words begin farther to the left
+        begin = min(0.64, 0.985 - dashes.get_window_extent().width / (SIZE[0] * DPI))  # longer words begin farther left
         solid.set_x(begin)
         dashes.set_x(begin)
         figure.text(0.985, 0.03, told("mark_line"), color=ORANGE, ha="right")
@@ -162,15 +162,15 @@ def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
 
 
 def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion, words: Words) -> Line2D:
-    """Draw the coordinate whose table is farthest from the motion, and return the cursor."""
-    inside = exact.t <= table.t[-1]  # behind the last row nothing can be compared
+    """Draw the graph of the coordinate whose table is farthest from the exact motion, and return the line of its cursor."""
+    inside = exact.t <= table.t[-1]  # after the last row nothing can be compared
     gaps = [
         np.max(np.abs(np.interp(exact.t, table.t, a) - b)[inside])
         for a, b in zip(table.coordinates.T, exact.coordinates.T, strict=True)
     ]
     name = table.coordinate_names[int(np.argmax(gaps))]
     axes.plot(exact.t, exact.column(name), color="black", linewidth=1.4)
-    every = -(-len(table.t) // MOST_DOTS)  # more would be a rope
+    every = -(-len(table.t) // MOST_DOTS)  # more would merge into a thick line
     axes.plot(table.t, table.column(name), color=SCHEME_INK, marker="o", markersize=3, markevery=every, linewidth=0.8)
     behind, in_time = (words.behind(words.unit(run.variant.unit_of(column))) for column in (name, "t"))
     axes.set_title(label_text(symbol(name)) + behind, loc="left")
@@ -180,7 +180,7 @@ def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion, words: Words
 
 
 def draw_ground(field: Axes, outline: Outline, motions: tuple[Poses, Poses], size: float) -> None:
-    """Draw rails, fixed circles and hinges, hatched on the side of the ground in Figure 1; rails for the way of both motions."""
+    """Draw rails, fixed circles and hinges, hatched on the same side as in Figure 1; rails are long enough for both motions."""
     start = motions[0].pose(0)
     for rail in outline.rails:
         travels = [poses.travel(rail) for poses in motions]
@@ -262,7 +262,7 @@ class Joints:
         self.words = [field.text(0, 0, label_text(symbol(name)), style="italic", zorder=5) for name in self.names]
 
     def _beside(self, outline: Outline, name: str) -> complex:
-        """Return the direction from a hinge to its name: beside its ground, on the side to which links come less."""
+        """Return the direction from a hinge to its name: beside its ground, on the side where links are farther away."""
         at, down = complex(self.poses.at[name][0]), hinge_ground(outline, self.poses.pose(0), name)
         ends = [(self.poses.at[a] - at, self.poses.at[b] - at) for bar in outline.bars for a, b in pairwise(bar.corners)]
 

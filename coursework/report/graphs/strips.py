@@ -1,6 +1,6 @@
-"""Small strips of marks over an axis: one number of each of a class, alike for data, difficulty and points.
+"""Small strips of marks over an axis: one number of each student of a class, drawn alike for data, difficulty and points.
 
-Enters: numbers.  Leaves: `Strip`s, places as text for `reports/strip.html.j2`.
+Enters: numbers.  Leaves: `Strip`s, whose places are text for `reports/strip.html.j2`.
 Used by `assigning/` and `grading/`.
 """
 
@@ -11,14 +11,14 @@ from collections.abc import Sequence
 from coursework.system.frozen import frozen
 
 HEIGHT = 52.0  # px
-LEFT, RIGHT, BASE = 12.0, 348.0, 34.0  # of the axis
-MARK = 2.5  # radius of a mark; marks that would touch are stacked
-HIGHEST = 90.0  # of a stack; in a higher one the marks overlap
+LEFT, RIGHT, BASE = 12.0, 348.0, 34.0  # px, of the axis
+MARK = 2.5  # px, radius of a mark; marks that would touch are stacked
+HIGHEST = 90.0  # px, of a stack of marks; if more are stacked, they overlap
 
 
 @frozen
 class Strip:
-    """One number of the class: its band and centre as places on the axis, a mark (x, y) a student, the ends in words."""
+    """The strip of one number: its band and centre as places on the axis, a mark (x, y) per student, words for the ends."""
 
     band: tuple[str, str]
     centre: str
@@ -30,9 +30,10 @@ class Strip:
 
 
 def strip(values: Sequence[float], low: float, high: float, centre: float, ends: tuple[str, str], middle: str) -> Strip:
-    """Return the strip of `values` with its centre, `middle` in words, over an axis that holds these and the band.
+    """Return the strip of `values`, whose axis also contains the band from `low` to `high` and the `centre`.
 
-    Marks are stacked where they would touch, in the order of the values, so that equal classes give equal pictures.
+    `ends` are the words at the ends, `middle` those of the centre.  Marks that would touch are stacked in the order of the
+    values, so that equal classes give equal pictures.
     """
     least, most = min([low, centre, *values]), max([high, centre, *values])
     span = (most - least) or 1.0

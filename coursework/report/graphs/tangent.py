@@ -1,4 +1,4 @@
-"""The picture of why: one step of Euler along the tangent, and the curve that bends away from it.
+"""The figure that explains the error: one Euler step along the tangent, and the curve that bends away from it.
 
 Enters: a `PageContext`.  Leaves: `figure#tangent`.  Used by `results.py`.
 """
@@ -18,18 +18,18 @@ from coursework.system.arrays import Array
 
 SIZE = (96.0, 24.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter
-BESIDE = 0.35  # of a step, shown before it and, at least, behind it
-FINE = 32  # points of the curve a step
-SEEN = 0.6  # mm: a narrower gap is none to the eye, and a picture of it says nothing
-NARROW = 5.0  # mm: a gap too narrow for words between its ends
-ROOM, ROOM_BELOW = 0.25, 0.45  # of the range of the values, for words above it, and below it, where the axis is
+BESIDE = 0.35  # parts of a step shown before it and, at least, after it
+FINE = 32  # points of the curve per step
+SEEN = 0.6  # mm: a narrower gap cannot be seen, so there is no figure
+NARROW = 5.0  # mm: a narrower gap has no room for words between its ends
+ROOM, ROOM_BELOW = 0.25, 0.45  # parts of the range of values, for words above it and below it, where the axis is
 CLEAR = 2.6  # mm from the middle of a word to a line that it must not touch
 TANGENT_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.42" stroke-dasharray="2.4 1.2"'
 GAP_PEN = 'class="gap" fill="none" stroke="#111" stroke-width="0.3"'
 
 
 def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
-    """Return the step enlarged; None where the exact motion is not known around it, or its bend cannot be seen."""
+    """Return the enlarged step; None if the exact motion is not known, or if its bend is too small to be seen."""
     exact = evidence(context).exact
     if exact is None:
         return None
@@ -44,7 +44,7 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
     times = [t, np.array([top[0] + _behind(gap) * h])]
     field = field_for(SIZE, times, [curve, np.array([foot[1], top[1]])], context.numbers)
-    if abs(field.y(top[1]) - field.y(float(q[end]))) < NARROW:  # room for its words on the other side of the tangent
+    if abs(field.y(top[1]) - field.y(float(q[end]))) < NARROW:  # make room for the words beyond the gap
         high = field.high - field.low
         away = top[1] + ROOM * high if top[1] > q[end] else min(top[1], *curve[t >= top[0]]) - ROOM_BELOW * high
         field = field_for(SIZE, times, [curve, np.array([foot[1], top[1], away])], context.numbers)
@@ -74,14 +74,14 @@ def _gap(field: Field, t: float, curve: float, tangent: float) -> str:
 
 
 def _behind(gap: str) -> float:
-    """Return which part of a step must be shown behind it, so that the words of the gap have room there."""
+    """Return how much must be shown after the step, in parts of it, so that the words of the gap have room there."""
     across = SIZE[0] - 1.5 * graph_paper.LEFT - graph_paper.RIGHT  # long words at the ticks take more
     wide = 2.5 + LETTER * len(gap)
     return max(BESIDE, wide * (1 + BESIDE) / (across - wide))
 
 
 def _gap_words(field: Field, top: tuple[float, float], t: Array, curve: Array, gap: str) -> str:
-    """Write how wide the gap is behind it: between its ends, or beyond tangent and curve where it is narrow."""
+    """Return the words on the gap's width at its right: between its ends, or beyond tangent and curve if it is narrow."""
     after = [field.y(float(value)) for value in curve[t >= top[0] - 1e-9 * abs(top[0])]]
     first, last = field.y(top[1]), after[0]
     middle = (first + last) / 2

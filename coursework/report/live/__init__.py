@@ -1,1 +1,1 @@
-"""The part of a page that moves: the mechanism's functions as JavaScript, its numbers as JSON, one script with its hash."""
+"""The live part of a page: the functions of the mechanism as JavaScript, its numbers as JSON, one script with its hash."""

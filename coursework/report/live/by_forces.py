@@ -1,6 +1,6 @@
-"""What a page of a file with forces adds to its moving part: masses and loads to be moved, what acts on the links, a free motion.
+"""Additions to the live part of a page for a file with forces: sliders for masses and loads, forces on the links, free motion.
 
-Enters: a `SceneRun` whose file names forces.  Leaves: `Moved`: functions and numbers for the script.
+Enters: a `SceneRun` whose file has forces.  Leaves: `Moved`: functions and numbers for the script.
 Used by `page.py`, for such a file only.
 """
 
@@ -35,14 +35,14 @@ from coursework.words.sentences import Phrases
 
 @frozen
 class Moved:
-    """`scene` of the variant whose masses and loads are data, the `functions` of its motion, `numbers` for the script by key."""
+    """The `scene` of a variant whose masses and loads are data, the `functions` of its motion, `numbers` of the script by key."""
 
     scene: Scene
     functions: Functions
     numbers: dict[str, Any]
 
     def pieces(self, known: Sequence[str]) -> list[str]:
-        """Return the pieces of the script where those of a page without forces are `known`."""
+        """Return the pieces of the script; `known` are those of a page without forces."""
         first, *others, last = known
         free = self.scene.variant.motor is not None
         begin, end = (["free_motion"], ["free_laboratory"]) if free else ([], [])
@@ -50,9 +50,9 @@ class Moved:
 
 
 def given_once(statements: Sequence[Statement]) -> Iterator[Statement]:
-    """Yield statements that give each name its value once: a block that is solved for several sides has one determinant.
+    """Yield statements that assign each name once: a block solved again for another right side names its determinant anew.
 
-    Those of the energies are left out: `acting` has them.
+    Assignments of the energies are left out, because `acting` has them.
     """
     known: set[Expression] = {local("_kinetic"), local("_potential")}
     for one in statements:
@@ -66,7 +66,7 @@ def given_once(statements: Sequence[Statement]) -> Iterator[Statement]:
 def said_of(
     found: Moved, said: Mapping[str, Any], phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
 ) -> dict[str, Any]:
-    """Return labels, units and words of a page without forces with those that forces add."""
+    """Return `said`, the labels, units and words of a page without forces, with those that forces add."""
     forces = found.numbers["forces"]
     units = {"E": unit("J")} | {
         name: unit("N·m" if kind == COUPLE or name[0] == "M" else "N")
@@ -83,7 +83,7 @@ def said_of(
 
 
 def moved_by(run: SceneRun, places: Sequence[Any]) -> Moved:
-    """Return what the moving part of a page with forces is computed from; `places` are what is drawn (m)."""
+    """Return the scene, functions and numbers of the live part of a page with forces; `places` are the drawn points (m)."""
     scene = scene_of(with_weights(run.variant), run.settings)
     if scene.variant.motor is not None:
         return _by_motor(scene, run.scheme, places)
@@ -97,7 +97,7 @@ def moved_by(run: SceneRun, places: Sequence[Any]) -> Moved:
 
 
 def _by_motor(scene: Scene, scheme: str, places: Sequence[Any]) -> Moved:
-    """Return the same of a mechanism that forces move: its rows have the coordinates, then the free rates."""
+    """Return the same for a mechanism that forces move: its rows have the coordinates, then the free rates."""
     variant, equations, forces = scene.variant, scene.equations, read_scheme(scene.mechanism)
     assert variant.motor is not None
     motor = MotionWriter(equations, scene.reduction, forces, tuple(scene.start))
@@ -108,7 +108,7 @@ def _by_motor(scene: Scene, scheme: str, places: Sequence[Any]) -> Moved:
     unknowns = [name for name, _ in variant.unknowns]
     slopes = [*map(symbol, variant.rates), *motor.solved, *map(symbol, unknowns)]
     slopes += [local(f"_det{index}") for index in range(len(scene.reduction.blocks))]
-    # What acts is found from all velocities and their derivatives: those that no row keeps stand behind the others.
+    # Forces depend on all velocities and their derivatives; derivatives that no row contains follow after the others.
     velocities = [*variant.rates, *unknowns]
     others = [name for name in velocities if name not in motor.rates]
     more = [*map(motor.acceleration_of, others)]
@@ -138,7 +138,7 @@ def _by_motor(scene: Scene, scheme: str, places: Sequence[Any]) -> Moved:
 
 
 def with_weights(variant: Variant) -> Variant:
-    """Return the variant with masses and loads that its file gives as numbers for data: m_1 of link 1, the load by its name."""
+    """Return the variant with masses and loads given as numbers turned into data: m_1 for link 1, a load under its name."""
     forces = variant.forces
     assert forces is not None
     masses = [_weighed(mass, variant) for mass in forces.masses]
@@ -149,7 +149,10 @@ def with_weights(variant: Variant) -> Variant:
 
 
 def _weighed(mass: Mass, variant: Variant) -> tuple[Mass, Given | None]:
-    """Return a mass as a datum, and its inertia as that of the same shape in another material."""
+    """Return the mass with a datum in place of its number, and that datum; its inertia is scaled with it.
+
+    Return the mass unchanged and None if it is a formula, is zero, or its name is taken.
+    """
     name = f"m_{mass.body}"
     if mass.mass.names() or name in variant.names or not (size := evaluate(mass.mass, {})):
         return mass, None
@@ -160,7 +163,10 @@ def _weighed(mass: Mass, variant: Variant) -> tuple[Mass, Given | None]:
 
 
 def _loaded(load: Load, variant: Variant) -> tuple[Load, Given | None]:
-    """Return a load as a datum: a torque by its size, anything else by the factor of it."""
+    """Return the load with a datum, and that datum: the size of a constant torque, else a factor of the load.
+
+    Return the load unchanged and None if its name is taken or it already depends on data.
+    """
     given = {one.name for one in variant.given}
     formulas = [one for one in (load.torque, load.force) if one is not None]
     if load.name in variant.names or any(given.intersection(one.names()) for one in formulas):
@@ -172,7 +178,7 @@ def _loaded(load: Load, variant: Variant) -> tuple[Load, Given | None]:
 
 
 def _told(acting: Acting, variant: Variant) -> dict[str, Any]:
-    """Return what the script is told of the forces."""
+    """Return the data on forces for the script."""
     assert variant.forces is not None
     drives = [name for name, *_, drive in acting.unknowns if drive and variant.motor is None]
     arrows: dict[str, list[int]] = {}

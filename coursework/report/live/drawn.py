@@ -1,6 +1,6 @@
-"""What is drawn of a moving mechanism, in names of points, and where those points are at any time.
+"""The drawing of a moving mechanism in names of points, and expressions for the places of those points at any time.
 
-Enters: a `Scene`.  Leaves: `Drawn`, plain lists for the page and the expressions of the places, which `functions.py` lowers.
+Enters: a `Scene`.  Leaves: `Drawn`, plain lists for the page and expressions of places, which `functions.py` compiles.
 Used by `page.py`.
 """
 
@@ -24,14 +24,14 @@ _KINDS = ("points", "links", "slots", "blocks", "rails", "wheels", "tracks", "hi
 
 @frozen
 class Drawn:
-    """`data`: the outline by key, points by name; `places`: x and y of each point in their order (m)."""
+    """A drawing: `data` is the outline by key, points by name; `places` are x and y of each point in their order (m)."""
 
     data: dict[str, Any]
     places: tuple[Any, ...]
 
 
 def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
-    """Return what is drawn, nothing where a file places no points; `label` writes the name of a point."""
+    """Return the drawing, empty if the file places no points; `label` writes the name of a point."""
     outline = read_outline(scene.mechanism)
     if outline is None or not outline.shown:
         return Drawn({kind: [] for kind in _KINDS}, ())
@@ -53,7 +53,7 @@ def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
 
 
 def _ground(outline: Outline, kept: dict[str, Any], start: Places) -> dict[str, Any]:
-    """Return what is fixed, by key, with the side of its ground in the start position as on paper; and the racks."""
+    """Return hinges, rails and fixed circles with the side of their ground in the start position, as on paper; and the racks."""
     ways = [(name, hinge_ground(outline, start, name)) for name in outline.hinges]
     sides = [rail_side(outline, start, rail) for rail in outline.rails]
     solid = [inward(outline, start, track) for track in outline.tracks]
@@ -70,7 +70,7 @@ def _ground(outline: Outline, kept: dict[str, Any], start: Places) -> dict[str, 
 
 
 def _rings(outline: Outline) -> list[str]:
-    """Return the points that are joints; the others are mere points of a link."""
+    """Return the points that are joints; other points only belong to a link."""
     members = [name for bar in outline.bars for name in bar.corners]
     joints = {*outline.hinges, *(block.at for block in outline.blocks), *(wheel.centre for wheel in outline.wheels)}
     contacts = {wheel.contact for wheel in outline.wheels}

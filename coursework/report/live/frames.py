@@ -1,6 +1,6 @@
-"""The positions of all that is drawn, row by row, for a page that does not compute them itself.
+"""The positions of all drawn points, row by row, for a page that does not compute them itself.
 
-Enters: a `SceneRun` and what is drawn.  Leaves: plain data for JSON, at most so many bytes.  Used by `page.py`.
+Enters: a `SceneRun` and its drawing.  Leaves: plain data for JSON, in a limited number of bytes.  Used by `page.py`.
 """
 
 from __future__ import annotations
@@ -15,14 +15,17 @@ from coursework.motion.integration.motion import Motion
 from coursework.report.live.drawn import Drawn
 from coursework.scene.scene_run import SceneRun
 
-# A number takes a digit and a comma at least.  Rows twice as far apart take about half the room: so near to what is needed
-# a stride is looked for one by one.
+# A number takes at least two bytes, a digit and a comma.  Rows twice as far apart take about half the room: the stride is raised
+# a little less than that suggests, so that it is not larger than needed.
 _LEAST, _NEARLY = 2, 0.9
-_DIGITS = 5  # of the mechanism's size: a hundredth of what the eye can tell
+_DIGITS = 5  # significant digits of the mechanism's size: finer than the eye can see by a factor of 100
 
 
 def frames_of(run: SceneRun, drawn: Drawn, room: int) -> dict[str, Any]:
-    """Return `frames` with the rows of the true motion and of the table, every n-th one, in at most `room` bytes."""
+    """Return the data of the page: `frames` holds every n-th row of the true motion and of the table in at most `room` bytes.
+
+    Two rows are kept even if they need more.
+    """
     scene = run.scene
     table = scene.scheme_rows or run.motion
     truth, rows = _places(run, drawn, scene.exact), _places(run, drawn, table)
@@ -44,6 +47,6 @@ def frames_of(run: SceneRun, drawn: Drawn, room: int) -> dict[str, Any]:
 
 
 def _places(run: SceneRun, drawn: Drawn, motion: Motion) -> Any:
-    """Return the places (n, 2 points) in m of the rows of a motion."""
+    """Return the places of all drawn points in the n rows of a motion, (n, 2 * number of points) in m."""
     places = compile_rows(run.scene.equations, drawn.places, 0)
     return places(motion.t, motion.coordinates) if drawn.places else np.zeros((len(motion.t), 0))

@@ -1,6 +1,6 @@
 """The velocities, the drawn places and the closed start of a mechanism as JavaScript functions of time, position and data.
 
-Enters: a `Scene`.  Leaves: `Functions`, text and the numbers behind its data argument.
+Enters: a `Scene`.  Leaves: `Functions`, their text and the numbers of their data argument.
 Used by the live page and by the test that runs every variant of the catalogue in a browser.
 """
 
@@ -24,11 +24,11 @@ from coursework.variant.record.changes import follow_from
 
 @frozen
 class Functions:
-    """`text` of the functions; `numbers` the data d they take, the given ones first; `tables` the laws they call.
+    """The `text` of the functions; `numbers`: their data argument d, given data first; `tables`: the laws they call.
 
-    rates(t, q, d, out): velocities, then the determinant of each block; places(t, q, d, out): the expressions asked for;
-    closing(t, q, d, out): the `closed` expressions that are zero at the start, and their derivatives by the `moved`
-    coordinates, whose start follows from the data `followed`.
+    rates(t, q, d, out): velocities, then the determinant of each block; places(t, q, d, out): the drawn expressions;
+    closing(t, q, d, out): the expressions that are zero at the start (their number is `closed`), then their derivatives with
+    respect to the coordinates at the places `moved`, whose start follows from the data `followed`.
     """
 
     text: str
@@ -41,10 +41,10 @@ class Functions:
 
 @frozen
 class Piece:
-    """A function `name`(t, q, …, d, out) that writes `wanted`, behind the statements `before` it.
+    """A function `name`(t, q, …, d, out) that executes the statements `before` and writes the expressions `wanted`.
 
-    `arrays` are what it takes between q and d, each with the private names of what lies in it; those of `given` are arguments
-    even where laws define them.
+    `arrays` are its arguments between q and d, each with the private names of its elements; symbols in `given` are arguments
+    even if laws define them.
     """
 
     name: str
@@ -55,7 +55,7 @@ class Piece:
 
 
 def rates_of(scene: Scene) -> Piece:
-    """Return the velocities of a scene that laws drive, and the determinant of each block."""
+    """Return the function of velocities and block determinants of a scene that laws drive."""
     variant, blocks = scene.variant, scene.reduction.blocks
     velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
     statements = [one for index, block in enumerate(blocks) for one in block_statements(block, index)]
@@ -65,7 +65,7 @@ def rates_of(scene: Scene) -> Piece:
 def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] = ()) -> Functions:
     """Return the functions of a scene; `places` are the expressions (m or rad) that are drawn.
 
-    `moving` are the functions of its motion where those are others than `rates`.
+    `moving` are the functions of its motion, if they are others than `rates`.
     """
     variant, equations = scene.variant, scene.equations
     followed = {given.name: follow_from(variant, [("given", given.name)]) for given in variant.given}
@@ -93,7 +93,7 @@ def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] 
 
 
 def _written(scene: Scene, pieces: Sequence[Piece], numbers: Sequence[str]) -> tuple[str, tuple[tuple[str, int], ...]]:
-    """Return functions as text, and the laws that they call: nothing in them is a datum, but for its name."""
+    """Return the functions as text, and the laws that they call; data occur in the text only by name."""
     programs, q = [(piece, _program(scene, piece)) for piece in pieces], [private(c.name) for c in scene.variant.coordinates]
     functions = [
         javascript_function(
@@ -113,7 +113,7 @@ def _program(scene: Scene, piece: Piece) -> Bound:
 
 
 def _tables(scene: Scene, called: Iterable[tuple[str, int]]) -> dict[str, dict[str, Any]]:
-    """Return of every law that is called where its table begins, its step, its method, and what stands at its nodes."""
+    """Return for every law that is called the begin of its table, its step, its method, and the values at its nodes."""
     laws = {name: scene.equations.tables[name] for name, _ in called}
     return {
         name: {"first": law.first, "step": law.step, "spline": law.method == "spline", "levels": [*map(list, law.levels)]}
@@ -122,7 +122,7 @@ def _tables(scene: Scene, called: Iterable[tuple[str, int]]) -> dict[str, dict[s
 
 
 def tableau(scheme: Scheme) -> dict[str, Any]:
-    """Return a tableau with the common factor of each row taken out, fractions as pairs of whole numbers."""
+    """Return the tableau of a scheme with the common factor of each row taken out and fractions as pairs of integers."""
     nodes = [[node.numerator, node.denominator] for node in scheme.nodes]
     return {"order": scheme.order, "nodes": nodes, "inner": [*map(_row, scheme.inner)], "outer": _row(scheme.outer)}
 

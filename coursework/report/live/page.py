@@ -1,4 +1,4 @@
-"""A run -> the part of its page that moves: labels, script with its hash, data.
+"""A run -> the live part of its page: labels, script with its hash, data.
 
 Enters: a `SceneRun`, the words of a language, the writers of symbols and units.  Leaves: `LivePart`.  Used by the report.
 """
@@ -34,30 +34,30 @@ from coursework.variant.formula.motion_units import UNITS
 from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 
-# Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
+# Most bytes of script and data on one page, and most rows of a table that a laboratory computes anew at every move.
 MOST_BYTES, MOST_ROWS = 60 * 1024, 512
-FINE = 16  # points of the true motion from row to row, as laboratory_motion.js makes them
-MOST_CELLS = 2000  # of a table finer than the file's that are written out
-_SAME = ("words", "schemes")  # data that are those of every page in a language
-_SET = "_set"  # behind the key of what is said where the page's values are not those of the file
-_PUT_TOGETHER = ("scheme_", "on_", "off_")  # words whose keys a script puts together
+FINE = 16  # points of the true motion per row, as laboratory_motion.js makes them
+MOST_CELLS = 2000  # cells that are written out of a table finer than that of the file
+_SAME = ("words", "schemes")  # data that are the same on every page in a language
+_SET = "_set"  # ends the key of words that are used if the page's values are not those of the file
+_PUT_TOGETHER = ("scheme_", "on_", "off_")  # beginnings of keys of words that a script puts together
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
     "numbers", "marching", "slices", "laboratory_motion", "page", "drawing", "names", "additions", "cursors", "panels", "lines",
     "stop_watch", "laboratory", "animation",
 )  # fmt: skip
 _RECORDED = ("recorded_motion", "page", "drawing", "names", "additions", "cursors", "animation")
-# Places of a slider at which the drive is looked at, and what may stay open of its way in one step (rad or m): a fold leaves so
-# much, a pulse far more.
+# Places of a slider and points per step at which the drive is evaluated, and the error allowed in its travel per step (rad or m):
+# a kink causes as much, a pulse far more.
 _PLACES, _POINTS, _OPEN = 5, 2, 1e-4
 _ROUNDING = 1e-12
 
 
 @frozen
 class LivePart:
-    """`words` of what stands still by key, `speeds` (value, text); `last` row from 0; `script` with its `hash`; `data` as JSON.
+    """The live part: `words` by key, `speeds` (value, text), `last` row (from 0), `script` with its `hash`, `data` as JSON.
 
-    Without a `laboratory` the page shows a motion that was computed before; with `forces` it has reactions and energy too.
+    Without a `laboratory` the page shows a motion computed in advance; with `forces` it has reactions and energy too.
     """
 
     words: dict[str, str]
@@ -71,14 +71,15 @@ class LivePart:
 
     @property
     def size(self) -> int:
-        """Return the bytes of script and data as they stand in a page."""
+        """Return the bytes of script and data in a page, where the script is packed."""
         return len(packed(self.script)) + len(self.data.encode())
 
 
 def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> LivePart | None:
-    """Return the live part of a run, None where there is no row to show or the true motion is not known.
+    """Return the live part of a run; None if there is no row to show, or if the drive is too fast to be resolved.
 
-    There is no laboratory where a table is too large, or the drive does more than a script would see.
+    There is no laboratory if the table is too large, if it needs too many bytes, if the drive changes too fast for the steps
+    of a script, or if forces move the mechanism against friction.
 
     `label` writes the name of a quantity or a point, `unit` a unit, both as text.
     """
@@ -101,7 +102,7 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
 
 
 def _rubs(run: SceneRun) -> bool:
-    """Return whether forces move the mechanism against friction, which no script of a page does."""
+    """Return whether forces move the mechanism against friction, which no script of a page computes."""
     forces = run.variant.forces
     return not run.scene.follows_laws and forces is not None and bool(forces.friction)
 
@@ -109,7 +110,7 @@ def _rubs(run: SceneRun) -> bool:
 def _laboratories(
     run: SceneRun, drawn: Drawn, said: dict[str, Any], phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
 ) -> Iterator[LivePart]:
-    """Yield the laboratory of a run: with forces where they are asked for, without them."""
+    """Yield the laboratories that a run may have, the best first: with forces if asked for, then without."""
     if _rubs(run):
         return
     if not run.scene.follows_laws or (run.variant.forces is not None and (run.asks(FORCES) or run.asks(ENERGY))):
@@ -141,7 +142,7 @@ def _part(run: SceneRun, phrases: Phrases, script: str, data: dict[str, Any], *,
 
 @lru_cache(maxsize=16)
 def _speaking(script: str, own: str) -> str:
-    """Return a script with data of its own, without the words that it never names: those stand in the page itself."""
+    """Return a script with the data `own`, from which words that it never names are left out: those stand in the page."""
     named = {*re.findall(r'(?<=["]|[.])\w+\b', script)}
     data = json.loads(own)
     words = {key: text for key, text in data["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
@@ -151,7 +152,7 @@ def _speaking(script: str, own: str) -> str:
 def _said(
     run: SceneRun, drawn: Drawn, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
 ) -> dict[str, Any]:
-    """Return the outline and the words of the page."""
+    """Return the data on the drawing, and the labels, units and words of the page."""
     variant = run.variant
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
     units = {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)}
@@ -171,18 +172,18 @@ def _said(
 
 
 def _words(phrases: Phrases, run: SceneRun) -> dict[str, str]:
-    """Return the words of the live part by key, their gaps open; of a run with data or scheme of its own those of `_set`."""
+    """Return the words of the live part by key, their gaps open; with values or scheme not of the file, those for `_set`."""
     words = {key: phrases.template(f"live.{key}") for key in load_phrases().entries["live"]}
     is_set = bool(run.variant.changes) or run.scheme != scheme_for(run.variant)
     return words | {key.removesuffix(_SET): text for key, text in words.items() if is_set and key.endswith(_SET)}
 
 
 def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:
-    """Return the data that may be moved: an angle through its whole turn, anything else from half to one and a half of itself.
+    """Return the sliders by datum: an angle through a whole turn, other data from half to one and a half of their value.
 
-    A value is told in the `unit` of the file, which is `size` times that of SI.
+    A value is shown in the `unit` of the file, which is `size` times that of SI.
 
-    A datum that is zero has no such range, and one that moves the times at which a law changes would need another law.
+    There is no slider for a datum that is zero, which has no such range, or that sets a time at which a law changes.
     """
     variant = run.variant
     formulas = [formula for path, formula in variant.times.items() if path[0] != "time"]
@@ -202,7 +203,7 @@ def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str,
 
 
 def followed(run: SceneRun, sliders: dict[str, dict[str, Any]], step: float) -> bool:
-    """Return whether steps of this length (s) see all that the drive does, wherever a slider stands."""
+    """Return whether steps of length `step` (s) resolve the drive at every place of the sliders."""
     variant = run.variant
     driving = {name for law in (*variant.drive, *variant.functions) for formula in law.formulas for name in formula.names()}
     ends = {name: (slider["low"], slider["high"]) for name, slider in sliders.items() if name in driving}
@@ -215,10 +216,10 @@ def followed(run: SceneRun, sliders: dict[str, dict[str, Any]], step: float) -> 
 
 
 def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
-    """Return the numbers of a run by key; `scheme` is the one its page begins with, `precise` the one of the true motion.
+    """Return the numbers of a run by key; `scheme` is that with which the page begins, `precise` that of the true motion.
 
-    `stop` is the time (s) at which the mechanism itself stops, None where it does not; `own`: the table of the page is made by a
-    scheme and nothing else, as the page makes its tables.
+    `stop` is the time (s) at which the mechanism itself stops, else None; `own`: the table of the run comes from a scheme
+    without corrections, as the tables that the page computes.
     """
     scene, variant = run.scene, run.variant
     angles = angles_in_determinants(scene.reduction.blocks, scene.equations)

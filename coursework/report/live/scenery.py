@@ -1,6 +1,6 @@
-"""What stands in the way of words in the moving part: lines and symbols, row by row, in units of the drawing with y down.
+"""The lines and symbols that words in the live part must not cover, row by row, in units of the drawing with y down.
 
-Enters: an `Outline`, its `Poses`, the rows looked at, the units of a metre.  Leaves: `Scenery`, arrays.
+Enters: an `Outline`, its `Poses`, the rows considered, the units per metre.  Leaves: `Scenery`, arrays.
 Used by `report/live/spots.py`.
 """
 
@@ -19,15 +19,18 @@ from coursework.drawing.paper.cover import STILL
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
 
-# As drawing.js draws them: how far a slot and a rail go on behind the last place of a rider, how deep a rack and a hatching are,
-# how far beside its block a rail runs.
+# As in drawing.js: how far a slot and a rail extend beyond the last place of a rider, how deep a rack and a hatching are, how far
+# a rail is from the middle of its block.
 SLOT_END, RAIL_END, RACK, HATCH, BESIDE = 10.0, 25.0, 7.0, 6.0, 7.0
 RIM = np.exp(2j * np.pi * np.arange(13) / 12)  # a circle as chords
 
 
 @frozen
 class Scenery:
-    """Places `at` (name -> (r,)) in r rows; lines from `begin` by `step` (r, s, 2), of `length` (r, s); `symbols` (r, b, 4)."""
+    """What is drawn in r rows: points `at` (name -> (r,)); s lines from `begin` by `step` (r, s, 2), of `length` (r, s).
+
+    `symbols` (r, b, 4) are the boxes of b symbols.
+    """
 
     at: dict[str, Complex]
     begin: Array
@@ -36,14 +39,14 @@ class Scenery:
     symbols: Array
 
     def near(self, low: Array, high: Array) -> NDArray[np.intp]:
-        """Return which lines come near any of the boxes with corners low and high (r, k, 2), in any row."""
+        """Return the indices of lines that come near any of the boxes with corners `low` and `high` (r, k, 2), in any row."""
         ends = self.begin, self.begin + self.step
         meet = (np.minimum(*ends) <= high.max(axis=1)[:, None]) & (np.maximum(*ends) >= low.min(axis=1)[:, None])
         return np.flatnonzero((meet[..., 0] & meet[..., 1]).any(axis=0))
 
 
 def scenery_of(outline: Outline, poses: Poses, rows: NDArray[np.int64], scale: float) -> Scenery:
-    """Return what is drawn in some rows of a motion."""
+    """Return what is drawn in the rows `rows` of a motion; `scale` are the units per metre."""
     at: dict[str, Complex] = {name: np.asarray(scale * places[rows].conjugate()) for name, places in poses.at.items()}
     lines = [*_moving_lines(outline, poses, rows, scale, at)]
     lines += [(np.full(len(rows), begin), np.full(len(rows), end)) for begin, end in _fixed_lines(outline, poses, scale, at)]
@@ -58,7 +61,7 @@ def scenery_of(outline: Outline, poses: Poses, rows: NDArray[np.int64], scale: f
 
 
 def pairs(places: Complex) -> Array:
-    """Return complex numbers as pairs on an axis behind the others."""
+    """Return complex numbers as pairs (real, imaginary) along a new last axis."""
     return np.stack([places.real, places.imag], axis=-1)
 
 
@@ -104,7 +107,7 @@ def _fixed_lines(outline: Outline, poses: Poses, scale: float, at: dict[str, Com
 def _symbols(
     outline: Outline, poses: Poses, rows: NDArray[np.int64], at: dict[str, Complex]
 ) -> Iterator[tuple[Complex, complex | Complex]]:
-    """Yield the middles and the halves of joints, pivots and blocks."""
+    """Yield the middle and the half size of each joint, pivot and block."""
     start = poses.pose(0)
     yield from ((at[name], 5 + 5j) for name in outline.shown)
     yield from ((at[name] + 11 * hinge_ground(outline, start, name).conjugate(), 12 + 12j) for name in outline.hinges)

@@ -20,29 +20,29 @@ from typing import Any
 
 from coursework.words.data_folders import folder
 
-_TYPES = re.compile(r"/\*\* .*? \*/ ?")  # said to whoever checks the types
+_TYPES = re.compile(r"/\*\* .*? \*/ ?")  # comments for a type checker
 _TEXT = re.compile(r"""("(?:[^"\\\n]|\\.)*"|`[^`\n]*`)""")
-# Ends of lines that end no statement, and what ends the last statement of a block; a loop of ours has a body.
+# Line breaks that end no statement, and the semicolon after the last statement of a block; no loop of ours has an empty body.
 _NEEDLESS = re.compile(r";?\n(?=})|(?<=[;{,(\[])\n|\n(?=[)\]])")
 _SIGN = r"[-=+*/<>?:,;{}()\[\]&|!]"
 _BESIDE = re.compile(rf" (?={_SIGN})|(?<={_SIGN}) ")
-# Names in generated functions, those that stay (of what they call, and of the language), lines that keep something.
+# Names in generated functions; words of the language that no name may be; successive lines of constants.
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 _KEPT = ("do", "if", "in", "of", "as", "const", "return")
 _TOGETHER = re.compile(r"(?:^const [^\n]*;\n)+(?!const)", re.MULTILINE)
 _READING = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
-_NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$", re.MULTILINE)  # lines of comment, empty ones, margins
+_NO_CODE = re.compile(r"^\s*/[/*].*\n|^\s+|[ \t]+$", re.MULTILINE)  # comment lines, and white space at both ends of lines
 
 
 def script_of(functions: str, pieces: Sequence[str]) -> str:
-    """Return the script: `data` read from the page, the named pieces of the runtime, the functions after the first.
+    """Return the script: reading of `data`, the first of the named pieces of the runtime, `functions`, the other pieces.
 
-    Everything stands inside one function, so that no name is left behind on the page.
+    Everything stands inside one function, so that the script defines no global name.
     """
     return _whole(functions, tuple(map(_piece, pieces)))
 
 
-@lru_cache(maxsize=16)  # data are no part of it: a page with other data has the same one
+@lru_cache(maxsize=16)  # it contains no data: a page with other data has the same script
 def _whole(functions: str, pieces: tuple[str, ...]) -> str:
     first, *others = pieces
     functions = _tight(functions)
@@ -51,12 +51,12 @@ def _whole(functions: str, pieces: tuple[str, ...]) -> str:
 
 
 def with_own(script: str, own: Mapping[str, Any]) -> str:
-    """Return a script that adds to the data of the page what every page of its kind has: it is packed, they are not."""
+    """Return a script that adds `own` to the data of the page: data of every such page, which are packed with the script."""
     return script.replace(_READING, f"{_READING}Object.assign(data,{embedded(own)});", 1)
 
 
 def shortened(functions: str) -> str:
-    r"""Return generated functions with short names of what they keep, one `const` for what is kept together.
+    r"""Return generated functions with short names for their constants, and one `const` for successive constants.
 
     >>> print(shortened("const f = (t, out) => {\nconst k0 = sin(t);\nconst k1 = 2*k0;\nout[0] = k1;\nreturn out;\n};"))
     const f = (t, out) => {
@@ -85,7 +85,7 @@ def _renamed(line: str, known: Mapping[str, str]) -> str:
 
 @lru_cache(maxsize=16)
 def packed(script: str) -> str:
-    """Return a script in half the bytes: one that unpacks it and stands back for it, which its own hash admits as before."""
+    """Return a script in half the bytes, which unpacks the given one and runs it; that one needs its own hash as before."""
     deflated = zlib.compressobj(wbits=-zlib.MAX_WBITS)
     text = base64.b64encode(deflated.compress(script.encode("utf-8")) + deflated.flush()).decode("ascii")
     return _NEEDLESS.sub("", f'(() => {{\nconst packed="{text}";\n{_piece("unpacking")}\n}})();')
@@ -108,12 +108,12 @@ def embedded(data: Mapping[str, Any]) -> str:
 
 
 def hash_of(script: str) -> str:
-    """Return how a content security policy names a script: the hash of exactly its bytes."""
+    """Return the name of a script in a content security policy: the hash of exactly its bytes."""
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode("utf-8")).digest()).decode("ascii")
 
 
 def _piece(name: str) -> str:
-    """Return a file of the runtime without its comment lines and margins, which only its reader needs."""
+    """Return a file of the runtime without comment lines and indentation."""
     return _text(folder("reports") / "live" / f"{name}.js")
 
 
@@ -123,6 +123,6 @@ def _text(path: Path) -> str:
 
 
 def _tight(code: str) -> str:
-    """Return code without the spaces beside its operators; texts in it stay as they are."""
+    """Return code without the spaces beside operators; its string literals are unchanged."""
     parts = _TEXT.split(code)
     return "".join(part if place % 2 else _BESIDE.sub("", part) for place, part in enumerate(parts))

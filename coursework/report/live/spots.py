@@ -1,6 +1,6 @@
-"""Where names of points and numbers of links stand in the moving part: chosen once, clear of what is drawn in every position.
+"""The spots for names of points and numbers of links in the live part: chosen once, clear of the drawing in every position.
 
-Enters: an `Outline`, its positions in the start and in later rows, the words.  Leaves: spots in units of the drawing.
+Enters: an `Outline`, its positions at the start and in later rows, the words.  Leaves: spots in units of the drawing.
 Used by `report/live/drawn.py`.
 """
 
@@ -21,21 +21,21 @@ from coursework.system.frozen import frozen
 
 # Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.
 WIDTHS = (640, 380)
-ROWS = 6  # positions that are looked at, the start among them: it counts as much as all the others; a turn ends where it began
+ROWS = 6  # positions that are considered; the first is the start, which counts as much as all others together
 LETTER, NUMERAL, HALF_HEIGHT = 9.0, 8.0, 7.0  # width of a letter of a name and of a link's number; half the height of both
 TURNS = np.exp(2j * np.pi * (np.arange(12) - 1.5) / 12)  # directions from a point, y down: up and to the right first
 GAPS, BLOCK_GAPS = (8.0, 14.0, 22.0), (9.0, 15.0, 22.0)  # from a point to its name, from a slider to the number of its link
-PARTS, OFFS = (0.5, 0.35, 0.65, 0.2, 0.8), (6.0, 12.0, 28.0)  # of a side of a link, and how far beside it its number stands
-SHORT = 24.0  # a shorter side bears no number
-LINE, SYMBOL, WORD = (12.0, 1.0), (30.0, 0.3), (80.0, 0.3)  # price of a line, symbol or word met, and of a unit of it covered
+PARTS, OFFS = (0.5, 0.35, 0.65, 0.2, 0.8), (6.0, 12.0, 28.0)  # of a number: part along a side of its link, distance from it
+SHORT = 24.0  # a shorter side gets no number
+LINE, SYMBOL, WORD = (12.0, 1.0), (30.0, 0.3), (80.0, 0.3)  # price of a line, symbol or word met, and per unit of it covered
 ANOTHER, OF_ANOTHER = 25.0, 60.0  # price of a name nearer to another point, of a number nearer to another link
-APART = 8.0  # words nearer on one line read as one
-FARTHER, LATER = 0.4, 0.3  # price of a unit of distance, and of each direction or part after the first
+APART = 8.0  # words on one line that are nearer read as one
+FARTHER, LATER = 0.4, 0.3  # price per unit of distance, and per direction or part after the first
 
 
 @frozen
 class _Choice:
-    """The spots one word may take, best first, their `prices` (k,), the `middles` (r, k) of the word there, `half` its width."""
+    """The k spots that one word may take, their `prices` (k,), the `middles` (r, k) of the word there, `half` its width."""
 
     half: float
     spots: list[list[float]]
@@ -46,14 +46,15 @@ class _Choice:
 def spots_of(outline: Outline, poses: Sequence[Poses], names: Sequence[str]) -> list[list[list[float]]]:
     """Return for each of `WIDTHS` the spot of every shown point's name (`names`), then of every link's number.
 
-    A spot is [x, y] from its point, or [part, across, side]: so far along that side of the link, so far to its left; [] for none.
-    `poses` are those of the true motion, whose first row is the start, and of other motions that the drawing has room for.
+    A spot of a name is [x, y] from its point; of a number [part, across, side], the part along that side of the link and the
+    distance to its left, or [x, y] if no side is long enough; [] for none.  `poses` are those of the true motion, whose first
+    row is the start, and of other motions for which the drawing must have room.
     """
     return [_spots(outline, poses[0], _scale(outline, poses, width), names) for width in WIDTHS]
 
 
 def _scale(outline: Outline, poses: Sequence[Poses], width: float) -> float:
-    """Return the units of a metre, as `refit` of drawing.js has them."""
+    """Return the units per metre, as `refit` in drawing.js computes them."""
     rims = [(wheel.centre, wheel.contact, slice(None)) for wheel in outline.wheels]
     rims += [(track.centre, track.rim, slice(0, 1)) for track in outline.tracks]
     ends = [one.at[name] for one in poses for name in outline.shown]
@@ -69,7 +70,7 @@ def _spots(outline: Outline, poses: Poses, scale: float, names: Sequence[str]) -
     rows = distinct(np.linspace(0, len(poses.t) - 1, ROWS).round().astype(int))
     weight = np.where(rows == 0, max(1, len(rows) - 1), 1) / max(1, 2 * (len(rows) - 1))
     seen = scenery_of(outline, poses, rows, scale)
-    # A name has less choice than a number, so it chooses first.
+    # Names have less choice than numbers, so they choose first.
     choices = [_of_point(point, name, outline, seen, weight) for point, name in zip(outline.shown, names, strict=True)]
     choices += [_of_link(outline, bar, seen, weight) for bar in outline.bars]
     found: list[list[float]] = []
@@ -94,12 +95,12 @@ def _areas(low: Array, high: Array, others: Array) -> Array:
 
 
 def _paid(covered: Array, prices: tuple[float, float]) -> Array:
-    """Return what words (r, k) pay for what they cover (r, k, m): so much for each thing met, and for each unit of it."""
+    """Return the prices (r, k) of words that cover `covered` (r, k, m) of m things: one per thing met, one per unit of it."""
     return np.asarray(prices[0] * np.count_nonzero(covered, axis=2) + prices[1] * covered.sum(axis=2))
 
 
 def _about(at: Complex, half: float, gaps: Sequence[float]) -> _Choice:
-    """Return the spots about a point: a word there touches a circle about it."""
+    """Return the spots around a point, at each of which the word touches a circle around it with a radius in `gaps`."""
     reach = np.minimum(half / np.maximum(np.abs(TURNS.real), 1e-9), HALF_HEIGHT / np.maximum(np.abs(TURNS.imag), 1e-9))
     ways = np.concatenate([TURNS * (gap + reach) for gap in gaps])
     spots = np.round(pairs(ways))
@@ -108,7 +109,7 @@ def _about(at: Complex, half: float, gaps: Sequence[float]) -> _Choice:
 
 
 def _of_point(point: str, name: str, outline: Outline, seen: Scenery, weight: Array) -> _Choice:
-    """Return the spots about a point; one that is nearer to another point reads as that one's."""
+    """Return the spots around a point; a spot nearer to another point costs more, since the name would seem to belong to that."""
     choice = _about(seen.at[point], LETTER * len(name.replace("_", "")) / 2 + 1, GAPS)
     far = np.abs(choice.middles - np.array([seen.at[each] for each in outline.shown])[:, :, None])
     nearer = far.min(axis=0) < far[outline.shown.index(point)] - 1
@@ -116,9 +117,9 @@ def _of_point(point: str, name: str, outline: Outline, seen: Scenery, weight: Ar
 
 
 def _of_link(outline: Outline, bar: Bar, seen: Scenery, weight: Array) -> _Choice:
-    """Return the spots beside the long sides of a link, the longest first, else about its point or its wheel.
+    """Return the spots beside the long sides of a link, the longest first; without long sides, around its point or wheel.
 
-    One that is nearer to another link reads as that one's.
+    A spot nearer to another link costs more, since the number would seem to belong to that.
     """
     half = NUMERAL * len(bar.link) / 2 + 1
     sides = _sides(bar, seen)
@@ -151,7 +152,7 @@ def _sides(bar: Bar, seen: Scenery) -> list[tuple[Complex, Complex]]:
 
 
 def _away(places: Complex, sides: Sequence[tuple[Complex, Complex]]) -> Array:
-    """Return how far places (r, k) are from the nearest of the sides, the ends of each (r,)."""
+    """Return the distance of places (r, k) from the nearest of the sides, each given by its two ends (r,)."""
     begin, end = (np.array(ends)[..., None] for ends in zip(*sides, strict=True))
     way, toward = end - begin, places - begin
     part = np.clip((toward * way.conjugate()).real / np.maximum(np.abs(way) ** 2, 1e-9), 0.0, 1.0)

@@ -1,1 +1,1 @@
-"""Results on disk: formats, the gate before them, tables, the record of a run, and the set they are written as."""
+"""Results on disk: formats, the check before they are written, tables, the record of a run, and the set of its files."""

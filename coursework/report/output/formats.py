@@ -1,8 +1,8 @@
 """The formats that results are written in, one record each.
 
 Enters: `Results`.  Leaves: the bytes of files.  Used by the command line (`--format` and its help) and `write.py`.
-To add one: write a function and a line in `FORMATS`; whatever a format needs is imported when it is written.  What a student
-takes along is made above this floor, in `takeaway/`, and named here by its module and function.
+To add one: write a function and a line in `FORMATS`; the function itself imports what it needs.  Files that a student takes
+along are made in `takeaway/`, a layer above this one, and named here by module and function.
 """
 
 from __future__ import annotations
@@ -24,10 +24,11 @@ Files = Iterator[tuple[str, bytes]]
 
 @frozen
 class Format:
-    """`suffix` is its word on the command line and the ending of its files; `write` yields the name and bytes of each file;
-    `serves` lists who offers it: the commands "run" and "accuracy", and `write_report`, which writes a page alone.  One that is
-    `asked` for by name alone is left out where a run cannot have it; `paged` ones are made of the page; `package` is what of
-    an extra it needs.
+    """A format: `suffix` is its word on the command line and the ending of its files; `write` yields name and bytes of each.
+
+    `serves` lists who offers it: the commands "run" and "accuracy", and `write_report`, which writes a single page.  If
+    `asked`, it is written only when asked for by name, and left out if the run cannot have it.  If `paged`, it is made from
+    the page model.  `package` is the package of an optional extra that it needs, "" for none.
     """
 
     suffix: str
@@ -38,7 +39,7 @@ class Format:
     package: str = ""
 
     def is_here(self) -> bool:
-        """Return whether this installation can write it."""
+        """Return whether this installation can write the format."""
         return not self.package or find_spec(self.package) is not None
 
 
@@ -62,7 +63,7 @@ def _csv(results: Results) -> Files:
 
 
 def _above(place: str) -> Callable[[Results], Files]:
-    """Return what writes a format by a function of `takeaway/`, "module:function"."""
+    """Return a writer that calls a function of `takeaway/`, given as "module:function"."""
     module, _, function = place.partition(":")
 
     def write(results: Results) -> Files:
@@ -91,9 +92,9 @@ def formats_for(user: str) -> dict[str, Format]:
 
 
 def chosen(suffixes: Sequence[str] | None, user: str) -> tuple[Format, ...]:
-    """Return the formats of these suffixes in the order of `FORMATS`; for None all that need not be asked for.
+    """Return the formats with these suffixes in the order of `FORMATS`; for None, all that need not be asked for by name.
 
-    Raises `InputError` for another suffix.
+    Raises `InputError` for an unknown suffix.
     """
     known = formats_for(user)
     if suffixes is None:

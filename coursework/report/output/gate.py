@@ -1,7 +1,7 @@
-"""The gate: every number of a run is seen here before anything is written.
+"""The gate: every number of a run is checked here before anything is written.
 
 Enters: a `SceneRun`.  Leaves: nothing, or `InputError` that names quantity, rows, the line of the file and the reason.
-Used by `results.py`, which whoever writes goes through.
+Used by `results.py`, through which everything is written.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from coursework.words.sentences import say
 
 @frozen
 class Block:
-    """Numbers of one kind: `rows` (n, len(names)); `of` names the table where its rows are not those of the results table."""
+    """Numbers of one kind: `rows` (n, len(names)); `of` names the table, or is empty for rows of the results table."""
 
     names: Sequence[str]
     rows: Array
@@ -32,9 +32,9 @@ class Block:
 
 
 def pass_gate(run: SceneRun, pages: bool) -> None:
-    """Look at every number that would be written; `pages`: those that only a page shows, too.
+    """Check that every number to be written is finite; with `pages`, also the numbers that only a page shows.
 
-    Raises `InputError` for the first block with numbers that are not finite, a fault for each quantity in it.
+    Raises `InputError` for the first block, stop or check that has other numbers, with a fault for each quantity of a block.
     """
     for block in _blocks(run, pages):
         spoilt = ~np.isfinite(block.rows)
@@ -55,7 +55,7 @@ def pass_gate(run: SceneRun, pages: bool) -> None:
 
 
 def _fault_of_check(run: SceneRun, check: Finding) -> Fault:
-    """Return what is wrong where a check has no number although the table has: a formula that only the check reads."""
+    """Return the fault of a check without a number although the table is finite: a formula that only the check reads."""
     what = f"checks.{check.code}"
     for point in ("", *dict(run.variant.points)):
         if reason := _reason(run, point):
@@ -70,7 +70,7 @@ def _numbers(check: Finding) -> list[float]:
 
 
 def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
-    """Yield what is written, the plainest first, so that a fault is told where it begins."""
+    """Yield the blocks to be written, the most basic ones first, so that a fault is reported where it begins."""
     yield Block(run.motion.names, np.asarray(run.motion.rows))
     names, rows = run.columns()
     yield Block(names, np.asarray(rows))
@@ -84,7 +84,7 @@ def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
         rows = np.array([[row.max_error, row.end_error] for row in study.rows if not row.failed]).reshape(-1, 2)
         yield Block(("max_error", "end_error"), rows, "accuracy")
     if pages and run.graph_check is not None:
-        # A block that turns with its lever has no column of its own in the table: only what is measured must be finite.
+        # A block that turns with its lever has no column in the results table: only the measured values must be finite.
         yield Block(("measured",), np.array([row[1:2] for row in run.graph_check.rows]).reshape(-1, 1), "graph_check")
 
 
@@ -113,7 +113,7 @@ def _faults(run: SceneRun, block: Block, spoilt: Flags) -> Iterator[Fault]:
 
 
 def _reason(run: SceneRun, point: str) -> Reason | None:
-    """Return what has no value in a point, or in the motion; where everything has one, what changes at no finite rate."""
+    """Return why `point` (the motion if "") has no value; if it has one, why it changes at no finite rate; else None."""
     for rates in (False, True):
         formulas = Formulas(run.variant, run.motion, rates)
         if reason := formulas.of_point(point) if point else formulas.of_motion():

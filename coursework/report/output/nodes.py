@@ -1,7 +1,7 @@
-"""One node of a formula over rows: its value and its time derivative from those of its arguments.
+"""The value and the time derivative of one formula node in each row, from those of its arguments.
 
-Enters: a node and what its arguments are in each row.  Leaves: `Moving` components, not finite where the node has none.
-Used by `reason.py` only, after something went wrong; what is shown never comes from here.
+Enters: a node and the components of its arguments.  Leaves: `Moving` components, not finite in rows without a value.
+Used by `reason.py` only, to explain a failure; no number of the results comes from here.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from coursework.variant.formula.tree import Formula
 
 
 class Moving(NamedTuple):
-    """A quantity in some rows: its `value` and how fast it changes, `slope` (a second's worth)."""
+    """A quantity in some rows: its `value` and its time derivative `slope` (per second)."""
 
     value: Array
     slope: Array
 
 
-Components = tuple[Moving, ...]  # one, or two of a vector
+Components = tuple[Moving, ...]  # one of a scalar, two of a vector
 Rule = Callable[[Array], Array]
 _CALLS: dict[str, tuple[Rule, Rule]] = {
     "sin": (np.sin, np.cos),
@@ -39,7 +39,7 @@ _CALLS: dict[str, tuple[Rule, Rule]] = {
 
 
 def applied(node: Formula, args: list[Components]) -> Components:
-    """Return the components of one node."""
+    """Return the components of `node`; `args` are those of its arguments."""
     if node.op == "pair":
         return args[0][0], args[1][0]
     if node.op == "@":
@@ -63,7 +63,7 @@ def _called(name: str, arg: Moving) -> Moving:
 
 
 def _moved(factor: Array, slope: Array) -> Array:
-    """Return factor*slope; what never moves has the slope 0, however steep the function is there."""
+    """Return factor*slope; 0 if the argument is constant (`slope` 0 in all rows), even where `factor` is not finite."""
     return factor * slope if slope.any() else np.zeros_like(slope)
 
 

@@ -1,7 +1,7 @@
 """Why a quantity has no real value: the formulas of the file, evaluated node by node over the rows.
 
 Enters: a `Variant` and a `Motion`.  Leaves: the first node whose arguments are finite and whose value is not.
-Used by `gate.py` only, after something went wrong; what is shown never comes from here.
+Used by `gate.py` only, to explain a failure; no number of the results comes from here.
 """
 
 from __future__ import annotations
@@ -26,8 +26,9 @@ _KINDS = {"acos": "cosine", "asin": "cosine", "sqrt": "root", "log": "logarithm"
 
 @frozen
 class Reason:
-    """`path` of the formula in the file and its `label`; `node` with the numbers it was given; `kind` of trouble; `names` in
-    its argument; `of_slope`: the node has a value, but does not change at a finite rate.
+    """A node without a value: `path` of its formula in the file, and `label`; `node` is its text with the numbers it was given.
+
+    `kind` of trouble; `names` in its argument; `of_slope`: the node has a value, but does not change at a finite rate.
     """
 
     path: KeyPath
@@ -39,11 +40,11 @@ class Reason:
 
 
 class _Unknown(Exception):
-    """A name whose rows are not known here."""
+    """The error for a name whose rows are not known here."""
 
 
 class _NotFinite(Exception):
-    """The node at which a value, or its rate, is lost."""
+    """The first node whose value, or its rate, is not finite."""
 
     def __init__(self, node: Formula, numbers: list[float], of_slope: bool) -> None:
         super().__init__()
@@ -51,14 +52,14 @@ class _NotFinite(Exception):
 
 
 class Formulas:
-    """The formulas of a file and the rows of everything they speak about; `rates`: whether rates must be finite too."""
+    """The formulas of a file and the rows of the names in them; `rates`: whether rates must be finite too."""
 
     def __init__(self, variant: Variant, motion: Motion, rates: bool) -> None:
         self.variant, self.t, self.rates = variant, motion.t, rates
         zero = np.zeros(len(self.t))
         known = {"pi": math.pi, **variant.values}
         self.values: dict[str, Components] = {name: (Moving(zero + value, zero),) for name, value in known.items()}
-        # How fast an unknown velocity changes is what is sought; what stands beside it must be finite without it.
+        # The rate of an unknown velocity is sought, so it counts as 0: the other terms must be finite without it.
         self.values |= {name: (Moving(motion.column(name), zero),) for name in motion.velocity_names}
         moved = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
         for name in motion.coordinate_names:
@@ -66,7 +67,7 @@ class Formulas:
         self.values["t"] = (Moving(self.t, zero + 1),)
 
     def of_motion(self) -> Reason | None:
-        """Return why a row of the table has no value: a law or a constraint without one."""
+        """Return the first law or constraint without a value in some row, as the reason why the table lacks one; else None."""
         for section, law in in_order(self.variant):
             if reason := self._of_law(section, law):
                 return reason
@@ -78,7 +79,7 @@ class Formulas:
         return None
 
     def of_point(self, name: str) -> Reason | None:
-        """Return why a point has no place; the points before it and the laws may be why."""
+        """Return why a point has no position, or None; the cause may be a law, a constraint or an earlier point."""
         if reason := self.of_motion():
             return reason
         for point, formula in self.variant.points:
@@ -112,11 +113,11 @@ class Formulas:
         table, (argument, rate) = TableLaw(law.name, law.table, law.method), self.values[law.of][0]
         try:
             self.values[law.name] = (Moving(table.function(0)(argument), table.function(1)(argument) * rate),)
-        except OutsideTable:  # it says so itself, long before a table is written
+        except OutsideTable:  # reported elsewhere, long before a table is written
             self.values.pop(law.name, None)
 
     def _of(self, path: KeyPath, label: str, formula: Formula, name: str = "", rows: Rows | None = None) -> Reason | None:
-        """Evaluate a formula, in some rows only; keep it under its name, or return why it has no value."""
+        """Evaluate a formula in `rows` (None: all) and keep it under `name`, if any; return why it has no value, else None."""
         chosen = np.arange(len(self.t)) if rows is None else rows
         try:
             found = self._value(formula, chosen)

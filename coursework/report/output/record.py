@@ -1,4 +1,4 @@
-"""What `run.json` and `accuracy.json` say: how the numbers came about, and which files belong together.
+"""The content of `run.json` and `accuracy.json`: how the numbers were computed, and which files belong together.
 
 Enters: a `SceneRun`.  Leaves: plain data, and the stamp that ties pages, tables and record of one run together.
 Used by `write.py`.
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from coursework.drawing.check_sheet.graph_check import GraphCheck
     from coursework.results.checks.result import Finding
 
-STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by chance, short enough to compare by eye
+STAMP_LENGTH = 16  # characters of the hash: enough that two runs never share it by chance, few enough to compare by eye
 
 
 def stamp_of(run: SceneRun, language: str = "en") -> str:
-    """Return the stamp of a run: a hash of its variant, its options and the tool's version, wherever the file lies."""
+    """Return the stamp of a run: a hash of its variant, options, templates and tool version, but not of the file's path."""
     named = (run.student, run.group, run.teacher, run.institution, run.date, run.blank)
     settings = (run.settings, run.asked, named, language, stamp_of_templates(), run.versions["coursework"])
     kept = {one.name: getattr(run.variant, one.name) for one in fields(run.variant) if one.repr} | {"path": None}
@@ -34,7 +34,7 @@ def stamp_of(run: SceneRun, language: str = "en") -> str:
 
 
 def record(run: SceneRun) -> dict[str, Any]:
-    """Return what `run.json` holds: versions, scheme, stop, checks."""
+    """Return the content of `run.json` without stamp and files: versions, scheme, stop, checks and more."""
     motion = run.motion
     checks = run.checks if "checks" in run.asked else ()
     return {
@@ -64,7 +64,7 @@ def record(run: SceneRun) -> dict[str, Any]:
 
 
 def _dynamics(run: SceneRun) -> dict[str, Any]:
-    """Return the steady motion of a crank that forces turn, None where there is none."""
+    """Return the entry "regime": the steady motion of a crank that forces turn, or None if there is none."""
     regime = getattr(run.scene, "regime", None)
     return {"regime": None if regime is None else asdict(regime) | {"delta": regime.delta}}
 
@@ -82,7 +82,7 @@ def _content(quantity: Quantity[Any]) -> dict[str, Any]:
 
 
 def _graph(graph: GraphCheck) -> dict[str, Any]:
-    """Return what was read off the drawing: magnitudes in SI, lengths in mm of paper, centres by link (none: translation)."""
+    """Return what was read off the drawing: values with their units, and the centre of each link (None if it translates)."""
     told = [{name: getattr(one, name) for name in ("name", "found", "read", "table", "unit")} for one in graph.readings]
     rows = [row | {"table": row["table"] if isfinite(row["table"]) else None} for row in told]
     centres = {link: None if at is None else {"x": at.real, "y": at.imag} for link, at in graph.centres.items()}
@@ -96,7 +96,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
 
 
 def as_json(content: dict[str, Any]) -> bytes:
-    """Return a record as the bytes of its file: a line a key, and a line a record where a key holds a list of them."""
+    """Return a record as JSON bytes: one line per key, and one line per item if the value is a list of records."""
     lines = ",\n".join(f" {_written(key)}: {_lines(value)}" for key, value in content.items())
     return f"{{\n{lines}\n}}\n".encode("utf-8", "backslashreplace")
 

@@ -1,6 +1,6 @@
-"""What a format writes from: a run and, made once and only when looked at, its pages.
+"""The results that formats write: a run and its page model, which is built once and only if a format needs it.
 
-Enters: a `SceneRun`.  Leaves: `Results`.  Used by the formats and whoever writes them.
+Enters: a `SceneRun`.  Leaves: `Results`.  Used by the formats and by the code that writes them.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 class Results:
     """A run ready to be written; `stem` names its pages, `record_name` the file that is written last.
 
-    With `live` the page of a screen has the part that moves.  `unprinted` are letters that no face had for the pages on paper,
-    `refused` says which formats the run cannot have.
+    With `live` the page for a screen has the moving part.  `unprinted` are letters of the PDF for which there was no font;
+    `refused` holds the errors of formats that the run cannot have.
     """
 
     stem = "report"
@@ -41,7 +41,7 @@ class Results:
         self.refused: list[NotToBeHad] = []
 
     def compute(self, pages: bool) -> None:
-        """Compute what is asked for and look at every number, so that a fault comes before the first file."""
+        """Compute what is asked for and check every number, so that an error comes before the first file is written."""
         if pages:
             _ = self.run.extra_tables, self.run.graph_check
         with under_way("gate"):
@@ -51,11 +51,11 @@ class Results:
                 self.run.of(one)
 
     def plan(self, pages: bool) -> Plan:
-        """Return what files, screen and, where there are any, pages call for."""
+        """Return the plan of what to compute for the files, the screen and, if `pages`, the pages."""
         run = self.run
         shown = ["solutions"] if pages else []
         shown += [one for one, seen in (("extremes", run.asks(PLOTS)), ("exact", self.live)) if seen and pages]
-        # Exact rows have those of a scheme beside them; a motion that stops is asked with which phases it would not.
+        # Exact rows need those of a scheme beside them; for a motion that stops, phases are sought with which it would not.
         shown += [one for one, said in (("scheme_rows", run.tableau is None), ("phases", run.stop is not None)) if said]
         return run.plan_with(*shown, pages=pages)
 
@@ -66,7 +66,7 @@ class Results:
 
     @cached_property
     def model(self) -> ReportModel:
-        """Return what a page says, its figures drawn."""
+        """Return the page model, with its figures drawn."""
         from coursework.report.pages import build_model
 
         with under_way("pages"):
@@ -77,11 +77,11 @@ class Results:
         return run_tables(self.run)
 
     def record(self) -> dict[str, Any]:
-        """Return what the record says beside stamp and files."""
+        """Return the content of the record without stamp and files."""
         return record(self.run) | self.letters()
 
     def letters(self) -> dict[str, Any]:
-        """Return what is told of letters that stand as boxes on paper, nothing where there are none."""
+        """Return the record's entry on letters that are printed as boxes; empty if there are none."""
         told = say("screen.unprinted", letters=self.unprinted)
         return {"unprinted": {"letters": self.unprinted, "sentence": told}} if self.unprinted else {}
 
@@ -93,7 +93,7 @@ class StudyResults(Results):
     record_name = "accuracy.json"
 
     def compute(self, pages: bool) -> None:
-        """Look at every number: the study is there, with its times, before it is written."""
+        """Check every number; by then the study with its running times is complete, before anything is written."""
         with under_way("gate"):
             pass_gate(self.run, pages)
 
@@ -103,7 +103,7 @@ class StudyResults(Results):
         return [("accuracy.csv", study_csv(self.run.accuracy))]
 
     def record(self) -> dict[str, Any]:
-        """Return which variant was studied with what."""
+        """Return the variant that was studied, the versions and the scheme."""
         variant, settings = self.run.variant, self.run.settings
         told = {"variant": variant.name, "title": variant.title, "versions": self.run.versions, "scheme": settings.scheme}
         return told | self.letters()

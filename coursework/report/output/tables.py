@@ -1,4 +1,4 @@
-"""What a run computed -> CSV text: every digit, the same bytes on every run.
+"""The results of a run -> CSV text with all digits, the same bytes on every run.
 
 Enters: a `SceneRun`.  Leaves: text by file name.  Used by `results.py` and `key.py`; needs no pandas, no matplotlib, no typst.
 """
@@ -22,7 +22,7 @@ STUDY_HEAD = (
 
 
 def run_tables(run: SceneRun) -> Iterator[tuple[str, str]]:
-    """Yield `table.csv`, beside an exact one the rows of the coursework's scheme, and the tables asked for with other rows."""
+    """Yield (name, text): `table.csv`, the scheme's rows if that table is exact, and the other tables asked for."""
     yield "table.csv", table_csv(run)
     if (lesson := run.scene.scheme_rows) is not None:
         yield f"table-{lesson.scheme}.csv", timed_csv(lesson.names, lesson.t, lesson.rows)
@@ -39,17 +39,17 @@ def run_tables(run: SceneRun) -> Iterator[tuple[str, str]]:
 
 
 def table_csv(run: SceneRun) -> str:
-    """Return the results table as CSV: header t, then the columns; SI; shortest text that reads back to the same number."""
+    """Return the results table as CSV in SI, t first; each number is the shortest text that reads back to the same number."""
     names, rows = run.columns()
     return timed_csv(names, run.motion.t, rows)
 
 
 def timed_csv(names: Sequence[str], t: Array, rows: Array) -> str:
-    """Return rows (n, names) at the times t (n,) as CSV, the time first."""
+    """Return `rows` (n, len(names)) at the times `t` (n,) as CSV, the time first."""
     return csv_text(["t", *names], ([time, *row] for time, row in zip(t.tolist(), rows.tolist(), strict=True)))
 
 
 def study_csv(study: AccuracyStudy) -> str:
-    """Return a study of accuracy as CSV: one line a method and setting; errors in the units beside them, empty without any."""
+    """Return a study of accuracy as CSV: one line per method and setting; an error without a value gives an empty cell."""
     cells = ([getattr(row, name) for name in STUDY_HEAD] for row in study.rows)
     return csv_text(STUDY_HEAD, ([None if value != value else value for value in row] for row in cells))

@@ -1,6 +1,6 @@
-"""Results -> files: a page alone, or all files of a run as one set.
+"""Results -> files: single pages, or all files of a run as one set.
 
-Enters: a `SceneRun` or `Results`, and paths.  Leaves: files.  Raises `OutputError`; nothing half-written is left.
+Enters: a `SceneRun` or `Results`, and paths.  Leaves: files.  Raises `OutputError` and then leaves no half-written file.
 Used by the command line and by `coursework.write_report`.
 """
 
@@ -61,15 +61,15 @@ def write_set(results: Results, formats: Sequence[Format], folder: Path, hidden:
     """Write results to `folder` as one set and return the names of its files, the record last.
 
     Everything is written to `hidden` (on the same disk, see `working_folder`) before anything in `folder` is touched.
-    The record names the stamp of the run and the SHA-256 of each file.  A format that was asked for and that this run cannot
-    have is left out, with the reason in `results.refused`.
+    The record names the stamp of the run and the SHA-256 of each file.  A format that this run cannot have is left out, and
+    the reason is added to `results.refused`.
     """
     digests: dict[str, str] = {}
     for each in formats:
         try:
             for name, content in each.write(results):
                 if name in digests:
-                    continue  # a drawing that two formats show
+                    continue  # a drawing that two formats write
                 with refused(folder / name):
                     (hidden / name).parent.mkdir(parents=True, exist_ok=True)
                     write_through(hidden / name, content)

@@ -1,4 +1,4 @@
-"""A `SceneRun` -> one report model -> a page to read (HTML), a page to print (PDF), what a notebook shows.
+"""A `SceneRun` -> one report model -> a page to read (HTML), a page to print (PDF); and the form of a run in a notebook.
 
 Enters: a `SceneRun`.  Leaves: text and bytes.  Used by `report/output/`, `run.py` and the commands.
 """

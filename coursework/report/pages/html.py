@@ -18,19 +18,19 @@ from coursework.words.templates import filled
 
 
 def render_html(model: ReportModel, *, pack: bool = True) -> str:
-    """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing.
+    """Return the report as one HTML page; Typst draws the equations, which stand as plain text if it is missing.
 
-    `pack`: its moving part unpacks itself, which takes half the bytes; whoever reads the script from the page has it plain.
+    `pack`: compress the script of the live part, which then unpacks itself and takes half the bytes; else it stays readable.
     """
     page = model.plain()
     drawn = _drawn(page)
     scripts = {"latex": latex, **_scripts(model, pack)} if model.scripts else {}
     made = filled("report.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live, **scripts)
-    return made if model.scripts else fitted(made)  # what moves, and what the desk changes, may come to need any rule
+    return made if model.scripts else fitted(made)  # a page with scripts may come to need any style rule
 
 
 def _scripts(model: ReportModel, pack: bool) -> dict[str, Any]:
-    """Return the scripts of a page by what they do, and the hashes that admit them; what is packed has two."""
+    """Return the scripts of a page by purpose, and the hashes that admit them; a packed script needs two."""
     copying = alone("copying")
     if model.live is None:
         return {"copying": copying, "admitted": [hash_of(copying)]}

@@ -1,6 +1,6 @@
-"""The report model: all that a page says, in order, every number formatted once.
+"""The report model: the whole content of a page in order, with every number already formatted.
 
-Enters: a `SceneRun`.  Leaves: `ReportModel`, whose plain form (dicts, lists, strings) is all the templates see.
+Enters: a `SceneRun`.  Leaves: `ReportModel`; the templates see only its plain form (dicts, lists, strings).
 Used by `report/output/results.py`, `html.py`, `notebook.py` and `pdf.py`.
 """
 
@@ -21,16 +21,16 @@ from coursework.scene.scene_run import SceneRun
 from coursework.system.frozen import frozen
 from coursework.words.templates import clean
 
-LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
+LONGEST_RUNNING = (70, 36)  # characters of title and of name above the later pages; together they fit one line
 
 
 @frozen
 class ReportModel:
     """One report: its language, titles, and sections in order.
 
-    `running` stands above the later pages, `footer` below all, `contents` is what the list of sections is called, `skip` the
-    link past it, `copy` and `copied` what its buttons say, `enlarge` what a phone says at a small drawing; `live` is the part
-    that moves, for a screen only, and `scripts` whether there may be any.
+    `running` is the head of the later pages, `footer` the foot of all pages.  Words of the screen: `contents`, the heading of
+    the list of sections; `skip`, the link past it; `copy` and `copied`, on the buttons of formulas; `enlarge`, at a small
+    drawing on a phone.  `live` is the moving part, for a screen only; `scripts` is whether the page may contain scripts.
     """
 
     language: str
@@ -47,17 +47,17 @@ class ReportModel:
     sections: tuple[Section, ...]
     live: LivePart | None
     scripts: bool
-    title_language: str  # that of the title; "" where the file says it in one that nobody knows
+    title_language: str  # language of the title; "" if the file writes it in an unknown one
 
     def plain(self) -> dict[str, Any]:
-        """Return the model as dicts, lists and strings: what JSON holds and what a golden file compares."""
+        """Return the model as dicts, lists and strings, as templates, JSON and golden files need it."""
         names = ("language", "kind", "heading", "author", "running", "footer", "contents", "skip", "copy", "copied", "enlarge")
         found = {name: getattr(self, name) for name in names} | {"sections": [section.plain() for section in self.sections]}
         return found if self.title_language == self.language else found | {"title_language": self.title_language}
 
 
 def _shortened(text: str, longest: int) -> str:
-    """Return a text of so many characters, cut behind a word."""
+    """Return a text of at most `longest` characters, cut at the end of a word."""
     text = clean(text)
     return text if len(text) <= longest else text[: longest - 1].rsplit(" ", 1)[0].rstrip(" ,:;") + "…"
 
@@ -65,10 +65,10 @@ def _shortened(text: str, longest: int) -> str:
 def build_model(
     run: SceneRun, language: str = "en", stamp: str = "", *, live: bool = False, later: tuple[str, ...] = ()
 ) -> ReportModel:
-    """Return the report of a run: the sections that have something to say, and those only if asked for.
+    """Return the report of a run, with the sections that were asked for and have content.
 
-    `stamp` names the run in the footer, so that a page can be told from one of another run; `live` adds the part that moves;
-    of the sections `later` only the heading is written.  Raises `InputError` where the language is not there.
+    `stamp` names the run in the footer, so that pages of different runs can be told apart; `live` adds the moving part and
+    scripts; of the sections `later` only the heading is written.  Raises `InputError` if there is no such language.
     """
     words = load_words(language)
     context = PageContext(run, words, later)
@@ -96,24 +96,24 @@ def build_model(
 
 
 def _ended(caption: Runs, stop: str) -> Runs:
-    """Return a caption that ends as the language ends one: with a full stop or without."""
+    """Return a caption that ends with `stop`, the language's full stop or nothing."""
     *first, last = caption
     return [*first, {**last, "t": last["t"].rstrip(" .。") + stop}] if "t" in last else caption
 
 
 def heading_of(context: PageContext) -> str:
-    """Return the heading of a page: name and title of the variant, once where they are the same."""
+    """Return the heading of a page: name and title of the variant, or only the name if the title adds nothing."""
     name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.variant.title))
     if context.is_about_accuracy:
         return context.words("accuracy.heading" if context.run.scene.follows_laws else "accuracy.energy_heading", name=name)
     if title in ("", name):
         return context.words("title.heading_plain", name=name)
-    key = "title.heading" if name.isdigit() else "title.heading_named"  # a file's name is no number of a task
+    key = "title.heading" if name.isdigit() else "title.heading_named"  # only digits are the number of a task
     return context.words(key, name=name, title=title).rstrip(": ")
 
 
 def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
-    """Give tables and figures with a caption their numbers, and formulas the decimal sign of the language."""
+    """Yield the sections with their captioned tables and figures numbered, and with the language's decimal sign in formulas."""
     counts = {"table": 0, "figure": 0}
     mark = words("decimal")
 

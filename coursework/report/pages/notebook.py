@@ -1,7 +1,7 @@
-"""What a notebook shows of a run: what was set and looks like a slip, the drawing where there is one, the plots, the checks.
+"""A run as a notebook shows it: values that were set, remarks on likely slips, the drawing if there is one, plots, checks.
 
-Enters: a `SceneRun`.  Leaves: a piece of HTML that fetches nothing and keeps its looks to itself.
-Used through `notebook_html` of the package, by `Run._repr_html_` and whoever writes a page of his own.
+Enters: a `SceneRun`.  Leaves: a piece of HTML that fetches nothing and whose styles do not affect the page around it.
+Used through `notebook_html` of the package, by `Run._repr_html_` and by authors of their own pages.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from coursework.words.templates import filled
 
 
 def drawing(context: PageContext) -> list[Part]:
-    """The sheets of the graph-analytical check, upright and as wide as the notebook."""
+    """Return the sheets of the graph-analytical check as figures that fit the width of the notebook."""
     graph, words = context.run.graph_check, context.words
     if graph is None:
         return []
@@ -46,9 +46,9 @@ SHOWN: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
 
 
 def notebook_html(run: SceneRun, language: str = "en") -> str:
-    """Return a run as a notebook shows it: what is asked of it, and the plots of its rows always.
+    """Return a run as a notebook shows it: the requested quantities, and always the plots of its rows.
 
-    Raises `InputError` where the language is not there.
+    Raises `InputError` if there is no such language.
 
     >>> import coursework
     >>> page = coursework.notebook_html(coursework.solve("31", quantities=["table", "checks"]))

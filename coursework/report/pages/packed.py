@@ -1,7 +1,7 @@
-"""A PDF of Typst's in half the bytes: what is no stream, and above all the structure that is read aloud, is compressed too.
+"""A PDF of Typst in half the bytes: objects that are not streams, above all the tags for screen readers, are compressed too.
 
-Enters: the bytes of a PDF with a table of its objects.  Leaves: the same objects, those without a stream in one object stream,
-and their places in another (ISO 32000-1, 7.5.7 and 7.5.8).  Used by `pdf.py`.
+Enters: the bytes of a PDF with a cross-reference table.  Leaves: the same objects; those without a stream are in one object
+stream, and the cross-reference table is a stream too (ISO 32000-1, 7.5.7 and 7.5.8).  Used by `pdf.py`.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from itertools import pairwise
 
 _END = re.compile(rb"xref\s+0 (\d+)\s*\n(.*?)trailer\s*<<(.*)>>\s*startxref\s+\d+\s+%%EOF\s*\Z", re.DOTALL)
 _SIZE = re.compile(rb"/Size \d+")
-_ENTRY = 20  # bytes of an entry of the table: place, generation, n for an object in use
+_ENTRY = 20  # bytes of an entry of the cross-reference table: place, generation, "n" for an object in use
 _FREE, _PLACED, _IN_STREAM = 0, 1, 2
 
 
 def packed(content: bytes) -> bytes:
-    """Return the PDF with its objects compressed; one that is written in another way as it is."""
+    """Return the PDF with its objects compressed; return it unchanged if it does not end as `_END` expects."""
     start = content.rfind(b"\nxref") + 1
     end = _END.match(content, start)
     if not start or end is None:
@@ -53,6 +53,6 @@ def packed(content: bytes) -> bytes:
 
 
 def _stream(number: int, entries: bytes, content: bytes) -> bytes:
-    data = zlib.compress(content)  # the highest level takes 10 ms more for a hundredth of the bytes
+    data = zlib.compress(content)  # the highest level would take 10 ms more to save a hundredth of the bytes
     head = b"%d 0 obj\n<<%s/Filter/FlateDecode/Length %d>>\nstream\n" % (number, entries, len(data))
     return head + data + b"\nendstream\nendobj\n\n"

@@ -1,7 +1,7 @@
-"""The section on accuracy: one sentence, error against cost in a figure and a table, what follows, where the time goes.
+"""The section on accuracy: one sentence, error against cost in a figure and a table, conclusions, where the time goes.
 
 Enters: a `PageContext` whose run carries an accuracy study.  Leaves: figures, tables, sentences.
-Running times differ from run to run, so this is the one section whose bytes do (unless the study hides seconds).
+Running times differ from run to run, so only in this section the bytes differ too (unless the study hides seconds).
 Used by `sections.py`.
 """
 
@@ -18,13 +18,13 @@ from coursework.report.text.tables import MARK, ONE_PAGE
 from coursework.report.text.text_runs import LONGEST_NAME, begun, numeral, printed, runs
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 
-RATIO_DIGITS = 2  # of a ratio of times, which differs from run to run
+RATIO_DIGITS = 2  # significant digits of a ratio of times, which differs from run to run
 MOST_LINES = 12  # of the table; the figure shows every setting
-ERROR_DIGITS = 3  # an error needs no more
+ERROR_DIGITS = 3  # significant digits of an error
 
 
 def accuracy(context: PageContext) -> list[Part]:
-    """What each method costs and reaches, in figures, a table and sentences."""
+    """Return cost and error of each method, in a figure, a table and sentences."""
     study = context.run.accuracy
     if study is None:
         return []
@@ -39,7 +39,7 @@ def accuracy(context: PageContext) -> list[Part]:
 
 
 def _is_energy(study: AccuracyStudy) -> bool:
-    """Return whether the errors are those of the energy: forces move the mechanism."""
+    """Return whether the errors are errors of energy, because forces move the mechanism."""
     return any(row.unit == "J" for row in study.rows)
 
 
@@ -55,7 +55,7 @@ def _finished(study: AccuracyStudy) -> list[StudyRow]:
 
 
 def _told(study: AccuracyStudy) -> list[StudyRow]:
-    """Return the settings that a table says: of each method the cheapest, and the finest while there is room for it."""
+    """Return the settings shown in the table: the cheapest of each method, and the finest of as many as fit `MOST_LINES`."""
     finished = _finished(study)
     first = {row.method: row for row in reversed(finished)}
     last = {row.method: row for row in finished}

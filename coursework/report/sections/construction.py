@@ -1,4 +1,4 @@
-"""The graph-analytical check: the drawing, and both results side by side.
+"""The section on the graph-analytical check: the drawing, and both results side by side.
 
 Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 """
@@ -17,14 +17,14 @@ from coursework.report.text.parts import Bullets, Cell, Column, Paragraph, Part,
 from coursework.report.text.text_runs import ITALIC, numeral, printed
 from coursework.report.text.words import Words
 
-COLUMN = 171.0  # mm: a wider sheet has a turned page to itself on paper, behind all that was read
+COLUMN = 171.0  # mm: a wider sheet has a turned page to itself on paper, after all readings
 READING_HEADS = ("quantity", "read", "relation", "measured", "tabled", "difference")
-READ_DECIMALS = 1  # of a length in mm that is read to 0.5
-PERCENT_DECIMALS = 2  # of a difference in percent, in every row alike
+READ_DECIMALS = 1  # of a length in mm, which is read to 0.5 mm
+PERCENT_DECIMALS = 2  # of a difference in percent, the same in every row
 
 
 def graph_check(context: PageContext) -> list[Part]:
-    """The drawing by which the table is checked, true to scale, and both results side by side."""
+    """Return both results side by side, and the drawing by which the table is checked, true to scale."""
     graph = context.run.graph_check
     if graph is None:
         return []
@@ -49,9 +49,9 @@ def _row(context: PageContext, one: Reading) -> list[Cell]:
 
 
 def reading_row(words: Words, one: Reading, rich: Callable[[str], Runs], plan: Callable[[str], Runs]) -> list[Cell]:
-    """Return one line of the table: the length, what was read, how the value follows, both values, how far they are apart.
+    """Return one line of the table: the quantity, the length read, the relation, both values, their difference.
 
-    `rich` sets a sentence with its symbols, `plan` one about the images of points on a plan.
+    `rich` turns a sentence into runs with symbols, `plan` does so for a sentence about images of points on a plan.
     """
     numbers = words.numbers
     read = words("graph.given", length=one.length) if one.length else ""
@@ -59,13 +59,13 @@ def reading_row(words: Words, one: Reading, rich: Callable[[str], Runs], plan: C
         read = f"{one.length} = {numbers.fixed(one.read, READ_DECIMALS)}"
     elif one.computed is not None:
         read = words("graph.computed", length=one.length, mm=numbers.fixed(one.computed, READ_DECIMALS))
-    judged = math.isfinite(one.difference) and one.rests  # what rests on no reading is no check
+    judged = math.isfinite(one.difference) and one.rests  # a value that rests on no reading checks nothing
     apart = f"{numbers.dressed(_percent(one.difference))} (±{numbers.dressed(_percent(one.explained))})" if judged else NOTHING
     values = [numeral(words.amount(numbers.scalar(one.found), one.unit)), NOTHING]
     if math.isfinite(one.table):
         values[1] = numeral(words.amount(numbers.scalar(one.table), one.unit))
     lengths = "".join(f"{ITALIC[0]}{letter}{ITALIC[1]}" if letter.isalpha() else letter for letter in one.images)
-    own = re.compile(rf"(?:^|(?<=[ \u00a0])){re.escape(one.images)}(?!_)")  # of "p_v p·0.02 (m/s)/mm" the image alone
+    own = re.compile(rf"(?:^|(?<=[ \u00a0])){re.escape(one.images)}(?!_)")  # only the image in "p_v p·0.02 (m/s)/mm"
 
     def put(text: str) -> Runs:
         return plan(own.sub(lengths, words.written(text), count=1)) if one.images else rich(text)
@@ -74,5 +74,5 @@ def reading_row(words: Words, one: Reading, rich: Callable[[str], Runs], plan: C
 
 
 def _percent(share: float) -> str:
-    """Return a share in percent; what rounds to nought has no sign."""
+    """Return a share in percent; a value that rounds to zero has no sign."""
     return f"{round(100 * share, PERCENT_DECIMALS) + 0.0:.{PERCENT_DECIMALS}f}"

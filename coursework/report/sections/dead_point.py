@@ -1,6 +1,6 @@
-"""Where the motion stops: when, why, and what that means for the mechanism; the cause stands here and nowhere else.
+"""The section on a stop of the motion: when, why, and what it means for the mechanism; only here the cause is given.
 
-Enters: a `PageContext`.  Leaves: parts, none where the motion goes on.  Used by `sections.py` and `notebook.py`.
+Enters: a `PageContext`.  Leaves: parts, none if the motion does not stop.  Used by `sections.py` and `notebook.py`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from coursework.report.text.text_runs import begun, runs
 
 
 def dead_point(context: PageContext) -> list[Part]:
-    """When, where and why the motion stops, and what it means for the mechanism."""
+    """Return when, where and why the motion stops, and what it means for the mechanism; empty if it does not stop."""
     stop, words = context.run.stop, context.words
     if stop is None:
         return []
@@ -32,7 +32,7 @@ def dead_point(context: PageContext) -> list[Part]:
     if context.run.scene.phases:
         facts.append((words("stop.phases"), context.rich(context.run.scene.phases)))
     own = context.run.scene.stop is None  # the scheme stops where the mechanism does not
-    # Under forces the links move on, wait there, or nobody knows; elsewhere the scheme may have lost the motion before.
+    # Under forces the links may move on or wait there; otherwise the scheme may have lost the motion before the stop.
     is_open = not context.run.scene.follows_laws or len(context.run.motion.t) < int(stop.row)
     kept = words("stop.kept_so_far" if own else "stop.kept_only" if is_open else "stop.kept", row=len(context.run.motion.t))
     lead = words("stop.lead", kind=begun(context.event(stop.kind)), time=time) + words("join.sentences")

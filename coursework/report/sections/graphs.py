@@ -1,4 +1,4 @@
-"""The graphs: one small panel for each coordinate, then for each velocity, the rows on the exact curve.
+"""The section of graphs: a small panel for each coordinate, then for each velocity, with the rows over the exact curve.
 
 Enters: a `PageContext`.  Leaves: figures of panels.  Used by `sections.py` and `notebook.py`.
 """
@@ -20,14 +20,14 @@ from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-SIZE = (82.0, 34.0)  # mm; two stand beside each other in 170 mm
-MOST_PANELS = 8  # of one figure: as many as a page holds
-SAMPLE = (10.0, 3.0)  # mm of a line in the key
+SIZE = (82.0, 34.0)  # mm; two stand side by side in 170 mm
+MOST_PANELS = 8  # of one figure: as many as fit a page
+SAMPLE = (10.0, 3.0)  # mm, width and height of a sample in the key
 
 
 @frozen
 class Rows:
-    """What a panel shows of one column: the dots of a table, and a smooth curve that may be missing."""
+    """One column in a panel: the rows of a table as dots, and a smooth exact curve; either may be empty."""
 
     name: str
     t: Array
@@ -37,7 +37,7 @@ class Rows:
 
 
 def graphs(context: PageContext) -> list[Part]:
-    """Coordinates first, then velocities, but for those that the drive keeps at one value."""
+    """Return the panels of coordinates, then of velocities, without those that the drive keeps constant."""
     motion = context.run.motion
     if not len(motion.t):
         return []
@@ -51,14 +51,14 @@ def graphs(context: PageContext) -> list[Part]:
 
 
 def dotted(context: PageContext) -> Motion | None:
-    """Return the rows that stand as dots: those of a scheme, beside an exact table the scheme's that it is compared with."""
+    """Return the rows shown as dots: those of the run's scheme, or, if the table is exact, of the scheme beside it."""
     return context.run.motion if context.run.tableau else context.run.scene.scheme_rows
 
 
 def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:
-    """Return a function that gives the smooth exact curve of a column, nothing where it is not known.
+    """Return a function from a column's name to times and values of its smooth exact curve, empty if it is not known.
 
-    Between rows coordinates follow from values and rates, velocities from the equations at those coordinates.
+    Between rows, coordinates are interpolated from values and rates; velocities follow from the equations at them.
     """
     exact = context.exact
     if exact is None or not len(exact.t):
@@ -103,7 +103,7 @@ def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
 
 
 def key(context: PageContext, *, dotted: bool, exact: bool) -> list[tuple[str, Runs]]:
-    """Return what the dots of a scheme and the line of the motion mean, of those that are there."""
+    """Return the key: what the dots of the scheme mean if they are shown (`dotted`), and the line of the motion (`exact`)."""
     run = context.run
     scheme = context.told(title_of(DEFAULT_SCHEME) if run.tableau is None else run.scheme_title)
     told = []
@@ -124,7 +124,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     if run.stop is not None:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
-        # Named above its end, on the side that has room.
+        # The stop is named above the end of its line, on the side that has room.
         side = "end" if x > field.width / 2 else "start"
         inside += graph_paper.words(x, graph_paper.TOP - 2.2, escape(context.event(run.stop.kind)), side, STOP_WORDS)
     if len(rows.curve):
@@ -140,7 +140,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
 
 
 def _sample(*, dotted: bool) -> str:
-    """Return the piece of line that stands in the key."""
+    """Return the sample of a line for the key."""
     width, height = SAMPLE
     if dotted:
         r = graph_paper.RADIUS

@@ -21,11 +21,11 @@ from coursework.words.templates import clean
 if TYPE_CHECKING:
     from coursework.variant.record.forces import Motor
 
-_TIME = re.compile("t(?= =)")  # the letter of "from t = 0.3 s", a symbol among words
+_TIME = re.compile("t(?= =)")  # the t in "from t = 0.3 s", which is a symbol among words
 
 
 def laws_shown(context: PageContext, laws: tuple[Law, ...]) -> list[Part]:
-    """Return the laws, each table as a sentence."""
+    """Return the laws as displayed equations, and those given by a table as sentences."""
     tabulated = [Paragraph(runs(_tabulated(context, law))) for law in laws if law.table]
     shown = [_law(context, law) for law in laws if not law.table]
     return [*([Equations(shown, flow=True)] if shown else []), *tabulated]
@@ -59,7 +59,7 @@ def _tabulated(context: PageContext, law: Law) -> str:
 
 
 def moved_by_forces(context: PageContext, motor: Motor) -> list[Part]:
-    """Return which rates are free and what the motor does to them."""
+    """Return the sentences on which rates are free and which torques act."""
     say = context.words
     told = [say.count("dynamics.free", len(motor.rates), rates=context.symbol_list(motor.rates))]
     told += [

@@ -1,4 +1,4 @@
-"""The last appendix: by which formula, with which step and which programs the numbers came about.
+"""The appendix on the method: the formula, the step and the programs by which the numbers were computed.
 
 Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 """
@@ -15,7 +15,7 @@ from coursework.words.templates import clean
 
 
 def method(context: PageContext) -> list[Part]:
-    """By which formula, with which step and which programs the numbers came about."""
+    """Return the formula, the step and the programs by which the numbers were computed."""
     run, words = context.run, context.words
     if run.tableau is None:
         label = printed(context.told(run.motion.label)).rstrip(".")
@@ -47,7 +47,7 @@ def method(context: PageContext) -> list[Part]:
 
 
 def _lesson(context: PageContext) -> list[str]:
-    """Return how far the coursework's scheme is from an exact table."""
+    """Return the sentence on how far the coursework's scheme is from an exact table; empty if it was not compared."""
     lesson = context.run.distance_to_exact
     return [] if lesson is None else [context.told(lesson.sentence)]
 

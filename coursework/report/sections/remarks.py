@@ -1,4 +1,4 @@
-"""What stands beside the data of a run: what was set other than in the file, and what looks like a slip of the pen.
+"""Remarks on the data of a run: values that were set other than in the file, and values that look like a slip.
 
 Enters: a `PageContext`.  Leaves: `Paragraph`s.  Used by `statement.py` and `report/pages/notebook.py`.
 """
@@ -13,17 +13,17 @@ from coursework.report.text.text_runs import LONGEST_NAME, runs
 from coursework.variant.record.entries import guide_number
 from coursework.words.templates import clean
 
-MOST_REMARKS = 12  # on the first page, on which the results begin
+MOST_REMARKS = 12  # more would take the room of the results, which begin on the same page
 _QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
 
 
 def remarks(context: PageContext) -> list[Part]:
-    """What is set, and what looks like a slip."""
+    """Return the remarks on values that were set, and on values that look like a slip."""
     return [*_set(context), *_plausibility(context)]
 
 
 def _set(context: PageContext) -> list[Part]:
-    """Return what the command line has set, other than in the file."""
+    """Return the values that were set, on the command line for example, other than in the file."""
     values = context.run.variant.set_values
     if not values:
         return []
@@ -32,7 +32,7 @@ def _set(context: PageContext) -> list[Part]:
 
 
 def _set_value(context: PageContext, name: str, text: str) -> str:
-    """Return a value as it was set, its unit in the language of the page; a law of the drive has no unit behind it."""
+    """Return "name = value" as it was set, with the unit in the language of the page; a law of the drive has no unit."""
     if name == "check_row" and (guide := guide_number(int(text))) >= 1:
         return context.words("remark.set_row", name=name, row=text, guide=guide)
     if found := _QUANTITY.fullmatch(text):
@@ -41,7 +41,7 @@ def _set_value(context: PageContext, name: str, text: str) -> str:
 
 
 def as_written(context: PageContext, text: str) -> str:
-    """Return a number as the file writes it, with the signs of the language."""
+    """Return a number as the file writes it, but with the minus and decimal sign of the page."""
     return clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark)
 
 

@@ -1,4 +1,4 @@
-"""The table of results, its first row beside the last, and why they differ.
+"""The section of results: the table, its first row beside the last, and why they differ.
 
 Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 """
@@ -26,15 +26,15 @@ from coursework.results.checks.close_to_motion.period import Split, is_a_period
 from coursework.scene.quantities import CHECKS
 
 ROWS = ("first", "last", "total")
-CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart
-MOST_BESIDE_WORDS = 9  # columns beside heads of rows that are words
-SHORT = 2  # digits of a cause too small for the decimals of its column
-HARDLY = 1e-3  # of a difference: a smaller part that the period has in it is none to count
-FINE = 1  # decimals that a difference is printed with beyond those of its column
+CAUSES = ("scheme", "period")  # the two parts of a difference; exact rows have no part from a scheme, so none is shown
+MOST_BESIDE_WORDS = 9  # columns beside a first column of words
+SHORT = 2  # significant digits of a part that is too small for the decimals of its column
+HARDLY = 1e-3  # parts of a difference: if the period causes less, its part is not mentioned
+FINE = 1  # decimals of a difference beyond those of its column
 
 
 def results(context: PageContext) -> list[Part]:
-    """Every row of the motion, or enough of them to read; then the first beside the last, and the reason."""
+    """Return the table of the motion, thinned if long; then the first row beside the last, and why they differ."""
     parts = motion_parts(context)
     if not context.run.asks(CHECKS) or not len(context.run.motion.t):
         return parts
@@ -56,7 +56,7 @@ def _scheme(context: PageContext) -> Scheme | None:
 
 
 def _first_last(context: PageContext, found: list[Split], number: int, many: int) -> Table:
-    """Return table `number` of `many`: first row, last row, their difference and its parts, a column for each of the table's."""
+    """Return table `number` of `many`: first row, last row, their difference and its parts, a column for each in `found`."""
     say, numbers, motion = context.words, context.numbers, context.run.motion
     row = context.run.results.evidence.period_row or 0
     heads = {
@@ -88,7 +88,7 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
 
 
 def _why(context: PageContext, found: list[Split], step: LocalError | None) -> list[Part]:
-    """Return the sentences: exact rows first; along the tangent; half the step; what the period adds."""
+    """Return the sentences on why the rows differ: exact rows, the tangent, half the step, the part of the period."""
     say, scheme = context.words, _scheme(context)
     told: list[str] = []
     if context.run.tableau is None and context.run.distance_to_exact is not None:
@@ -104,7 +104,7 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
             told.append(begun(say("why.tangent", scheme=title, **values)))
             told += [say("why.broken")] if rows_before_breaks(evidence(context)) else []
             told += [] if context.run.settings.project else [say("why.half")]
-        elif not context.run.settings.project:  # corrected rows have another order than the scheme
+        elif not context.run.settings.project:  # rows corrected by projection do not have the order of the scheme
             told.append(begun(say("why.order", scheme=title, order=scheme.order, less=2**scheme.order)))
     if context.run.tableau is not None and (largest := largest_error_sentence(context)):
         told.append(largest)
@@ -113,10 +113,10 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
 
 
 def _period(context: PageContext, found: list[Split]) -> list[str]:
-    """Return the sentence about a run that does not end with its period, for the coordinate that is moved most."""
+    """Return the sentence on a run that does not end exactly with its period, for the coordinate that moves most by that."""
     period, say = context.run.variant.time.period, context.words
     coordinates = [split for split in found if split.name in context.run.motion.coordinate_names]
-    # Of a motion that is not back after it the checks speak: after several periods, or never.
+    # A motion that returns only after several periods, or never, is a matter of the checks.
     if period is None or not coordinates or not is_a_period(context.run.results.evidence):
         return []
     row = context.run.results.evidence.period_row or 0

@@ -1,6 +1,6 @@
-"""The sections of the report in their order; a section's name is that of the function that writes it, and its id.
+"""The sections of the report in their order; a section's name is its id and the name of the function that writes it.
 
-Enters: a `PageContext`.  Leaves: sections, none where there is nothing to say.  Used by `model.py`.
+Enters: a `PageContext`.  Leaves: sections; those without content are left out.  Used by `model.py`.
 To add one: write the function, put it into `PAPER` or `APPENDIX` with the quantity that must be asked for, give it a title
 `section.NAME` in the words files; it appears in its place, in HTML and PDF alike.
 """
@@ -49,9 +49,9 @@ Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
 
 
 def _late(module: str, name: str) -> Writer:
-    """Return a writer whose module is imported when a run has asked for it: a page without forces or a program needs none of it.
+    """Return a writer whose module is imported only when it writes: a page without forces or a program does not need it.
 
-    What writes a program stands above this floor, in `takeaway/listing/`.
+    The writers of a program are in `takeaway/listing/`, a layer above this one.
     """
 
     def write(context: PageContext) -> list[Part]:
@@ -66,7 +66,7 @@ dynamics = _late("report.sections.effects.dynamics", "dynamics")
 forces, energy = (_late("report.sections.effects.forces", name) for name in ("forces", "energy"))
 listing, flowchart = (_late("takeaway.listing.appendix", name) for name in ("listing", "flowchart"))
 
-# Each writer with the quantity that must be asked for; None: always there.
+# Each writer with the quantity that must be asked for; None: always written.
 FIRST: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
 PAPER: Writers = (
     (results, TABLE), (graphs, PLOTS), (control, CHECKS), (graph_check, GRAPH_CHECK), (dynamics, DYNAMICS), (forces, FORCES),
@@ -74,12 +74,12 @@ PAPER: Writers = (
 )  # fmt: skip
 LAST: Writers = ((conclusion, CHECKS),)
 APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None), (listing, LISTING), (flowchart, FLOWCHART))
-# What is read behind the table and the graphs: a page that is written again and again waits with it until somebody looks.
+# Sections after the table and the graphs: the desk, which writes a page again and again, makes them only when they are opened.
 BEHIND: Writers = ((graph_check, GRAPH_CHECK), *LAST, *APPENDIX)
 
 
 def all_sections(context: PageContext) -> Iterator[Section]:
-    """Yield the sections in order, numbered: the way to the table, a table or figure for each further quantity, appendix."""
+    """Yield the sections in order, numbered: up to the results, then each further quantity, the conclusion, the appendix."""
     apart = context.is_about_accuracy
     if apart:
         yield from _written_by(((accuracy, ACCURACY),), context)

@@ -1,4 +1,4 @@
-"""The first page: whose work it is, what is given, what is sought, and the answer in a box.
+"""The first page: the author, what is given, what is sought, and the answer in a box.
 
 Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 """
@@ -23,13 +23,13 @@ from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
-MEASURED = 8  # digits of a datum; one with more has been computed
+MEASURED = 8  # most digits of a measured datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
-GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
+GAP = "\ue002"  # marks the place in a sentence where a text of the file goes; it occurs in no text
 
 
 def statement(context: PageContext) -> list[Part]:
-    """Title block, what drives what, the mechanism, its data beside the answer, what has mass and what acts, remarks."""
+    """Return title block, task, mechanism, data beside the answer, masses and loads, remarks."""
     data = _data(context)
     return [
         _title_block(context),
@@ -45,7 +45,7 @@ def statement(context: PageContext) -> list[Part]:
 
 
 def _acting(context: PageContext) -> list[Part]:
-    """Return what has mass and what acts, of a file that names any."""
+    """Return the masses and loads; empty if the file has no forces."""
     forces = context.variant.forces
     if forces is None:
         return []
@@ -55,7 +55,7 @@ def _acting(context: PageContext) -> list[Part]:
 
 
 def _bar(context: PageContext) -> list[Part]:
-    """Return that and when the motion stops, how many rows there are, and what would be possible."""
+    """Return the bar on a stop of the motion: when, how many rows there are, and phases with which it would not stop."""
     run, say, stop = context.run, context.words, context.run.stop
     if stop is None:
         return []
@@ -85,7 +85,7 @@ def _plain(text: str) -> Runs:
 
 
 def _task(context: PageContext) -> list[Part]:
-    """Return what is driven and how, which points the frame holds, and what is sought."""
+    """Return the drives and their laws, the points fixed to the frame, and what is sought."""
     variant, say = context.variant, context.words
     parts: list[Part] = []
     if variant.source:
@@ -102,7 +102,7 @@ def _task(context: PageContext) -> list[Part]:
 
 
 def _driven_laws(context: PageContext) -> list[Part]:
-    """Return the laws of the driven point, then those of what else is driven."""
+    """Return the laws of the driven point, then those of other drives."""
     variant = context.variant
     of_point = tuple(law for law in variant.drive if law.name in {f"V{variant.driven}x", f"V{variant.driven}y"})
     others = tuple(law for law in variant.drive if law not in of_point)
@@ -115,13 +115,13 @@ def _driven_laws(context: PageContext) -> list[Part]:
 
 
 def _source(context: PageContext) -> Runs:
-    """Return where the task is from: our words around those of the file."""
+    """Return the source of the task: our words around those of the file."""
     before, _, behind = context.words("statement.source", source=GAP).partition(GAP)
     return [*runs(before), *context.quoted(context.variant.source, LONGEST_NAME), *runs(behind)]
 
 
 def _held(context: PageContext) -> list[str]:
-    """Return what the frame and the wheels hold."""
+    """Return the sentences on fixed hinges, wheels, sliding links and guided points."""
     variant, say = context.run.variant, context.words
     told = []
     if hinges := [clean(name) for name in variant.frame.hinges]:
@@ -137,7 +137,7 @@ def _held(context: PageContext) -> list[str]:
             else:
                 told.append(say("statement.wheel", **wheel))
         if link.slides:
-            key = "sleeve" if {*link.points} & {*variant.frame.hinges} else "slides"  # on a pivot, or along a link that moves
+            key = "sleeve" if {*link.points} & {*variant.frame.hinges} else "slides"  # on a pivot, or on a moving link
             told.append(say(f"statement.{key}", link=clean(link.name), bar=clean(link.slides)))
     contacts = {link.contact for link in variant.links}
     riders = [_rider(context.run.scene.mechanism, t) for t, _ in variant.frame.rails]
@@ -151,14 +151,14 @@ def _held(context: PageContext) -> list[str]:
 
 
 def _rolled_on(variant: Variant, contact: str) -> str:
-    """Return the middle of the one fixed circle that a wheel rolls on; "" where it rolls on a rail, or there are several."""
+    """Return the centre of the fixed circle that a wheel rolls on; "" if it rolls on a rail or there are several."""
     on_rail = any(through.op == "name" and through.name == contact for through, _ in variant.frame.rails)
     middles = [centre.name for centre, _ in variant.frame.circles if centre.op == "name"]
     return middles[0] if len(middles) == len(variant.frame.circles) == 1 and not on_rail else ""
 
 
 def _rider(mechanism: Mechanism, through: Formula) -> str:
-    """Return the point that moves on a guide: the one it leads through, or what a group has on it; "" where there is none."""
+    """Return the point that moves on a guide: the guide's own point if that moves, else the point of its group, else ""."""
     if through.op == "name" and _moves(mechanism, through.name):
         return through.name
     held = (group.meets for group in mechanism.variant.groups for guide in group.guides if guide.through == through)
@@ -166,16 +166,17 @@ def _rider(mechanism: Mechanism, through: Formula) -> str:
 
 
 def _moves(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a name stands for something that changes, or is built from such a thing."""
+    """Return whether a point or value changes with time, or is defined by something that does."""
     variant, points = mechanism.variant, dict(mechanism.points)
     changing = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
     return not changing.isdisjoint(reached([name], points))
 
 
 def _leads_through(mechanism: Mechanism, rider: str, through: Formula, angle: Formula) -> str:
-    """Return the fixed point on the line of a guide that the file places its rider from, "" where there is none.
+    """Return the fixed point through which the line of a guide leads, "" if none is known.
 
-    It is named by the guide itself, unless that is moved aside, or by the rider: A = K + s @ beta on a guide along beta.
+    It is the guide's own point, unless the guide has an offset.  If that point is the rider itself, it is the point from
+    which the rider is placed: K in A = K + s @ beta on a guide along beta.
     """
     variant, points = mechanism.variant, dict(mechanism.points)
     if through.op == "name" and through.name != rider:
@@ -187,7 +188,7 @@ def _leads_through(mechanism: Mechanism, rider: str, through: Formula, angle: Fo
 
 
 def _data(context: PageContext) -> Table:
-    """The data of the task sheet as written, and the start."""
+    """Return the table of the data as the file writes them, and of the coordinates at the start."""
     variant = context.variant
     means = meanings(context.run.scene.mechanism)
     measured = coordinate_meanings(context.run.scene.mechanism)
@@ -215,18 +216,18 @@ def _data(context: PageContext) -> Table:
 
 
 def _between(context: PageContext, measured: str, how: str) -> Runs:
-    """Return how a start is known, behind what the coordinate measures."""
+    """Return what a coordinate measures, followed by how its start is known."""
     return context.lettered(context.words("given.between", ends=context.told(measured), how=how) if measured else how)
 
 
 def _first(context: PageContext, name: str) -> str:
-    """Return a coordinate of the first row; a restricted table may not have it."""
+    """Return a coordinate in the first row, or "–" if the table is restricted to other columns."""
     motion = context.run.motion
     known = name in motion.coordinate_names and len(motion.t) > 0
     return context.numbers.plain(first_of(motion, name)) if known else NOTHING
 
 
 def _given(context: PageContext, text: str) -> str:
-    """Return a value as the file gives it, in the signs of the page; digits beyond what can be measured are left out."""
+    """Return a value as the file gives it, with the signs of the page; a number with too many digits is rounded."""
     computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
     return context.numbers.plain(float(text)) if computed else as_written(context, text)

@@ -1,6 +1,6 @@
-"""The structure of the mechanism: links, pairs, mobility, Assur groups, formula of structure.
+"""The section on the structure of the mechanism: links, pairs, mobility, Assur groups, formula of structure.
 
-Enters: a `PageContext`.  Leaves: parts, none where the file does not show all links.  Used by `sections.py`.
+Enters: a `PageContext`.  Leaves: parts, none if the file does not show all links.  Used by `sections.py`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ LETTERS = ("mobility", "lower", "higher")  # of the formula of mobility
 
 
 def structure(context: PageContext) -> list[Part]:
-    """Links with their kinds, pairs with theirs, the mobility in numbers, groups with class and order."""
+    """Return links and pairs with their kinds, the mobility in numbers, groups with class and order."""
     found = read_structure(context.run.scene.mechanism)
     if found is None:
         return []
@@ -40,7 +40,7 @@ def structure(context: PageContext) -> list[Part]:
 
 
 def _groups(context: PageContext, found: Structure) -> str:
-    """Return the formula of structure, then each group with class and order."""
+    """Return the formula of structure, followed by each group with class and order."""
     say = context.words
     codes: list[tuple[str, tuple[str, ...]]] = [(FIRST, (found.driven,))] if found.driven else []
     codes += [(group.group_class, group.links) for group in found.groups]
@@ -63,13 +63,13 @@ def _links(context: PageContext, found: Structure) -> str:
 
 
 def _points(points: Sequence[str]) -> str:
-    """Return the points of a link as in a drawing: AB, or A–Ki where a name has more than a letter."""
+    """Return the points of a link as in a drawing: AB, or A–Ki if a name has more than one letter."""
     between = "" if all(len(point) == 1 for point in points) else "–"
     return unbroken(between.join(clean(point) for point in points)) if points else ""
 
 
 def _kind(context: PageContext, link: Member) -> str:
-    """Return the word for a link; whether one on a pivot is a crank or a rocker, its motion tells."""
+    """Return the key of the word for a link; the motion decides whether a pivoted link is a crank or a rocker."""
     if link.kind != "pivoted":
         return link.kind
     variant = context.run.variant
@@ -97,7 +97,7 @@ def _pairs(context: PageContext, found: Structure) -> str:
 
 
 def _letters(context: PageContext) -> dict[str, str]:
-    """Return the letters of the formula of mobility, which are not the same in every language."""
+    """Return the letters of the formula of mobility, which depend on the language."""
     symbols = {key: symbol(context.words(f"structure.letter.{key}")) for key in LETTERS}
     return {key: f"{ITALIC[0]}{one.letter}{one.subscript}{ITALIC[1]}" for key, one in symbols.items()}
 
@@ -107,7 +107,7 @@ def _numbers(count: Mobility) -> str:
 
 
 def _counted(context: PageContext, found: Structure) -> str:
-    """Return what is counted as a link and as a pair of either class."""
+    """Return the sentence on the numbers of links, lower and higher pairs, and the mobility that follows."""
     say, count = context.words, found.mobility
     lower = Counter(pair.kind.key for pair in found.pairs if pair.kind.takes == 2)
     listed = say.listing([say(f"structure.count.{key}", number=number) for key, number in lower.items()])
@@ -124,7 +124,7 @@ def _counted(context: PageContext, found: Structure) -> str:
 
 
 def _sliders(context: PageContext, found: Structure) -> str:
-    """Return the count in which a pin slides in its guide without a block of its own, "" where no link is such a block."""
+    """Return the mobility counted without slider blocks, with pins that slide in their guides; "" if no link is such a block."""
     if found.without == found.mobility:
         return ""
     added = [clean(link.name) for link in found.links][found.without.links :]
@@ -133,7 +133,7 @@ def _sliders(context: PageContext, found: Structure) -> str:
 
 
 def _freedoms(context: PageContext, found: Structure) -> str:
-    """Return that as many freedoms are driven, or why fewer are counted."""
+    """Return the sentence that all freedoms are driven or moved by forces, or why fewer are counted than driven."""
     variant = context.run.variant
     laws = [law.name for law in variant.drive]
     drives = [name for name in laws if name in variant.known_rates or name in (f"V{found.driven}x", f"V{found.driven}y")]

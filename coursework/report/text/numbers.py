@@ -1,4 +1,4 @@
-"""Numbers -> text, in this one place: as many digits as deserved, never a residual rounded to 0.000.
+"""Numbers -> text, only here: as many digits as a number deserves, and never a residual rounded to 0.000.
 
 Enters: floats in SI and their units.  Leaves: strings for a reader.  Used by the report only; templates never round.
 """
@@ -15,21 +15,21 @@ from coursework.system.frozen import frozen
 
 POINT = "."  # the decimal sign of formulas, CSV and most languages
 MINUS = "−"
-NOTHING = "–"  # no number: a check that was skipped, a method that failed
-TIGHT = "\u00a0"  # a space that does not break, between a number and its unit
-THIN = "\u202f"  # narrow, not breaking: between groups of three digits
+NOTHING = "–"  # stands for a missing number: a check that was skipped, a method that failed
+TIGHT = "\u00a0"  # no-break space between a number and its unit
+THIN = "\u202f"  # narrow no-break space between groups of three digits
 TIMES = "·"
-FIGURE, POINT_WIDE = "\u2007", "\u2008"  # spaces as wide as a digit, as a decimal sign
+FIGURE, POINT_WIDE = "\u2007", "\u2008"  # spaces as wide as a digit, and as a decimal sign
 
-TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a coursework compares by hand
-SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
+TABLE_DIGITS = 5  # significant digits of the largest entry of a column, as compared by hand in a coursework
+SMALLEST_DECIMAL = 1e-3  # a smaller number would show mostly zeros, so it is written with a power of ten
 LARGEST_DECIMAL = 1e5
 MOST_DECIMALS = 8
-FEW_DIGITS = 3  # of a number beside others that are larger by powers of ten
-SURE_DIGITS = 12  # that round-off leaves of a number
-MORE_DECIMALS = 3  # of a time, beyond the first digit of the step: 1/120 s is 0.008333
-ROUND_OFF = 1e-12  # of the largest entry of a column: below it stands what is left of a zero
-NOISE = 1e-9  # of a difference of two rows: what a motion that returns leaves behind
+FEW_DIGITS = 3  # significant digits of a number beside others that are larger by powers of ten
+SURE_DIGITS = 12  # significant digits of a number that round-off does not affect
+MORE_DECIMALS = 3  # decimals of a time after the first digit of the step: 1/120 s is 0.008333
+ROUND_OFF = 1e-12  # parts of the largest entry of a column: a smaller entry is a zero with round-off
+NOISE = 1e-9  # relative: a smaller difference of two rows is round-off, as after a motion that returns to its start
 _SUPERSCRIPTS = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
 
 
@@ -40,16 +40,16 @@ def superscript(text: str) -> str:
 
 @frozen
 class Numbers:
-    """The writer of numbers of one language; `mark` is its decimal sign, `units` how it writes units, where otherwise."""
+    """The writer of numbers of one language; `mark` is its decimal sign, `units` are the units it writes differently."""
 
     mark: str = POINT
     units: Mapping[str, str] = field(default_factory=dict)
 
     def fixed(self, value: float, decimals: int, digits: int = FEW_DIGITS) -> str:
-        """Return `value` with so many decimals; 0 is "0", what would round to 0.00 a power of ten of so many `digits`."""
+        """Return `value` with `decimals`; 0 is "0", and a value that would round to 0.00 is a power of ten with `digits`."""
         if value == 0 or not math.isfinite(value):
             return self._special(value)
-        # Two numbers that differ by round-off alone are written alike, also where a half is to be rounded.
+        # Two numbers that differ only by round-off are written alike, also if a half has to be rounded.
         text = f"{float(f'{value:.{SURE_DIGITS}g}'):.{decimals}f}"
         return self.power(value, digits) if not text.strip("-0.") else self._dress(text)
 
@@ -61,7 +61,7 @@ class Numbers:
         return f"{self._dress(mantissa)}{TIMES}10{superscript(str(int(exponent)))}"
 
     def scalar(self, value: float | None, digits: int = 4) -> str:
-        """Return one number on its own: `digits` significant, in powers of ten where small (3 digits) or large."""
+        """Return a single number with `digits` significant digits, but at most 3 if it is written with a power of ten."""
         if value is None or math.isnan(value):
             return NOTHING
         if value == 0 or math.isinf(value):
@@ -86,7 +86,7 @@ class Numbers:
         return self._dress(text)
 
     def whole(self, value: int) -> str:
-        """Return a count; from five digits on in groups of three."""
+        """Return a count, in groups of three digits if it has five or more."""
         text = f"{value:,}".replace(",", THIN) if abs(value) >= 10_000 else str(value)
         return self._dress(text)
 
@@ -95,16 +95,16 @@ class Numbers:
         return self._dress(str(value))
 
     def without_noise(self, value: float, size: float) -> float:
-        """Return a difference of numbers of a `size`, 0 where it is round-off."""
+        """Return the difference `value` of two numbers of magnitude `size`, or 0 if it is only round-off."""
         return 0.0 if abs(value) < NOISE * max(abs(size), 1.0) else value
 
     def column(self, values: Iterable[float], size: float = 0.0) -> list[str]:
-        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`), zero and its round-off too.
+        """Return a column of a table with the same decimals in all entries (see `TABLE_DIGITS`), also in zeros and round-off.
 
-        Where most entries would show none of their digits so, all of them are rounded to three.
+        If most entries would then show none of their digits, all are rounded to three significant digits.
 
-        `size`: how large the terms are that an entry is the sum of, or the entries of the other axis of its point, where
-        they may be larger than every entry.
+        `size` is the magnitude of the terms that an entry sums up, or of the other coordinate of its point, if that may exceed
+        all entries: it decides which entries are round-off.
         """
         entries = [float(value) for value in values]
         noise = ROUND_OFF * max([size, *(abs(value) for value in entries if math.isfinite(value))])
@@ -116,7 +116,7 @@ class Numbers:
         return texts
 
     def times(self, values: Sequence[float]) -> list[str]:
-        """Return times with the decimals they need (0.02 -> two), at most `MORE_DECIMALS` beyond the first of their step."""
+        """Return times with the decimals they need (0.02: two), at most `MORE_DECIMALS` after the first digit of their step."""
         decimals = max((_needed_decimals(value) for value in values), default=0)
         step = min((after - before for before, after in pairwise(values) if after > before), default=0.0)
         if step > 0:
@@ -131,7 +131,7 @@ class Numbers:
         raise AssertionError("the last unit takes every duration")
 
     def dressed(self, text: str) -> str:
-        """Return a number that is formatted already with the signs of this language; powers of ten raised."""
+        """Return an already formatted number with the signs of this language; an exponent becomes a raised power of ten."""
         head, _, power = self._dress(text).partition("e")
         return f"{head}{TIMES}10{superscript(str(int(power.replace(MINUS, '-'))))}" if power else head
 
@@ -143,7 +143,7 @@ class Numbers:
 
 
 def aligned(texts: Sequence[str], mark: str) -> list[str]:
-    """Return numbers of different decimals with spaces as wide as digits behind them: decimal sign below decimal sign.
+    """Return numbers with different decimals padded by spaces as wide as digits, so that their decimal signs are aligned.
 
     >>> [text.replace(FIGURE, "_").replace(POINT_WIDE, "|") for text in aligned(["0.953", "4.5", "13"], ".")]
     ['0.953', '4.5__', '13|___']
@@ -156,7 +156,7 @@ def aligned(texts: Sequence[str], mark: str) -> list[str]:
 
 
 def deserved_decimals(values: Iterable[float]) -> int:
-    """Return the decimals that give the largest entry `TABLE_DIGITS` digits."""
+    """Return the number of decimals with which the largest entry has `TABLE_DIGITS` digits."""
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
     if largest == 0:
         return 0
@@ -165,7 +165,7 @@ def deserved_decimals(values: Iterable[float]) -> int:
 
 
 def first_of(motion: Motion, name: str) -> float:
-    """Return a column's entry of row 1 (SI), 0 where it is round-off beside the others of its column."""
+    """Return a column's entry in row 1 (SI), or 0 if it is only round-off compared with the largest entry of the column."""
     column = motion.column(name)
     first = float(column[0])
     return 0.0 if abs(first) < ROUND_OFF * float(abs(column).max()) else first
@@ -177,12 +177,12 @@ def _needed_decimals(value: float) -> int:
 
 
 def unit_text(unit: str) -> str:
-    """Return a unit as it is printed: "m/s^2" -> "m/s²", "N*m" -> "N·m"; a bare number has none."""
+    """Return a unit as it is printed: "m/s^2" -> "m/s²", "N*m" -> "N·m"; "" for a dimensionless number."""
     return "" if unit in {"", "1"} else unit.replace("^2", "²").replace("*", "·").replace("deg", "°").replace("°/s", "deg/s")
 
 
 def with_unit(number: str, unit: str) -> str:
-    """Return "4.5 m/s" with a space that does not break; "30°" without one."""
+    """Return "4.5 m/s" with a no-break space; "30°" without one."""
     shown = unit_text(unit)
     if not shown or number == NOTHING:
         return number

@@ -1,6 +1,6 @@
-"""What every section works with: the run, the words, the symbols of its names.
+"""The context of every section: the run, the words of the language, the symbols of the names.
 
-Enters: a `SceneRun` and a language.  Leaves: text, runs and numbers ready for a part.
+Enters: a `SceneRun` and a language.  Leaves: text, runs and numbers, ready for a part of the page.
 Used by `report/`.
 """
 
@@ -26,16 +26,16 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH
 from coursework.words.templates import LONGEST, clean
 
-STOP_DIGITS = 6  # of the time of a stop, wherever it is told
+STOP_DIGITS = 6  # significant digits of the time of a stop, in every sentence
 LONGEST_EQUATION = 40  # characters of the name of an equation
-DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
+DATUM_DIGITS = 6  # significant digits of a converted datum or of a time: more than a task sheet ever gives
 
 _OF_GROUP = re.compile(r"(?<![\w.])G\d+[xy](?!\w)")  # an equation of a group, as the tool names it
 
 
 @caching
 class PageContext:
-    """One run and one language; `later`: sections of which only the heading stands."""
+    """One run and one language; `later`: sections of which only the heading is written."""
 
     run: SceneRun
     words: Words
@@ -43,13 +43,14 @@ class PageContext:
 
     @cached_property
     def variant(self) -> Variant:
-        """Return the variant with its texts in the language of the page, as far as its file has them."""
+        """Return the variant with its texts in the language of the page, if its file has them."""
         return self.run.variant.in_language(self.words.phrases.language)
 
     @cached_property
     def stepped(self) -> dict[str, str]:
-        """Return what a scheme takes from row to row, with its derivative: the coordinates of the table, each with its rate;
-        where forces move the mechanism the free ones alone, and their rates.
+        """Return the names that a scheme steps from row to row, each with its derivative: the coordinates and their rates.
+
+        If forces move the mechanism, these are only the free coordinates, and their rates with accelerations.
         """
         variant, shown = self.run.variant, self.run.motion.coordinate_names
         pairs = {one.name: one.rate for one in variant.coordinates if one.name in shown}
@@ -65,17 +66,17 @@ class PageContext:
 
     @property
     def exact(self) -> Motion | None:
-        """Return the exact motion where the plots ask for it; looking at it computes it."""
+        """Return the exact motion if plots are asked for, else None; reading it computes it."""
         return self.run.exact if self.run.asks(PLOTS) else None
 
     @property
     def is_about_accuracy(self) -> bool:
-        """Return whether the page is asked for nothing but what accuracy costs."""
+        """Return whether the page shows the accuracy study, and neither table nor checks."""
         return self.run.asks(ACCURACY) and not (self.run.asks(TABLE) or self.run.asks(CHECKS))
 
     @cached_property
     def rates(self) -> Rates:
-        """Return the velocities, and how their derivatives are written: as the language does, else with a dot."""
+        """Return the velocities and how their derivatives are written: with the language's letter if it is free, else a dot."""
         variant, letters = self.run.variant, {}
         taken = {symbol(name).letter for name in variant.names}
         names = self.run.motion.velocity_names
@@ -83,12 +84,12 @@ class PageContext:
             if (letter := self.words(f"worked.{kind}")) not in taken:
                 letters[kind] = letter
         if any(symbol(name).letter in LINEAR and "rad" in variant.unit_of(name) for name in names):
-            letters.pop("linear", None)  # a turning link's velocity that is called u, too
+            letters.pop("linear", None)  # u is also the angular velocity of a link here
         return Rates(frozenset(names), **letters)
 
     @cached_property
     def angles(self) -> NamedAngles:
-        """Return the constant angles of the equations, by the names that the page gives them."""
+        """Return the constant angles of the equations with the names that the page gives them."""
         run, variant = self.run, self.run.variant
         shown = [side for one in run.equations for side in (one.left, one.right)]
         shown += [formula for solution in run.solutions for _, formula in solution]
@@ -98,21 +99,21 @@ class PageContext:
 
     @property
     def contours(self) -> dict[str, str]:
-        """Return the number of the contour of each group that closes one, by the name that the tool gives it."""
+        """Return the numbers of the contours, by the tool's name ("G2") of the group that closes each."""
         of_groups = {f"G{number}" for number, _ in enumerate(self.run.variant.groups, start=1)}
         closing = [one.name for one in self.run.scene.mechanism.constraints if one.is_closure and one.name in of_groups]
         return {name: str(number) for number, name in enumerate(closing, start=1)}
 
     @property
     def equation_numbers(self) -> dict[str, str]:
-        """Return the numbers of the equations that follow from groups, behind those that the file numbers itself."""
+        """Return numbers for the equations that follow from groups, by name; they continue the numbers given in the file."""
         shown = [one.name for one in self.run.equations]
         unnamed = [name for name in shown if name[:-1] in self.contours]
         first = 1 + max((int(name) for name in shown if name.isdecimal()), default=0)
         return {name: str(number) for number, name in enumerate(unnamed, start=first)}
 
     def equation(self, name: str) -> str:
-        """Return what stands at the margin of an equation, without parentheses."""
+        """Return the number or name at the margin of an equation, without parentheses."""
         return self.equation_numbers.get(name, clean(name, LONGEST_EQUATION))
 
     def symbol(self, name: str) -> Symbol:
@@ -120,7 +121,7 @@ class PageContext:
         return symbol(name, self.rates)
 
     def symbol_runs(self, names: Iterable[str], after: str = "") -> Runs:
-        """Return "ω₁, ω₂" as runs, `after` behind them."""
+        """Return "ω₁, ω₂" as runs, followed by `after`."""
         found: Runs = []
         for name in names:
             found += [{"t": self.words("join.comma")}] if found else []
@@ -135,12 +136,12 @@ class PageContext:
         return self.words.listing([self.lettering(name) for name in names])
 
     def lettering(self, name: str) -> str:
-        """Return the symbol of a name as text of a sentence that is split into runs later: a bare letter is set as one."""
+        """Return the symbol of a name as text of a sentence that is split into runs later; a single letter is marked for that."""
         text = self.symbol(name).text
         return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 and text.isascii() else text
 
     def rich(self, text: str, longest: int = LONGEST) -> Runs:
-        """Return a sentence of the tool, cleaned, its numbers and symbols set."""
+        """Return a sentence of the tool as runs: in the language of the page, cleaned, with numbers and symbols set."""
         return self.lettered(printed(self.told(text, longest)))
 
     def told(self, text: str, longest: int = LONGEST) -> str:
@@ -150,16 +151,16 @@ class PageContext:
         return _OF_GROUP.sub(lambda match: f"({numbers[match[0]]})" if match[0] in numbers else match[0], said)
 
     def event(self, kind: str) -> str:
-        """Return what a stop is called."""
+        """Return the words for a kind of stop."""
         key = f"event.kind.{kind}"
         return self.words(key) if self.words.has(key) else clean(kind)
 
     def quoted(self, text: str, longest: int = LONGEST) -> Runs:
-        """Return a sentence of a file, cleaned, its symbols set and nothing else changed."""
+        """Return a sentence of the file as runs, cleaned, with symbols set and nothing else changed."""
         return self.in_its_language(text, self.lettered(clean(text, longest)))
 
     def in_its_language(self, text: str, found: Runs) -> Runs:
-        """Return the runs of a text of the file, marked where they are in another language than the page."""
+        """Return the runs `found` of a `text` of the file, marked if the text is in another language than the page."""
         return [{**run, "lang": ""} for run in found] if self.is_foreign(text) else found
 
     def is_foreign(self, text: str) -> bool:
@@ -168,7 +169,7 @@ class PageContext:
         return language != ENGLISH and (language not in texts or text not in texts[language].all)
 
     def lettered(self, text: str, *, data: bool = True) -> Runs:
-        """Return a sentence that is clean already, the names of this variant set as symbols; without `data` no bare letter."""
+        """Return a cleaned sentence as runs, with this variant's names as symbols; single letters only if `data`."""
         return [dict(run) for run in with_names(text, self.names, data)]
 
     @cached_property
@@ -191,9 +192,9 @@ class PageContext:
         return self.words.unit(unit)
 
     def unit_beside(self, value: float, unit: str) -> str:
-        """Return a unit in the form that stands beside a number: "1 equation", "2 equations"."""
+        """Return a unit in the form that fits the number: "1 equation", "2 equations"."""
         return self.told(beside(unit, value))
 
     def with_unit(self, number: str, unit: str) -> str:
-        """Return a number with its unit behind it, as the language of the page writes it."""
+        """Return a number followed by its unit, as the language of the page writes it."""
         return self.words.amount(number, unit)

@@ -1,4 +1,4 @@
-"""What a page is built of: a few kinds of part, the same for HTML and PDF.
+"""The parts of a page: a few kinds, the same for HTML and PDF.
 
 Used by `report/`.
 
@@ -21,7 +21,7 @@ Cell = str | Runs
 
 @frozen
 class Paragraph:
-    """Running text; `style` is "", "note" (small), or with a bold `lead` "callout" (framed) or "bar" (so under the title)."""
+    """Running text; `style` is "", "note" (small), or, framed and with a bold `lead`, "callout" or "bar" (under the title)."""
 
     text: Runs
     style: str = ""
@@ -39,7 +39,7 @@ class Bullets:
 
 @frozen
 class Code:
-    """Lines of a program, as they are typed."""
+    """Lines of a program, unchanged."""
 
     text: str
     kind: str = field(default="code", init=False)
@@ -47,7 +47,7 @@ class Code:
 
 @frozen
 class Facts:
-    """Pairs of a word and what holds, two columns."""
+    """Pairs of a word and its content, in two columns."""
 
     items: list[tuple[str, Runs]]
     kind: str = field(default="facts", init=False)
@@ -55,7 +55,7 @@ class Facts:
 
 @frozen
 class TitleBlock:
-    """Words with what stands behind them, side by side; where nothing does, a line to write on."""
+    """Pairs of a word and its content, side by side; an empty content is a line to write on."""
 
     items: list[tuple[str, Runs]]
     kind: str = field(default="title_block", init=False)
@@ -63,7 +63,7 @@ class TitleBlock:
 
 @frozen
 class Result:
-    """The framed answer of the first page: a title, the verdict in few words (`lead`), sentences."""
+    """The framed answer on the first page: a title, the verdict in a few words (`lead`), sentences."""
 
     title: str
     lead: Runs
@@ -73,7 +73,7 @@ class Result:
 
 @frozen
 class Claims:
-    """One line a check under one question: mark, verdict in a word, claim in plain words, a number and its limit.
+    """One line per check under one question: mark, verdict in a word, claim in plain words, a number and its limit.
 
     `heads` are the words above the columns; the first `strong` lines are set bold.
     """
@@ -100,8 +100,8 @@ class Display:
 class Equations:
     """Displayed equations, one below the other.
 
-    `compact`: the words before each stand at its side where there is room; `flow`: as many as fit share a line, the words
-    before the first stand above, those after the last below.
+    `compact`: the words before an equation stand beside it if there is room; `flow`: as many equations as fit share a line,
+    with the words before the first above them and the words after the last below.
     """
 
     items: list[Display]
@@ -112,7 +112,7 @@ class Equations:
 
 @frozen
 class Column:
-    """The head of a column: words or a symbol, its unit; numbers stand at the right, words at the left."""
+    """The head of a column: words or a symbol, and the unit; the column is aligned left if it holds `words`, else right."""
 
     head: Runs
     unit: str = ""
@@ -121,10 +121,10 @@ class Column:
 
 @frozen
 class Table:
-    """Rows of strings; `strong` rows (counted from 0) are set bold, after `rules` a thin line is drawn.
+    """Rows of strings; `strong` rows (from 0) are set bold, and a thin line follows each row in `rules`.
 
     `note` stands below; `whole` tables are kept on one page; `label` is "Table 1"; `id` is that of the element; `places`
-    are the rows of the run (from 1) that the rows show, where they show some.
+    are the rows of the run (from 1) that the rows show, empty if they show none.
     """
 
     columns: list[Column]
@@ -142,10 +142,9 @@ class Table:
 
 @frozen
 class Figure:
-    """A drawing: SVG, its size in mm, the words for those who cannot see it, a caption; `exact` = true to scale.
+    """A drawing: SVG, its size in mm, a text for those who cannot see it (`alt`), a caption; `exact` = true to scale.
 
-    `id` is that of the element on the page; `least` is the width (mm) below which a screen does not show it, so that its
-    words can be read.
+    `id` is that of the element on the page; `least` is the smallest width (mm) on a screen at which its words can be read.
     """
 
     svg: str
@@ -165,7 +164,7 @@ class Figure:
 
 @frozen
 class Panel:
-    """One small graph: the column it shows, SVG, words for those who cannot see it."""
+    """One small graph: the column it shows, SVG, a text for those who cannot see it (`alt`)."""
 
     name: str
     svg: str
@@ -174,9 +173,9 @@ class Panel:
 
 @frozen
 class Panels:
-    """Small graphs of one size (mm), two beside each other, under one `legend` of (SVG, words) and above one caption.
+    """Small graphs of one size (mm), two side by side, with a common `legend` of (SVG, words) above and a caption below.
 
-    `least` is the width (mm) that each has on a screen, so that its words can be read, before two stand beside each other.
+    `least` is the smallest width (mm) of each on a screen at which its words can be read; only wider ones stand side by side.
     """
 
     id: str
@@ -195,9 +194,9 @@ class Panels:
 
 @frozen
 class Judged:
-    """One check: a mark and a word for the verdict, what was found, value and limit, further lines under `heads`.
+    """One check: a mark and a word for the verdict, the finding in a sentence, value and limit, further lines under `heads`.
 
-    `unit` is one too long to stand behind the number.
+    `unit` is only given if it is too long to stand after the number.
     """
 
     mark: str
@@ -214,7 +213,7 @@ class Judged:
 
 @frozen
 class Checks:
-    """The checks of one group; `title` is what they ask, `heads` are the words above the columns."""
+    """The checks of one group; `title` is the question they answer, `heads` are the words above the columns."""
 
     title: str
     heads: list[str]
@@ -227,7 +226,7 @@ Part = Paragraph | Bullets | Code | Facts | TitleBlock | Result | Claims | Equat
 
 @frozen
 class Section:
-    """One section of the report; `name` is that of the function that wrote it, `number` stands before the title."""
+    """One section of the report; `name` is that of the function that writes it, `number` stands before the title."""
 
     name: str
     title: str
@@ -239,7 +238,7 @@ class Section:
         return replace(self, number=number)
 
     def plain(self) -> dict[str, Any]:
-        """Return the section as dicts, lists and strings; its runs are those of the section, not copies."""
+        """Return the section as dicts, lists and strings."""
         found: dict[str, Any] = _plain(self)
         return found
 

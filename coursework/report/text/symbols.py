@@ -1,7 +1,7 @@
 """Names of a variant file -> symbols as a textbook sets them: "w3" -> ω₃, "VMx" -> V with subscript Mx.
 
 Enters: a name (letters, digits, "_", one "." of a point's column), or "∂r/∂phi1".  Leaves: `Symbol`, in text or Typst math.
-Only names pass through here, never text of a student; what is no name is refused.
+Only names pass through here, never text of a student; anything else is refused.
 Used by `report/` and `assigning/`.
 """
 
@@ -22,9 +22,9 @@ GREEK = {
 }  # fmt: skip
 _NAME = re.compile(r"\w+(\.\w+)?")
 _GREEK_HEAD = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))})(?=$|[\dA-Z_])_?(\w*)")
-# "phij", "wb", "wpsi": the angle of side j, the angular velocity of b, that of psi.  Not after letters that begin words.
+# "phij", "wb", "wpsi": the angle of side j, the angular velocity of b, that of psi.  Names that begin words are left out.
 _NAMED_AFTER = re.compile(r"(alpha|beta|gamma|delta|theta|phi|psi|omega|w)([a-z]|(?:alpha|beta|gamma|delta|theta|phi|psi)\d*)")
-# "si", "rj": of the ends i and j of a group; "xa", "yb": the place of point a; "us": along s.
+# "si", "rj": lengths at the ends i and j of a group; "xa", "yb": coordinates of points a and b; "us": velocity along s.
 _LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xyij]|(?<=[xyuv])[a-z]))")
 _WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
 _GREEK_SUBSCRIPT = re.compile(rf"({'|'.join(sorted((n for n in GREEK if len(n) > 2), key=len, reverse=True))})(\d*)")
@@ -35,7 +35,7 @@ LINEAR = frozenset("uvV")  # letters of linear velocities
 
 @frozen
 class Symbol:
-    """One symbol: a letter (or an upright word), its subscript, a dot above for a derivative in time."""
+    """One symbol: a letter (or an upright word), its subscript, a dot above for a time derivative."""
 
     letter: str
     subscript: str = ""
@@ -76,7 +76,7 @@ class Symbol:
 
 @frozen
 class Rates:
-    """Names of velocities, before which "d" means the derivative in time; how a language writes that of ω and that of u."""
+    """Names of velocities before which "d" means the time derivative, and the language's letters for that of ω and of u."""
 
     names: frozenset[str] = frozenset()
     angular: str = _DOTTED_OMEGA
@@ -95,27 +95,27 @@ def _lowered(subscript: str) -> str:
 
 
 def _greek(subscript: str) -> str:
-    """Return a subscript with the name of a Greek letter before its digits as that letter: r_phi1 -> r with φ1."""
+    """Return a subscript; the name of a Greek letter, also before digits, becomes the letter: "phi1" -> "φ1"."""
     match = _GREEK_SUBSCRIPT.fullmatch(subscript)
     return GREEK[match[1]] + match[2] if match else subscript
 
 
 def is_named_after(name: str) -> bool:
-    """Return whether a name without digits is a symbol all the same: "phij", "wpsi"; "we" is rather the word."""
+    """Return whether a name is a Greek letter with a subscript of letters: "phij", "wpsi"; "we" counts as a word."""
     return name != "we" and _NAMED_AFTER.fullmatch(name) is not None
 
 
 def parts_of_derivative(name: str) -> tuple[str, ...]:
-    """Return ("r", "phi1") for "∂r/∂phi1", the name of a derivative of a law; nothing for any other name."""
+    """Return ("r", "phi1") for "∂r/∂phi1", the name of a derivative of a law; empty for any other name."""
     law, _, by = name.removeprefix("∂").rpartition("/∂")
     return (law, by) if law else ()
 
 
 @lru_cache(maxsize=4096)
 def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
-    """Return the symbol of a name; "d" before one of `rates` is the dot of a derivative.
+    """Return the symbol of a name; "d" before one of `rates` becomes the dot of a derivative.
 
-    Where a language has letters for accelerations, "dw1" is ε₁ and "du3" is a₃.  Raises `ValueError` for text that is no name.
+    If a language has letters for accelerations, "dw1" is ε₁ and "du3" is a₃.  Raises `ValueError` for text that is no name.
     """
     if parts := parts_of_derivative(name):
         return Symbol("/".join(f"∂{symbol(part).text}" for part in parts))
@@ -144,7 +144,7 @@ def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
 
 
 def with_symbols(text: str, names: Iterable[str]) -> str:
-    """Return a text with some names in it as the pages set them: φ₁ and ω₁.
+    """Return a text in which `names` are replaced by their symbols, as on the pages: φ₁ and ω₁.
 
     >>> with_symbols("phi1 = 2*w1, phi12", ["phi1", "w1"])
     'φ₁ = 2*ω₁, phi12'

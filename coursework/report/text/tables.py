@@ -1,4 +1,4 @@
-"""Long and wide tables made fit for a page: rows thinned, columns split.
+"""Long and wide tables made to fit a page: rows are thinned, columns are split.
 
 Enters: rows of numbers.  Leaves: `Table` parts.
 Used by `report/`.
@@ -20,17 +20,17 @@ from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.motion_results import given_constants
 from coursework.scene.quantities import GRAPH_CHECK
 
-TABLE_FILE = "table.csv"  # has the table of results, and beside it the columns of what is asked for row by row
-MOST_ROWS = 32  # rows printed; a longer table is thinned, table.csv holds it whole
-MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
+TABLE_FILE = "table.csv"  # holds the results table, with further columns for quantities asked for row by row
+MOST_ROWS = 32  # rows printed; a longer table is thinned, and table.csv holds all rows
+MOST_COLUMNS = 10  # columns besides row and time that fit 170 mm at a readable size
 ONE_PAGE = 32  # rows of a table that fits on one page whatever stands around it
-HALF_PAGE = 20  # the same of one that stands beside others: two of them would leave half a page empty
+HALF_PAGE = 20  # the same limit for a table among others: two longer ones would leave half a page empty
 RULE = 5  # rows from one thin line to the next
 MARK = "▸"
 
 
 def thinned(rows: int, keep: Sequence[int] = (), most: int = MOST_ROWS) -> list[int]:
-    """Return which rows (from 0) to print: all, or every k-th with the first, the last and those to `keep`."""
+    """Return which rows (from 0) to print: all, or every k-th from the first on, the last, and those in `keep`."""
     pace = pace_of(rows, most)
     if pace == 1:
         return list(range(rows))
@@ -38,7 +38,7 @@ def thinned(rows: int, keep: Sequence[int] = (), most: int = MOST_ROWS) -> list[
 
 
 def pace_of(rows: int, most: int = MOST_ROWS) -> int:
-    """Return k where every k-th row is printed: 1, 2, 5, 10, 20, 50 …"""
+    """Return k such that every k-th row is printed: 1, 2, 5, 10, 20, 50 …"""
     pace, factors = 1, (2, 2.5, 2)
     turn = 0
     while rows > most * pace:
@@ -48,7 +48,7 @@ def pace_of(rows: int, most: int = MOST_ROWS) -> int:
 
 
 def row_at(context: PageContext, place: float) -> str:
-    """Return where in the table (rows from 1) a place counted from 0 lies: 5.84 -> "between row 6 and row 7"."""
+    """Return in words where in the table a place lies, which counts rows from 0: 5.84 -> "between row 6 and row 7"."""
     nearest = round(place)
     if math.isclose(place, nearest, abs_tol=1e-6):
         return context.words("stop.at", row=nearest + 1)
@@ -56,14 +56,14 @@ def row_at(context: PageContext, place: float) -> str:
 
 
 def _part(table: ExtraTable, first: int, last: int | None = None) -> ExtraTable:
-    """Return some of the columns."""
+    """Return a table of only the columns from `first` to before `last`."""
     kept = slice(first, last)
     names, units, rows, sizes = table.names[kept], table.units[kept], table.rows[:, kept], table.sizes[kept]
     return replace(table, names=names, units=units, rows=rows, sizes=sizes)
 
 
 def rules_for(rows: int) -> list[int]:
-    """Return after which rows a thin line helps the eye: every fifth of a long table, not the last."""
+    """Return the rows (from 0) after which a thin line helps the eye: every fifth of a long table, but not the last."""
     return list(range(RULE - 1, rows - 1, RULE)) if rows > 2 * RULE else []
 
 
@@ -93,7 +93,7 @@ def motion_parts(context: PageContext) -> list[Part]:
 
 
 def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part]:
-    """Return the table of a further quantity; with row and time where it has a line for every row.  `file` holds it whole."""
+    """Return the table of a further quantity, with row and time if it has a line for every row; `file` holds all its rows."""
     caption, note = (with_own_letters(context.told(text)) for text in (extra.title, extra.note))
     caption = caption.rstrip(".。") + context.words("table.stop")
     if extra.names[0] == "t":
@@ -113,7 +113,7 @@ def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part
 
 
 def largest_of(grid: ExtraTable, index: int) -> float:
-    """Return the largest entry of the columns that are of one point and one unit with this one; 0 for no column of a point."""
+    """Return the largest entry of all columns with the point and unit of column `index`; 0 if that is not a point's column."""
     owner, point, _ = grid.names[index].partition(".")
     alike = [i for i, name in enumerate(grid.names) if name.startswith(f"{owner}.") and grid.units[i] == grid.units[index]]
     sizes = [abs(value) for i in alike for value in grid.rows[:, i].tolist() if math.isfinite(value)] if point else []
@@ -130,7 +130,7 @@ def _columns(context: PageContext, grid: ExtraTable, kept: list[int]) -> tuple[l
 def _by_row(
     context: PageContext, grid: ExtraTable, t: Any, caption: str, note: str, longest: int = ONE_PAGE, file: str = TABLE_FILE
 ) -> list[Part]:
-    """Return one table, or as many as the columns need; each repeats row and time."""
+    """Return one table, or as many as the columns need, each with the columns row and time."""
     check_row = context.run.variant.time.check_row
     kept = thinned(len(t), keep=[check_row - 1] if check_row else [])
     labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
@@ -141,7 +141,7 @@ def _by_row(
         rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t)), "file": file}
         parts.append(Paragraph(context.say("table.thinned", **rows_of)))
     parted = pieces(grid.names)
-    # Several tables of every k-th row, each kept on one page, would leave a third of each empty.
+    # Several tables of every k-th row, each kept on one page, would leave a third of each page empty.
     for number, (first, last) in enumerate(parted, start=1):
         heads, texts = _columns(context, _part(grid, first, last), kept)
         columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), context.unit("s")), *heads]
@@ -164,7 +164,7 @@ def _by_row(
 
 
 def pieces(names: Sequence[str], most: int = MOST_COLUMNS) -> list[tuple[int, int]]:
-    """Return (first, last) of the columns of each table: about alike in width, those of a point ("A.x", "A.vx") together."""
+    """Return (first, end) of the columns of each table: tables are about equally wide and keep a point's columns together."""
     owners = [name.partition(".")[0] if "." in name else "" for name in names]
     begins = [i for i, owner in enumerate(owners) if i == 0 or not owner or owner != owners[i - 1]]
     blocks = list(zip(begins, [*begins[1:], len(names)], strict=True))

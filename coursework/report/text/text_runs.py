@@ -1,4 +1,4 @@
-"""Text on its way to a page, split into runs that are set like a book.
+"""Sentences for a page, split into runs that are typeset as in a book.
 
 Enters: sentences of the tool.  Leaves: plain strings and runs.
 Used by `report/` and `assigning/`.
@@ -17,12 +17,12 @@ from coursework.words.line_ends import KEPT
 from coursework.words.scripts import HAN_HERE, made_for
 
 LONGEST_NAME = 200  # characters of a name or title
-MOST_KEPT = 384  # sentences: the pages of a desk, or of a class, repeat nearly all of them
+MOST_KEPT = 384  # sentences kept in a cache: the pages of a desk, or of a class, repeat nearly all of them
 
 Run = dict[str, str]
 
 
-_WORD = rf"[^\W{HAN_HERE}]"  # a letter, digit or _; words of other letters end where Chinese begins, without a space
+_WORD = rf"[^\W{HAN_HERE}]"  # a letter, digit or _, but not Chinese, which follows other words without a space
 _LETTER = rf"[^\W\d_{HAN_HERE}]"
 _RUN = (
     rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>(?:[^\W_{HAN_HERE}]′*){{1,12}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
@@ -33,7 +33,7 @@ _RUN = (
     rf"|(?P<unit>(?<=\u00a0){_LETTER}+/{_LETTER}+[²]?(?!{_WORD}))"
     rf"|\ue003(?P<kept>[^\ue004]*)\ue004"
 )
-# Around a letter of our own words, or a letter and its index; `clean` removes both from other text, as it does `KEPT`.
+# Marks around a letter of our own words, or a letter and its index; `clean` removes both from other text, as well as `KEPT`.
 ITALIC = ("\ue000", "\ue001")
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
@@ -45,11 +45,11 @@ _OF_ONE_NAME = re.compile(r"\b(sin|cos|tan)\((\w+)\)")  # cos(phi2): cos φ₂
 _MINUS = rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=\w+·|[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD})|\w+\))"
 _POWER = rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})"
 _NEGATIVE = rf"(?<!{_WORD})(?<![.)])-(?=\d)|(?<=\()-(?=\w)"
-_ARTICLES = "aAI"  # one letter each, and words of a sentence
-_OF_A_FORMULA = r"(?:(?<!\(.)(?=\))|(?= ?[=+·/²³]| − | (?:sin|cos|tan)\b))"  # no article has that behind it; (a) is a number
+_ARTICLES = "aAI"  # single letters that are also words of a sentence
+_OF_A_FORMULA = r"(?:(?<!\(.)(?=\))|(?= ?[=+·/²³]| − | (?:sin|cos|tan)\b))"  # never follows an article; "(a)" is a number
 _WORDS = re.compile(
     "a[mnst]|b[ey]|do|go|he|i[fnst]|m[ey]|no|o[fnr]|so|to|up|we|[cm]m|ms|kg"
-)  # no names of a letter and its index
+)  # words and units, not a letter and its index
 _ALSO_UNITS = "ms"
 _RAISED_DIGITS = "²³⁴"
 _COMPONENT = rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})"  # A.x, B2.vy
@@ -59,7 +59,7 @@ _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶�
 
 
 class Names(NamedTuple):
-    """What is called something in a variant: its `points`, the `columns` of its table, data and laws as `others`."""
+    """The names of a variant: its `points`, the `columns` of its table, and data and laws as `others`."""
 
     points: tuple[str, ...]
     columns: tuple[str, ...]
@@ -68,7 +68,7 @@ class Names(NamedTuple):
 
 @lru_cache(maxsize=MOST_KEPT)
 def with_names(text: str, names: Names, data: bool) -> tuple[Run, ...]:
-    """Return a sentence as runs, names set as symbols; without `data` no bare letter.  They are nobody's own: copy them."""
+    """Return a sentence as runs with names as symbols; single letters only if `data`.  The runs are cached: copy them."""
     points, every = {*names.points}, (*names.columns, *names.others)
     text = with_points(text, points)
     text = with_pairs(with_letters(text, {"t", "h", *every} - points), names.columns) if data else text
@@ -76,12 +76,12 @@ def with_names(text: str, names: Names, data: bool) -> tuple[Run, ...]:
 
 
 def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
-    """Split a sentence into runs, to be set like a book.
+    """Split a sentence into runs, to be typeset as in a book.
 
-    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised}, {"c": what is never broken} or
-    {"o": on paper only}: "V_My", "φ₁", "ω",
-    "10⁻⁷"; "--step h/18", the unit behind a number, what is `unbroken`; those of `names` that are symbols beyond doubt ("phi1",
-    "w3", "phij") become runs; the rest stays text.
+    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised text}, {"c": text without line break} or
+    {"o": text on paper only}, which is made elsewhere.  "V_My", "φ₁", "ω" become letters with subscripts, and so do those of
+    `names` that are certainly symbols ("phi1", "w3", "phij"); the exponent of "10⁻⁷" is raised; "--step h/18", the unit after
+    a number and `unbroken` text get no line break; the rest is text.
     """
     return [dict(run) for run in _split(text, tuple(names))]
 
@@ -108,9 +108,9 @@ def _split(text: str, names: tuple[str, ...]) -> tuple[Run, ...]:
 
 
 def printed(text: str) -> str:
-    """Return a sentence as a printer sets it: 1.5e-07 as a power of ten, "2*r^2 - 1" with dot, exponent and minus.
+    """Return a sentence as it is printed: 1.5e-07 as a power of ten, "2*r^2 - 1" with dot, exponent and minus sign.
 
-    "A.x" becomes x_A, a chain of points "M-B-C" one that no line breaks.
+    "A.x" becomes x_A; a chain of points "M-B-C" gets dashes and no line break.
     """
     text = _sub(_POWER, lambda match: f"{'' if match[1] == '1' else f'{match[1]}·'}10{superscript(str(int(match[2])))}", text)
     text = _EXPONENT.sub(lambda match: superscript(match[1]), _sub(_ROOT, "√(", text))
@@ -125,7 +125,7 @@ def _sub(pattern: str, replaced: str | Callable[[re.Match[str]], str], text: str
 
 
 def begun(text: str) -> str:
-    """Return a text as a sentence begins, with a capital.
+    """Return a text with a capital first letter, as a sentence begins.
 
     >>> begun("explicit Euler")
     'Explicit Euler'
@@ -134,7 +134,7 @@ def begun(text: str) -> str:
 
 
 def unbroken(text: str) -> str:
-    """Return text of our own for a sentence that is split into runs later: no line breaks within it."""
+    """Return text of our own, marked so that no line breaks within it when its sentence is split into runs."""
     return f"{KEPT[0]}{text}{KEPT[1]}"
 
 
@@ -148,7 +148,7 @@ def derivative(name: str) -> list[Run]:
 
 
 def with_pairs(text: str, names: Iterable[str]) -> str:
-    """Return a sentence in which names of a letter and its index are symbols: "37 % off in si" says s_i; words stay words."""
+    """Return a sentence in which `names` of a letter and its index are symbols: "37 % off in si" gets s_i; words stay words."""
     pairs = {name for name in names if len(name) == 2 and name.isascii() and name.isalpha() and not _WORDS.fullmatch(name)}
     pairs = {name for name in pairs if symbol(name).subscript}
     if not pairs:
@@ -157,7 +157,7 @@ def with_pairs(text: str, names: Iterable[str]) -> str:
 
 
 def with_points(text: str, names: Iterable[str]) -> str:
-    """Return a sentence in which the index of a point is set lower, as in a drawing: "D5" says D₅, and "XP1" X and P₁."""
+    """Return a sentence in which point names with an index are marked as letters: "D5" as D₅, "XP1" as X and P₁."""
     points = set(names)
 
     def lettered(row: re.Match[str]) -> str:
@@ -172,7 +172,7 @@ def with_points(text: str, names: Iterable[str]) -> str:
 
 
 def with_letters(text: str, names: Iterable[str]) -> str:
-    """Return a sentence in which those names that are one Latin letter are marked as symbols: "21 % off in s", not "0.4 s"."""
+    """Return a sentence in which one-letter Latin `names` are marked as symbols: s in "21 % off in s", but not in "0.4 s"."""
     letters = {name for name in names if len(name) == 1 and name.isascii() and name.isalpha()}
     if articles := "".join(sorted(letters & set(_ARTICLES))):
         text = _sub(rf"(?<!{_WORD})([{articles}]){_OF_A_FORMULA}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
@@ -191,21 +191,21 @@ def with_letters(text: str, names: Iterable[str]) -> str:
 
 
 def _lettered(found: re.Match[str]) -> str:
-    """Return a bare letter marked as a symbol; w is the letter ω."""
+    """Return a single letter marked as a symbol; w becomes ω, which needs no mark."""
     text = symbol(found[1]).text
     return f"{ITALIC[0]}{text}{ITALIC[1]}" if text.isascii() else text
 
 
 def numeral(text: str) -> str | list[Run]:
-    """Return a formatted number for a cell: as it is, or as runs where it holds a power of ten."""
+    """Return a formatted number for a cell: unchanged, or as runs if it contains a power of ten."""
     return runs(text) if _RAISED.search(text) else text
 
 
 def spelt(text: str, names: Iterable[str]) -> str:
-    """Return a sentence in which those of `names` that are symbols beyond doubt are written so: "w3" is ω₃."""
+    """Return a sentence in which those of `names` that are certainly symbols are replaced: "w3" by ω₃."""
     sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name) or is_named_after(name))}
     if not sure:
         return text
     pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
-    behind = rf"(?![^\W{HAN_HERE}{_RAISED_DIGITS}]|\()"  # a raised digit belongs to no name: l2²
+    behind = rf"(?![^\W{HAN_HERE}{_RAISED_DIGITS}]|\()"  # a raised digit is not part of a name: l2²
     return _sub(rf"(?<!{_WORD})(?<!\.)({pattern}){behind}", lambda match: symbol(match[1]).text, text)

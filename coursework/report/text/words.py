@@ -1,6 +1,6 @@
-"""All words of a report, from one file a language: `reports/words.<language>.toml`.
+"""All words of a report, from one file per language: `reports/words.<language>.toml`.
 
-Enters: the key of a sentence and what it speaks about.  Leaves: text.  No sentence of the report stands in Python.
+Enters: the key of a sentence and the values for its gaps.  Leaves: text.  No sentence of the report stands in Python.
 Used by `report/`, `assigning/` and `commands/`.
 """
 
@@ -29,15 +29,15 @@ class Words:
         return self.phrases.filled(key, text, values) if values else text
 
     def has(self, key: str) -> bool:
-        """Return whether there is such a sentence."""
+        """Return whether there is a sentence with this key."""
         return self.phrases.has(key)
 
     def written(self, text: str) -> str:
-        """Return what the tool found in this language; any other text as it is."""
+        """Return a sentence of the tool in this language; any other text unchanged."""
         return self.phrases.written(text)
 
     def count(self, key: str, number: int, **values: object) -> str:
-        """Return the sentence in the form that stands beside a number ("key.one", "key.other" …), with {number}."""
+        """Return the sentence in the form that fits `number` ("key.one", "key.other" …), with {number} filled in."""
         return self(self.phrases.beside(key, number), number=self.numbers.whole(number), **values)
 
     def listing(self, words: list[str]) -> str:
@@ -45,7 +45,7 @@ class Words:
         return self.phrases.listing(words)
 
     def sentences(self, told: Iterable[str]) -> str:
-        """Return sentences one behind the other; empty ones are left out."""
+        """Return the sentences joined; empty ones are left out."""
         return self("join.sentences").join(part for part in told if part)
 
     def unit(self, unit: str) -> str:
@@ -53,13 +53,13 @@ class Words:
         return unit_text(self.phrases.unit(unit))
 
     def behind(self, unit: str) -> str:
-        """Return what stands behind a symbol at an axis or in a head: ", rad/s" or "/(rad/s)"; nothing without a unit."""
+        """Return the text that follows a symbol at an axis or in a head: ", rad/s" or "/(rad/s)"; "" without a unit."""
         join = self("join.unit")
         whole = f"({unit})" if "/" in join and "/" in unit else unit
         return join + whole if unit else ""
 
     def amount(self, number: str, unit: str) -> str:
-        """Return a number with its unit behind it, as this language writes it."""
+        """Return a number followed by its unit, as this language writes it."""
         return self("amount.percent", value=number) if unit == "%" else with_unit(number, self.phrases.unit(unit))
 
     @property
@@ -74,5 +74,5 @@ def with_own_letters(text: str) -> str:
 
 
 def load_words(language: str = ENGLISH) -> Words:
-    """Return the words of a language.  Raises `InputError` where there is no such file."""
+    """Return the words of a language.  Raises `InputError` if there is no file for it."""
     return Words(load_phrases(language).for_paper())

@@ -1,1 +1,1 @@
-"""What a page says in sentences that several sections share."""
+"""Sentences that several sections of a page share."""

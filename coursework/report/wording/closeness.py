@@ -1,8 +1,8 @@
-"""How far a table is from the motion, as numbers that several places of a page say.
+"""The distance of a table from the exact motion, in numbers that several places of a page quote.
 
 Enters: a `PageContext` whose run asks for checks.  Leaves: `Split`, `LargestError`, `LocalError`.
 Used by `answer.py`, `results.py`, `conclusion.py`, `structure.py`, `tangent.py`.
-Of an exact table it speaks of the scheme's rows that stand beside it.
+For an exact table, the scheme's rows that stand beside it are judged.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from coursework.results.checks.close_to_motion.rows import off_row
 from coursework.results.checks.evidence import Evidence
 from coursework.system.frozen import frozen
 
-SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
-ALIKE = 1e-4  # of the largest error: one that is less beside it is as large, to the digits shown
-ON_THE_CURVE = 1e-12  # the same for one step, which leaves no more than round-off
+SEEN = 1e-9  # parts of the scale of a column: a smaller error is not mentioned
+ALIKE = 1e-4  # parts of the largest error: errors that differ by less are equal in the digits shown
+ON_THE_CURVE = 1e-12  # limit of `share` for one step: a smaller gap is only round-off
 
 
 @frozen
@@ -35,7 +35,7 @@ class LargestError:
     row: int
 
     def told(self, context: PageContext) -> dict[str, str]:
-        """Return the error as words for a sentence."""
+        """Return the words of the error that fill the gaps of a sentence."""
         amount = context.with_unit(context.numbers.scalar(self.value, 3), self.unit)
         if self.unit == "rad":
             degrees = context.with_unit(context.numbers.scalar(math.degrees(self.value), 2), "°")
@@ -46,9 +46,9 @@ class LargestError:
 
 @frozen
 class LocalError:
-    """The one step of Euler that leaves the curve most: from `row` (from 1) of the exact motion, `gap` (SI) of `column`.
+    """The Euler step that leaves the exact curve most: it begins in `row` (from 1) and misses `column` by `gap` (SI).
 
-    `share` is the gap in rad or in parts of the scale of the column.
+    `rate_name` is the rate of `column`; `share` is the gap in rad, or in parts of the column's scale for a length.
     """
 
     column: str
@@ -60,41 +60,41 @@ class LocalError:
 
     @property
     def is_round_off(self) -> bool:
-        """Return whether the curve does not bend: every step ends on it."""
+        """Return whether the gap is only round-off, because the curve does not bend and every step ends on it."""
         return self.share < ON_THE_CURVE
 
 
 def evidence(context: PageContext) -> Evidence:
-    """Return rows of a scheme beside the exact ones."""
+    """Return the rows of a scheme together with the exact ones."""
     return context.run.results.by_scheme.evidence
 
 
 def rows_before_breaks(judged: Evidence) -> list[int]:
-    """Return the rows (from 0) behind which the drive changes its formula before the next."""
+    """Return the rows (from 0) after which the drive changes its formula before the next row."""
     return [int(time / judged.motion.step) for time in off_row(judged.variant, judged.motion.step)]
 
 
 def splits(context: PageContext) -> tuple[Split, ...]:
-    """Return last minus first row of every column of the table itself, nothing where the run reaches no period."""
+    """Return last minus first row for every column of the table itself; empty if the run reaches no full period."""
     return mismatch(context.run.results.evidence) or ()
 
 
 def turns_taken_off(context: PageContext, found: Iterable[Split]) -> str:
-    """Return that whole turns are no difference, and how many of which column; "" where none of them made any."""
+    """Return the sentence that names the whole turns not counted as a difference, by column; "" if there are none."""
     say, numbers = context.words, context.numbers
     turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=numbers.signed(s.turns)) for s in found if s.turns]
     return say("first_last.taken_off", turned=say("join.semicolon").join(turned)) if turned else ""
 
 
 def unreturned(context: PageContext) -> list[Split]:
-    """Return the columns, driven ones too, whose last row is not the first, by more than round-off."""
+    """Return the columns, including driven ones, whose last row differs from the first by more than round-off."""
     return [split for split in splits(context) if context.numbers.without_noise(split.total, split.first)]
 
 
 def largest_errors(context: PageContext) -> list[LargestError]:
-    """Return the largest error of the coordinates of each unit, those below `SEEN` left out.
+    """Return for each unit the largest error of its coordinates, without errors below `SEEN`.
 
-    Of those alike to the digits shown the first coordinate is named, and its first row, as in the laboratory.
+    If several errors are equal in the digits shown, the first coordinate and its first row are named, as in the laboratory.
     """
     found = evidence(context)
     if not found.compared or found.exact is None or len(found.motion.t) > found.compared:
@@ -118,12 +118,12 @@ def largest_errors(context: PageContext) -> list[LargestError]:
 
 
 def largest_error_sentence(context: PageContext) -> str:
-    """Return the scheme's largest error for each unit, with degrees; "" where none is known or to be seen."""
+    """Return the sentence on the scheme's largest error for each unit, angles also in degrees; "" if there is none to report."""
     errors, say = largest_errors(context), context.words
     if not errors:
         return ""
     listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
-    is_beside = context.run.tableau is None  # no scheme has made the rows of the table
+    is_beside = context.run.tableau is None  # the table is exact: no scheme has made its rows
     return say("result.error_beside" if is_beside else "result.error", scheme=errors[0].scheme, errors=listed)
 
 
@@ -134,9 +134,9 @@ def _title(context: PageContext, own: bool) -> str:
 
 
 def largest_step_error(context: PageContext) -> LocalError | None:
-    """Return the step of Euler that leaves the exact curve most; None where no such curve is known over two rows.
+    """Return the Euler step that leaves the exact curve most; None if that curve has fewer than two rows or no step leaves it.
 
-    A step inside which the drive changes its formula is none: it leaves the curve by the old formula, not by its bend.
+    Steps in which the drive changes its formula do not count: their error comes from the old formula, not from the bend.
     """
     exact = evidence(context).exact
     if exact is None or len(exact.t) < 2:

@@ -1,6 +1,6 @@
-"""What the data of a file mean: as its author says, else as its points, guides and drive use them.
+"""The meaning of the data of a file: in the author's words, else derived from its points, guides and drive.
 
-Enters: a `Mechanism`.  Leaves: texts, or sentences that are written in the language of a page later.
+Enters: a `Mechanism`.  Leaves: texts, or sentences that a page later writes in its language.
 Used by `statement.py` and `assigning/handout.py`.
 """
 
@@ -21,7 +21,7 @@ _WAVES = {"sin", "cos"}
 
 
 def meanings(mechanism: Mechanism) -> dict[str, str]:
-    """Return what each datum means: the file's own words; the two points that it keeps apart; what else it is used for; or "".
+    """Return the meaning of each datum: the file's own words, else the two points whose distance it is, else its use, else "".
 
     >>> import coursework
     >>> meanings(coursework.solve("v101").scene.mechanism)["p"]
@@ -39,7 +39,7 @@ def meanings(mechanism: Mechanism) -> dict[str, str]:
 
 
 def coordinate_meanings(mechanism: Mechanism) -> dict[str, str]:
-    """Return what each coordinate measures where that is a length: between two points, or along a guide; else ""."""
+    """Return what each coordinate measures if it is a length, between two points or along a guide; else ""."""
     variant = mechanism.variant
     found = ends_kept(mechanism, [coordinate.name for coordinate in variant.coordinates])
     lengths_only = {coordinate.name for coordinate in variant.coordinates if coordinate.unit == "m"}
@@ -49,13 +49,13 @@ def coordinate_meanings(mechanism: Mechanism) -> dict[str, str]:
             if guide.through.op == "name":
                 found[name] = found[name] or say("datum.along", point=clean(guide.through.name))
         carried = len(slides) > len(group.guides) > 0 and group.meets and group.start_points[0].op == "name"
-        if carried:  # along a slide on the block that the group meets: RPP
+        if carried:  # RPP: the length along the slide, from its start point to the point that the group meets
             found[slides[0]] = found[slides[0]] or clean(group.start_points[0].name + str(group.meets))
     return found
 
 
 def ends_kept(mechanism: Mechanism, names: Iterable[str]) -> dict[str, str]:
-    """Return the two points whose distance each name is, in the author's order: "AB", or "" where it is none."""
+    """Return for each name the two points whose distance it is, in the author's order ("AB"), or "" if it is no distance."""
     places = [name for name, _ in mechanism.points]
     kept = {length.name: ends for ends, length in reversed(lengths(mechanism).items()) if length.op == "name"}
     order = {name: place for place, name in enumerate(places)}
@@ -63,7 +63,7 @@ def ends_kept(mechanism: Mechanism, names: Iterable[str]) -> dict[str, str]:
 
 
 def _placed(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
-    """Yield the coordinates of the points that the file puts somewhere, from the origin or from another point."""
+    """Yield (name, meaning) of the data that are the x or y of a point, from the origin or from another point."""
     for point, formula in mechanism.points:
         parts = [*terms(formula)]
         base = parts[0].name if [part.op for part in parts] == ["name", "pair"] and formula.op == "+" else ""
@@ -74,7 +74,7 @@ def _placed(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
 
 
 def _guided(variant: Variant) -> Iterator[tuple[str, str]]:
-    """Yield radii of fixed circles, directions of guides, and how far something moves beside its guide."""
+    """Yield (name, meaning) of radii of fixed circles, directions of guides, and offsets from a guide."""
     for centre, radius in variant.frame.circles:
         if centre.op == radius.op == "name":
             yield radius.name, say("datum.circle", point=clean(centre.name))
@@ -90,7 +90,7 @@ def _guided(variant: Variant) -> Iterator[tuple[str, str]]:
 
 
 def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
-    """Yield the angles of a bar from the one whose coordinate it turns with: E = D + r5 @ (phi3 + gamma), C = D + r3 @ phi3."""
+    """Yield (name, meaning) of constant angles between two bars: gamma in E = D + r5 @ (phi3 + gamma) if C = D + r3 @ phi3."""
     moving = {coordinate.name for coordinate in mechanism.variant.coordinates}
     bars = dict(_bars(mechanism))
     for point, formula in _sides(mechanism):
@@ -106,14 +106,14 @@ def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
 
 
 def _sides(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
-    """Yield every way to a point that the file knows: its own, and both ways round the contour of a group."""
+    """Yield (point, formula) for every formula of a point: its own, and both sides of the closed contour of a group."""
     yield from mechanism.points
     for group in mechanism.variant.groups:
         yield from ((group.meets, side) for side in group_kind(group.kind).closure(group)[0] if group.meets)
 
 
 def _bars(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
-    """Yield the coordinates that are the angle of a bar, with its ends in the direction in which the angle is measured."""
+    """Yield each coordinate that is the angle of a bar, with the bar's ends in the direction that the angle measures."""
     for point, formula in _sides(mechanism):
         parts = [*terms(formula)]
         if formula.op == "+" and [part.op for part in parts] == ["name", "@"] and parts[1].args[1].op == "name":
@@ -121,7 +121,7 @@ def _bars(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
 
 
 def drive_meanings(variant: Variant) -> Iterator[tuple[str, str]]:
-    """Yield what the constants of the drive are, those in doubt not at all; a name may come more than once.
+    """Yield (name, meaning) of the constants of the drive, without doubtful ones; a name may come more than once.
 
     >>> import coursework
     >>> dict(drive_meanings(coursework.load("31")))["alpha"]
@@ -131,7 +131,7 @@ def drive_meanings(variant: Variant) -> Iterator[tuple[str, str]]:
     of_one_piece = {law.name for law in variant.drive if len(law.formulas) == 1}
     for law, formula in formulas:
         turned = formula.args[0] if formula.op == "neg" else formula
-        if turned.op == "name" and law in of_one_piece:  # in pieces it is the speed for a while
+        if turned.op == "name" and law in of_one_piece:  # in a law of several pieces it is the speed only for a while
             yield turned.name, say("datum.speed", name=law if turned is formula else f"−{law}")
     for _, formula in formulas:
         for wave in _waves(formula):
@@ -149,7 +149,7 @@ def drive_meanings(variant: Variant) -> Iterator[tuple[str, str]]:
 
 
 def _inside(wave: Formula) -> Iterator[tuple[str, str]]:
-    """Yield what stands in sin(p*t + alpha), sin(2*pi*f*t) or sin(2*pi*t/T)."""
+    """Yield (name, meaning) of the constants inside sin(p*t + alpha), sin(2*pi*f*t) or sin(2*pi*t/T)."""
     for part in terms(wave.args[0]):
         above, below = _product(part)
         names = [factor.name for factor in above if factor.op == "name"]
@@ -163,7 +163,7 @@ def _inside(wave: Formula) -> Iterator[tuple[str, str]]:
 
 
 def _headings(formulas: list[tuple[str, Formula]]) -> Iterator[tuple[str, str]]:
-    """Yield beta and "VM" where VMx has the factor cos(beta) and VMy the factor sin(beta)."""
+    """Yield ("beta", "VM") if VMx has the factor cos(beta) and VMy the factor sin(beta)."""
     turned = {(law, name) for law, formula in formulas for name in _constant_waves(formula)}
     for law, (function, angle) in sorted(turned):
         if law.endswith("x") and function == "cos" and (f"{law[:-1]}y", ("sin", angle)) in turned:
@@ -177,7 +177,7 @@ def _constant_waves(formula: Formula) -> Iterator[tuple[str, str]]:
 
 
 def _size(term: Formula, law: str, headings: dict[str, str]) -> Iterator[tuple[str, str]]:
-    """Yield V1 of V1*sin(p*t), of V1*sin(p*t)*cos(beta) and of V1*cos(beta), where it alone sizes the term."""
+    """Yield the meaning of V1 in V1*sin(p*t), V1*sin(p*t)*cos(beta) or V1*cos(beta), if it is the only size in the term."""
     above, below = _product(term)
     heading = next((headings[angle] for factor in above for _, angle in _constant_waves(factor) if angle in headings), None)
     sizes = [factor for factor in above if not [*_waves(factor)]]
@@ -188,7 +188,7 @@ def _size(term: Formula, law: str, headings: dict[str, str]) -> Iterator[tuple[s
 
 
 def _swing(term: Formula, coordinate: str) -> Iterator[tuple[str, str]]:
-    """Yield A of A*p*cos(p*t), the rate of a coordinate that swings by A to each side."""
+    """Yield the meaning of A in A*p*cos(p*t), the rate of a coordinate that swings by A to each side."""
     above, below = _product(term)
     waves = [factor for factor in above if factor.op == "call" and _swings(factor)]
     sizes = [factor.name for factor in above if factor.op == "name"]
@@ -208,6 +208,6 @@ def _swings(wave: Formula) -> bool:
 
 
 def _product(tree: Formula) -> tuple[list[Formula], list[Formula]]:
-    """Return the factors above and below the line."""
+    """Return the factors of the numerator and of the denominator."""
     found = [*factors(tree, "*/")]
     return [factor for factor, power in found if power > 0], [factor for factor, power in found if power < 0]

@@ -1,4 +1,4 @@
-"""What a student looks for, in sentences: the unknown velocities, the rows, the period, the scheme, the row to construct.
+"""The sentences on what a student has to find: the unknown velocities, the rows, the period, the scheme, the row to construct.
 
 Enters: a `PageContext`.  Leaves: sentences.  Used by `first_step.py`, `statement.py`.
 """
@@ -13,8 +13,8 @@ from coursework.report.text.page_context import PageContext
 from coursework.scene.quantities import GRAPH_CHECK
 from coursework.variant.record.variant import Variant
 
-PERIOD = "T"  # what a period is called, unless a datum has the name
-STEP = "h"  # what the step is called, even where a datum has the name
+PERIOD = "T"  # symbol of the period, unless a datum has this name
+STEP = "h"  # symbol of the step, even if a datum has this name
 SAME = 1e-7  # parts of the largest velocity: far above round-off, far below the difference of two velocities
 _LINEAR = "m/s"
 
@@ -22,11 +22,11 @@ _LINEAR = "m/s"
 def sought(context: PageContext) -> list[str]:
     """Return the sentences on what is sought, over which time and how.
 
-    A linear velocity stands in no drawing, so it is told what moves with it, u = ds/dt or u = V_Sx.
+    No drawing shows a linear velocity, so its sentence says what moves with it: u = ds/dt or u = V_Sx.
     """
     run, words = context.run, context.words
     end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
-    free = run.variant.motor.rates if run.variant.motor else ()  # which the forces decide
+    free = run.variant.motor.rates if run.variant.motor else ()  # rates that the forces determine
     unknowns = words.listing([_explained(context, name) for name in dict.fromkeys((*free, *run.variant.sought))])
     told = [words("statement.find" if unknowns else "statement.find_nothing", unknowns=unknowns, end=end, step=step)]
     if STEP in run.variant.values:
@@ -46,7 +46,7 @@ def sought(context: PageContext) -> list[str]:
 
 
 def corrections(context: PageContext) -> list[str]:
-    """Return the sentences on what a run does to the drift beside its scheme."""
+    """Return the sentences on the corrections against drift that a run applies besides its scheme."""
     run, words, told = context.run, context.words, []
     if run.settings.project:
         told.append(words.count("method.project", run.settings.project))
@@ -63,7 +63,7 @@ def _changes(variant: Variant) -> bool:
 
 
 def _explained(context: PageContext, name: str) -> str:
-    """Return the symbol of an unknown, behind a linear one what it is."""
+    """Return the symbol of an unknown; a linear velocity is followed by its meaning if that is found."""
     symbol = context.lettering(name)
     is_linear = context.run.variant.unit_of(name) == _LINEAR
     meaning = (_rate_of_length(context, name) or _velocity_of_point(context, name)) if is_linear else ""
@@ -76,7 +76,7 @@ def _rate_of_length(context: PageContext, name: str) -> str:
 
 
 def _velocity_of_point(context: PageContext, name: str) -> str:
-    """Return V_Sx where the rows move a point along x with this velocity, V_A along an inclined guide."""
+    """Return "V_Sx" if in all rows a point moves along x with this velocity, "V_A" if along an inclined guide, else ""."""
     run, known = context.run, set(context.run.variant.names)
     motion, equations = run.motion, run.scene.equations
     guided = [through.name for through, _ in run.variant.frame.rails if through.op == "name"]

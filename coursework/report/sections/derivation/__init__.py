@@ -1,1 +1,1 @@
-"""From the constraints to the velocities on paper, and a row of a further table worked through."""
+"""The derivation on paper from the constraints to the velocities, and a row of a further table computed in numbers."""

@@ -1,4 +1,4 @@
-"""How the scheme goes from row to row, and the first step by hand.
+"""The formula by which the scheme goes from row to row, and the first step by hand.
 
 Enters: a `PageContext`.  Leaves: displayed equations with the words around them.  Used by `solution.py`, `method.py`.
 """
@@ -23,7 +23,10 @@ MOST_LINES = 8  # coordinates whose step is written out; the others are only nam
 
 
 def first_step(context: PageContext) -> list[Part]:
-    """Return nothing for exact rows; for Euler its line for all that it steps, and the step from row 1 in numbers."""
+    """Return the formula of the scheme, for schemes of one slope a line per name and the step from row 1 in numbers.
+
+    Empty for exact rows.
+    """
     run = context.run
     scheme = run.tableau
     if scheme is None:
@@ -35,7 +38,7 @@ def first_step(context: PageContext) -> list[Part]:
         named = {"coordinates": context.symbol_list(context.stepped), "rates": context.symbol_list(context.stepped.values())}
         free = "_free" if run.variant.motor else ""
         return [Paragraph(context.say(f"derivation.scheme{free}", scheme=context.told(title_of(scheme)), **named)), lines, *rest]
-    # The semi-implicit scheme takes the rates that it has just made.
+    # The semi-implicit scheme steps the coordinates with the new rates.
     ahead = set(run.motion.coordinate_names) if scheme is SEMI_IMPLICIT else set()
     every = dict(sorted(context.stepped.items(), key=lambda one: one[0] in ahead))
     stepped, others = (dict(list(every.items())[part]) for part in (slice(MOST_LINES), slice(MOST_LINES, None)))
@@ -61,13 +64,13 @@ def first_step(context: PageContext) -> list[Part]:
 
 
 def besides_the_scheme(context: PageContext) -> list[str]:
-    """Return the sentences on what makes the rows beside the scheme: closed positions under forces, corrections of the drift."""
+    """Return the sentences on what determines the rows besides the scheme: closed positions under forces, drift corrections."""
     has_others = context.run.variant.motor is not None and {*context.run.motion.names} - {*context.stepped}
     return [*([context.words("method.closed")] if has_others else []), *corrections(context)]
 
 
 def index_of_steps(names: Collection[str]) -> str:
-    """Return the letter that counts the steps: the first that the file gives no other meaning.
+    """Return the letter that counts the steps: the first of `INDICES` that is not in `names`, else the first of all.
 
     >>> index_of_steps(["k", "L1", "i"])
     'n'
@@ -76,7 +79,7 @@ def index_of_steps(names: Collection[str]) -> str:
 
 
 def _accelerations(context: PageContext) -> dict[str, float]:
-    """Return what forces make of each free rate at the start (rad/s², m/s²)."""
+    """Return the accelerations of the free rates at the start, by name of the rate (rad/s², m/s²)."""
     from coursework.scene.motor_scene import MotorScene
 
     scene, motor = context.run.scene, context.run.variant.motor

@@ -28,9 +28,9 @@ from coursework.words.templates import clean
 
 
 def equations(context: PageContext) -> list[Part]:
-    """The way of the guide where the file shows points; the equations as they are written or follow from a contour.
+    """Return the derivation from paths between points if the file shows them, then the written equations and the contours.
 
-    A chain of groups alone takes its contours instead of paths between points.
+    A file with groups and no written equations is derived only from contours.
     """
     written = [one for one in context.run.equations if not one.derived]
     parts: list[Part] = []
@@ -42,7 +42,7 @@ def equations(context: PageContext) -> list[Part]:
         reductions = _reductions(context, found.projections)
         parts += [*_derived_from_points(context, found), *reductions]
         intro = "constraints.chosen" if reductions else "constraints.taken"
-    elif written and rows:  # with some columns alone nobody knows what the points would give
+    elif written and rows:  # without rows of all coordinates nobody knows what the points would give
         parts.append(Paragraph(runs(_unchecked(context, [one.name for one in written]))))
     if written:
         parts.append(Paragraph(context.say(intro)))
@@ -61,13 +61,13 @@ def _configurations(context: PageContext) -> list[dict[str, float]]:
 
 
 def _reason(context: PageContext, equation: ShownEquation) -> str:
-    """Return why a written equation holds, in the language of the page where the file says it there."""
+    """Return the reason of a written equation, in the language of the page if the file has it."""
     reasons = {constraint.name: constraint.because for constraint in context.variant.constraints}
     return reasons.get(equation.name, equation.because)
 
 
 def _shown(context: PageContext, equation: ShownEquation) -> Display:
-    """Return an equation with its reason; redundant ones say so."""
+    """Return an equation with its reason before it; a note follows one that is redundant."""
     because = equation.because if equation.derived else _reason(context, equation)
     reason = context.rich(because)
     reason = reason if equation.derived else context.in_its_language(because, reason)
@@ -126,7 +126,7 @@ def _term(term: Term) -> Formula:
 
 
 def _angle(angle: Angle) -> Formula:
-    """Return an angle as it is drawn, nothing reduced: phi3 + 3 pi/2."""
+    """Return an angle as it is drawn, not reduced: phi3 + 3 pi/2."""
     offset = part_of_pi(angle.offset)
     if angle.base is None:
         return offset
@@ -162,7 +162,7 @@ def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
 
 
 def _rank(context: PageContext, found: Derivation) -> list[Part]:
-    """Return how many equations are independent, which are sums of others, and which say what no path says."""
+    """Return the sentences on how many equations are independent, which are sums of others, and which follow from no path."""
     words = context.words
     count = len(found.projections)
     told = [words("constraints.rank", count=count, rank=found.rank)] if count > found.rank else []
@@ -183,7 +183,7 @@ def _rank(context: PageContext, found: Derivation) -> list[Part]:
 
 
 def _proposed(context: PageContext, names: Sequence[str]) -> list[Sentence]:
-    """Return what to write in the file so that the geometry judges some equations that it does not."""
+    """Return advice on what to add to the file so that the geometry can check the equations `names`."""
     closure = context.run.scene.closure
     unjudged = dict(closure.unjudged) if closure is not None else {}
     lacking = dict.fromkeys(unknown for name in names for unknown in unjudged.get(name, ()))
@@ -191,7 +191,7 @@ def _proposed(context: PageContext, names: Sequence[str]) -> list[Sentence]:
 
 
 def _unchecked(context: PageContext, written: Sequence[str]) -> str:
-    """Return what is known of the signs of equations that no path between points gives."""
+    """Return the sentences on which signs are confirmed, of equations that follow from no path between points."""
     words = context.words
     confirmed, open_to_doubt = _confirmed(context, written)
     advice = [context.told(sentence) for sentence in _proposed(context, written)]
@@ -202,7 +202,7 @@ def _unchecked(context: PageContext, written: Sequence[str]) -> str:
 
 
 def _confirmed(context: PageContext, names: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return which of these equations the positions confirm and which they do not, as "(12)"."""
+    """Return the equations that the positions confirm, and those that they do not, as "(12)"."""
     closure = context.run.scene.closure
     agreed = closure.agreed if closure is not None else ()
     confirmed, rest = [name for name in names if name in agreed], [name for name in names if name not in agreed]
@@ -217,9 +217,9 @@ def _sum(one: Combination) -> str:
 
 
 def _contours(context: PageContext, first: bool) -> list[Part]:
-    """Return for each closed contour its vector equation, its projections, their derivatives; then what else is derived.
+    """Return for each closed contour its vector equation, its projections and their derivatives; then other derived equations.
 
-    `first`: nothing stands above.
+    `first`: these are the first parts of the section.
     """
     derived = [one for one in context.run.equations if one.derived]
     if not derived:
@@ -259,7 +259,7 @@ def _two(context: PageContext, contour: Contour) -> list[Display]:
 
 
 def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
-    """Return the places of the moving points that the contours begin at."""
+    """Return the positions of the moving points that occur in the contours."""
     mechanism = context.run.scene.mechanism
     met = {name for one in contours for side in (one.left, one.right) for name in side.names()}
     coordinates = {coordinate.name for coordinate in context.run.variant.coordinates}

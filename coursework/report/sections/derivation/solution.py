@@ -1,4 +1,4 @@
-"""The way from the chosen equations to the velocities, block by block, and the first step by hand.
+"""The solution of the chosen equations for the velocities, block by block, and the first step by hand.
 
 Enters: a `PageContext`.  Leaves: displayed equations with the words around them.  Used by `sections.py`.
 """
@@ -20,7 +20,7 @@ from coursework.words.sentences import say
 
 
 def solution(context: PageContext) -> list[Part]:
-    """Each block in the order of solving: a formula, Cramer's rule, or a sentence; where it has none; then the scheme's step."""
+    """Return each block in the order of solving, as a formula, by Cramer's rule or as a sentence; then the scheme's step."""
     reduction = context.run.reduction
     parts: list[Part] = []
     for law, by in context.run.partials.values():
@@ -44,7 +44,7 @@ def solution(context: PageContext) -> list[Part]:
 
 
 def _single(context: PageContext, block: Block, formulas: Solution, delta: str, found: set[str]) -> list[Part]:
-    """Return a block of one: which equation gives it, the formula, its determinant."""
+    """Return a block solved by formulas: the equations it follows from, the formulas, where the determinant is zero."""
     used = dict.fromkeys(name for _, formula in formulas for name in formula.names() if name in found)
     key = "derivation.from_with" if used else "derivation.from"
     origin = context.words(key, equations=_names(context, block), known=context.symbol_list(used))
@@ -58,7 +58,7 @@ def _set(context: PageContext, left: Formula, right: Formula) -> Display:
 
 
 def _by_cramer(context: PageContext, block: Block, shown: Cramer, formulas: Solution, delta: str) -> list[Part]:
-    """Return a block of two: the right sides gathered, the three determinants, the quotients."""
+    """Return a block of two by Cramer's rule: the equations with gathered right sides, three determinants, the quotients."""
     say_, angles = context.words, context.angles
     names = [named(name) for name in shown.unknowns]
     put_in = context.symbol_list(shown.put_in)
@@ -77,14 +77,14 @@ def _by_cramer(context: PageContext, block: Block, shown: Cramer, formulas: Solu
 
 
 def _gathered(row: tuple[Formula, Formula], names: list[Formula]) -> Formula:
-    """Return a11 w1 + a12 w2, a term with a minus subtracted, one that is nought left out."""
+    """Return a11 w1 + a12 w2; a negative term is subtracted, and one with the coefficient 0 is left out."""
     signed = [(part.args[0], -1) if part.op == "neg" else (part, 1) for part in row]
     terms = [(Formula("*", (part, name)), sign) for (part, sign), name in zip(signed, names, strict=True) if part != number(0)]
     return summed(terms)
 
 
 def _delta(context: PageContext, delta: str, place: int) -> tuple[str, str]:
-    """Return the name of the determinant of one unknown, in Typst math and as text: Δ₃ and its first are Δ₃₁."""
+    """Return the name of the determinant for the unknown at `place`, in Typst math and as text: Δ₃₁ for Δ₃ and place 1."""
     symbol = context.symbol(delta)
     low = f"{symbol.subscript}{place}"
     return f"Δ_({low})" if len(low) == 1 else f"Δ_({' '.join(low)})", context.symbol(f"Delta{low}").text
@@ -102,17 +102,17 @@ def _quotient(context: PageContext, name: str, delta: str, place: int, formula: 
     math, text = _delta(context, delta, place)
     right = context.angles.put_in(formula)
     short = display(named(name), right, context.rates)
-    if "\\" in short.math:  # of several lines, which say of themselves what they are
+    if "\\" in short.math:  # a formula of several lines stands without the determinants
         return short
     source = f"{symbol.typst} = frac({math}, {below.typst}) = {setting.math(right, context.rates)}"
     return Display(source, f"{symbol.text} = {text} / {below.text} = {setting.text(right, context.rates)}")
 
 
 def _vanishing(context: PageContext, block: Block, delta: str, determinant: Formula | None = None) -> Runs:
-    """Return where the determinant is zero and what that means, as one small sentence."""
+    """Return the sentence on where the determinant is zero and what that means; empty if there is none or it is a number."""
     shown = determinant or block.determinant
     if shown is None or not set(shown.names()) - {"pi"}:
-        return []  # of a plain number nobody asks where it is zero
+        return []  # a plain number is never zero
     text = setting.text_equation(named(delta), context.angles.put_in(shown), context.rates, in_sentence=True)
     text = marked_text(text, context.numbers.mark)
     if block.meaning == say("determinant.never"):

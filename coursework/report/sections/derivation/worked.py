@@ -1,6 +1,6 @@
-"""The formula behind a further table, and one of its rows worked through with numbers that give what is printed.
+"""The formula behind a further table, and one of its rows computed with numbers that give the printed result.
 
-Enters: a `PageContext` and the name of what was asked for.  Leaves: parts, none where the formula is too long to read.
+Enters: a `PageContext` and the name of the quantity.  Leaves: parts, none if the formula is too long to read.
 Used by `sections.py`.
 """
 
@@ -29,16 +29,16 @@ from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, nam
 if TYPE_CHECKING:
     from coursework.results.kinematics.extra import ExtraTable
 
-MOST_EQUATIONS = 6  # of second derivatives on a page
+MOST_EQUATIONS = 6  # differentiated equations on a page
 MOST_PARTS = 100  # of an expression that is differentiated for a page
-LONGEST = 160  # letters of a formula that is written out
-UPRIGHT = 1e-6  # of the velocity along y: a point that is slower along x moves along y alone
-DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
-SHOWN = 5  # digits of a result
+LONGEST = 160  # characters of a formula that is written out
+UPRIGHT = 1e-6  # parts of the velocity along y: a point that is slower than that along x moves only along y
+DIGITS, MOST_DIGITS = 6, 15  # least and most digits of a factor; it has as few as give the printed result
+SHOWN = 5  # significant digits of a result
 
 
 def worked(context: PageContext, quantity: str, extra: ExtraTable) -> list[Part]:
-    """Return the formula and the row for one of the tables beside the table of results."""
+    """Return the formula of a further table and one of its rows in numbers; empty if there is nothing to write out."""
     write = _WRITERS.get(quantity)
     return write(context, extra) if write is not None and len(extra.rows) else []
 
@@ -48,7 +48,7 @@ def _row(context: PageContext, rows: int) -> int:
 
 
 def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
-    """The velocity equations once more differentiated, Coriolis's terms named, one equation of them in numbers."""
+    """Return the velocity equations differentiated once more, with Coriolis's terms named, and one solution in numbers."""
     equations, reduction = context.run.scene.equations, context.run.reduction
     used = [one for one in equations.equations if one.name in reduction.used]
     if len(used) > MOST_EQUATIONS or any(slope.size > MOST_PARTS for one in used for slope in one.coefficients.values()):
@@ -84,7 +84,10 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
 
 
 def _solved(context: PageContext, rests: Mapping[str, Expression]) -> Iterator[tuple[str, Formula]]:
-    """Yield the derivative of the first velocity of each block of one or two as a formula, those with Coriolis's term first."""
+    """Yield name and formula of the derivative of the first velocity of each small block, those with Coriolis's term first.
+
+    Blocks of more than two unknowns and formulas that are too long are left out.
+    """
     equations, found = context.run.scene.equations, []
     by_name = {one.name: one for one in equations.equations}
     for block in context.run.reduction.blocks:
@@ -110,7 +113,7 @@ def _solved(context: PageContext, rests: Mapping[str, Expression]) -> Iterator[t
 
 
 def _coriolis(context: PageContext, rests: list[Expression]) -> list[str]:
-    """Return the products 2 u w of a sliding velocity and an angular one that stand in the second derivatives."""
+    """Return the products 2 w u of a sliding velocity u and an angular velocity w that occur in the second derivatives."""
     variant = context.run.variant
     slides = [c.rate for c in variant.coordinates if c.unit == "m"]
     turns = [c.rate for c in variant.coordinates if c.unit == "rad"]
@@ -120,7 +123,10 @@ def _coriolis(context: PageContext, rests: list[Expression]) -> list[str]:
 
 
 def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
-    """Place, velocity and, where asked for, acceleration of the last point along x, or y if only so it moves; in numbers too."""
+    """Return position, velocity and, if asked for, acceleration of the last point along x, as formulas and in numbers.
+
+    A point that moves only along y is written along y; a point whose formulas are too long gives way to the one before it.
+    """
     equations = context.run.scene.equations
     named_points = [name.partition(".")[0] for name in extra.names if name.endswith(".vx")]
     rows = len(context.run.motion.t)
@@ -153,7 +159,7 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
 
 
 def _values(context: PageContext, row: int) -> dict[str, float]:
-    """Return the data, the laws and the entries of a row by name (SI)."""
+    """Return the data, and the laws and entries of a row, by name (SI)."""
     motion = context.run.motion
     values = {**context.run.variant.values, "t": float(motion.t[row]), "pi": np.pi}
     laws = [law.name for law in (*context.run.variant.drive, *context.run.variant.functions) if law.name not in motion.names]
@@ -166,7 +172,7 @@ def _values(context: PageContext, row: int) -> dict[str, float]:
 
 
 def _slopes(context: PageContext, rests: list[Expression], row: int) -> dict[str, float]:
-    """Return what else stands in second derivatives in a row by name (SI): the slopes of laws, "∂us/∂t"."""
+    """Return the slopes of laws ("∂us/∂t") that occur in the second derivatives, by name, in a row (SI)."""
     equations = context.run.scene.equations
     free = sorted({one for rest in rests for one in rest.free_symbols}, key=str)
     named_symbols = {name: one for one in free if (name := as_sum(one, equations.order).name).startswith("∂")}
@@ -174,7 +180,7 @@ def _slopes(context: PageContext, rests: list[Expression], row: int) -> dict[str
 
 
 def _in_row(context: PageContext, wanted: Mapping[str, Expression], row: int) -> dict[str, float]:
-    """Return the values (SI) of named expressions in a row."""
+    """Return the values (SI) of the expressions `wanted` in a row, by their names."""
     motion, at = context.run.motion, slice(row, row + 1)
     values = compile_rows(context.run.scene.equations, [*wanted.values()], 1)
     found = values(motion.t[at], motion.coordinates[at], motion.velocities[at])[0] if wanted else np.zeros(0)
@@ -182,7 +188,10 @@ def _in_row(context: PageContext, wanted: Mapping[str, Expression], row: int) ->
 
 
 def _in_numbers(context: PageContext, left: Formula, right: Formula, values: Mapping[str, float]) -> Display | None:
-    """Return `left` with numbers for the names of the right side, as few digits as give the printed result; None for none."""
+    """Return `left` = `right` with numbers for its names, with as few digits as give the printed result.
+
+    Return None if a name has no value or no number of digits gives that result.
+    """
     needed, clean = right.names(), context.numbers.without_noise
     if not {*needed} <= {*values, "pi"}:
         return None
@@ -193,7 +202,7 @@ def _in_numbers(context: PageContext, left: Formula, right: Formula, values: Map
             if _printed(context, evaluate(right, rounded)) == result:
                 one = display(left, _put(right, rounded), context.rates)
                 return Display(f'{one.math} = "{result}"', f"{one.text} = {result}")
-    except (FormulaFault, KeyError):  # a law without a value that a formula could take
+    except (FormulaFault, KeyError):  # a law has no value for the formula
         return None
     return None
 
@@ -203,20 +212,20 @@ def _printed(context: PageContext, value: float) -> str:
 
 
 def _factors(context: PageContext, *values: float) -> Iterator[str]:
-    """Yield numbers as they stand in a product, those below zero in parentheses."""
+    """Yield numbers as factors of a product, negative ones in parentheses."""
     texts = (context.numbers.scalar(value, DIGITS + 2) for value in values)
     return (f"({text})" if text.startswith("−") else text for text in texts)
 
 
 def _put(tree: Formula, values: Mapping[str, float]) -> Formula:
-    """Return a formula with numbers in the place of names."""
+    """Return a formula with `values` in place of their names."""
     if tree.op == "name" and tree.name in values:
         return number(Fraction(repr(values[tree.name])))
     return replace(tree, args=tuple(_put(arg, values) for arg in tree.args)) if tree.args else tree
 
 
 def _quotients(context: PageContext, extra: ExtraTable) -> list[Part]:
-    """The derivatives of a coordinate by the angle of the crank from those in time, in a row."""
+    """Return how the derivatives of a coordinate by the crank angle follow from time derivatives, and a row in numbers."""
     exact, variant = context.run.exact, context.run.variant
     crank = next(c for c in variant.coordinates if c.name == extra.names[0])
     other = next((c for c in variant.coordinates if f"d{c.name}/d{crank.name}" in extra.names), None)
@@ -250,7 +259,7 @@ def _quotients(context: PageContext, extra: ExtraTable) -> list[Part]:
 
 
 def _invariants(context: PageContext, extra: ExtraTable) -> list[Part]:
-    """What a, b, c are made of, and a line in the middle of the stroke with the stroke S and the angle Φ of the caption."""
+    """Return the formulas of a, b, c, and a line in the middle of the table in numbers, with S and Φ from the caption."""
     known = getattr(extra.title, "values", {})
     driven = [c.name for c in context.run.variant.driven_coordinates]
     if not {"stroke", "angle"} <= {*known} or len(driven) != 1 or len(extra.names) != 4:

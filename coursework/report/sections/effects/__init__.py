@@ -1,1 +1,1 @@
-"""What forces do, on the page: the data of masses and loads, the plans and rows of forces, the motion that forces make."""
+"""The parts of a page on forces: data of masses and loads, plans and rows of forces, the motion under forces."""

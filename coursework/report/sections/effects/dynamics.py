@@ -1,4 +1,4 @@
-"""Motion under forces: the equation of motion, what a step costs here, energy beside that of the motion itself.
+"""The section on motion under forces: the equation of motion, cost and error of the schemes, and their energy.
 
 Enters: a `PageContext` of a run with a motor.  Leaves: parts.  Used by the list of sections, by name.
 """
@@ -26,7 +26,7 @@ _SEVERAL = ("M(q) dot(v) = Q(t, q, v) - c(q, v)", "M(q)·dv/dt = Q(t, q, v) − 
 
 
 def dynamics(context: PageContext) -> list[Part]:
-    """The equation of motion, the schemes beside each other, energy, the rows."""
+    """Return the equation of motion, a comparison of schemes, the graph of energy, and the rows."""
     table, scene = context.run.of(DYNAMICS), context.run.scene
     if not len(table.rows) or not isinstance(scene, MotorScene):
         return []
@@ -46,7 +46,7 @@ def dynamics(context: PageContext) -> list[Part]:
 
 
 def _equation(context: PageContext, *, is_one: bool) -> list[Part]:
-    """Return the equation of motion, what its letters are, and where all other coordinates come from."""
+    """Return the equation of motion, the meaning of its letters, and how the other coordinates follow."""
     free, names = context.stepped, context.run.motion.coordinate_names
     named = {"free": context.symbol_list(name for name in free if name in names)}
     named["rates"] = context.symbol_list(name for name in free if name not in names)
@@ -58,7 +58,7 @@ def _equation(context: PageContext, *, is_one: bool) -> list[Part]:
 
 
 def _regime(context: PageContext, found: Regime, rate: str) -> Paragraph:
-    """Return the steady motion in a sentence."""
+    """Return the sentence on the steady motion."""
     speed, least, largest = (context.quantity(value, "rad/s", 5) for value in (found.speed, found.least, found.largest))
     delta = context.numbers.scalar(found.delta, 4)
     told = context.words(
@@ -69,7 +69,7 @@ def _regime(context: PageContext, found: Regime, rate: str) -> Paragraph:
 
 
 def _compared(context: PageContext, lines: list[Row], unit: str) -> Table:
-    """Return `table#dynamics-lesson`: schemes and slopes, errors of rates, energy gained."""
+    """Return `table#dynamics-lesson`: for each scheme its slopes, the largest error of the rates, the energy gained."""
     numbers, cells = context.numbers, list[list[Cell]]()
     for one in lines:
         shown = [numbers.whole(one.slopes), numbers.scalar(one.error, 3), numbers.scalar(one.gained, 3)]
@@ -82,7 +82,7 @@ def _compared(context: PageContext, lines: list[Row], unit: str) -> Table:
 
 
 def _energy(context: PageContext, scene: MotorScene) -> Panels:
-    """Return the energy of the rows beside that of the motion itself, against time."""
+    """Return the graph of energy against time, of the rows and of the exact motion."""
     rows, exact = scene.motion, scene.exact
     own, true = scene.energy_of(rows), scene.energy_of(exact)
     own = np.where(np.abs(own) < 3 * max(float(np.abs(true).max(initial=0.0)), 1e-12), own, np.nan)

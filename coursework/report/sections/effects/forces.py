@@ -1,4 +1,4 @@
-"""The forces: masses and inertia of the check row, group after group on paper, the lever, both read and compared, every row.
+"""The section on forces: masses and inertia of the check row, the plan of each group, the lever, comparison, all rows.
 
 Enters: a `PageContext` of a run that was asked for forces.  Leaves: parts.  Used by the list of sections, by name.
 """
@@ -26,12 +26,12 @@ from coursework.report.text.text_runs import numeral, runs
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.system.arrays import Array
 
-MILLIMETRES = 1  # decimals of a length that is read to half a mm
-_ROUND_OFF = 1e-12  # of a force: a smaller component is none
+MILLIMETRES = 1  # decimals of a length in mm, which is read to half a mm
+_ROUND_OFF = 1e-12  # parts of a force: a smaller component is round-off
 
 
 def forces(context: PageContext) -> list[Part]:
-    """What is known, each group with its plan, the lever, what a ruler reads, and the reactions of every row."""
+    """Return what is known, each group with its plan, the lever, the readings compared, and the reactions of all rows."""
     found = context.run.of(FORCES)
     if not found.rows.count:
         return []
@@ -50,7 +50,7 @@ def forces(context: PageContext) -> list[Part]:
 
 
 def energy(context: PageContext) -> list[Part]:
-    """Energies and powers of every row, under words; what is 0 in all of them is named below."""
+    """Return energies and powers of all rows, with words as heads; those that are 0 in all rows are only named below."""
     table = context.run.of(ENERGY).as_table(context.run.motion.t)
     if not len(table.rows):
         return []
@@ -60,7 +60,7 @@ def energy(context: PageContext) -> list[Part]:
     names, units = (tuple(whole[k] for k in kept) for whole in (table.names, table.units))
     parts = extra_parts(context, replace(table, names=names, units=units, rows=table.rows[:, kept]), "energy.csv")
     for place, part in enumerate(parts):
-        if isinstance(part, Table):  # row and time stand before
+        if isinstance(part, Table):  # row and time are its first columns
             before, own = part.columns[: 1 - len(kept)], part.columns[1 - len(kept) :]
             own = [replace(column, head=runs(heads[k - 1])) for column, k in zip(own, kept[1:], strict=True)]
             parts[place] = replace(part, columns=[*before, *own])
@@ -71,10 +71,10 @@ def energy(context: PageContext) -> list[Part]:
 
 
 def _sizes(rows: Array) -> Array:
-    """Return the largest size of each column behind the time, 0 of a power that is the round-off of those that work."""
+    """Return the largest absolute value of each column after the time; 0 for a power that is only round-off of the others."""
     t, kinetic, *_ = (rows := np.nan_to_num(rows)).T
     largest: Array = np.abs(rows[:, 1:]).max(axis=0)
-    powers = largest[2:]  # behind both energies
+    powers = largest[2:]  # after the two energies
     working = max(float(powers.max()), float(np.abs(np.diff(kinetic) / np.diff(t)).max(initial=0.0)))
     powers[powers <= _ROUND_OFF * working] = 0.0
     return largest
@@ -95,7 +95,7 @@ def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
 
 
 def _known(context: PageContext, found: ForceAnalysis, row: int) -> Table:
-    """Return masses, centres and forces of inertia of a row."""
+    """Return the table of masses, centres and inertia forces in a row."""
     rows, numbers = found.rows, context.numbers
     lines: list[list[Cell]] = []
     for body in rows.scheme.bodies:
@@ -112,7 +112,7 @@ def _known(context: PageContext, found: ForceAnalysis, row: int) -> Table:
 
 
 def _clear(force: complex) -> complex:
-    """Return a force without the component that is only its round-off."""
+    """Return a force; a component that is only its round-off is 0."""
     least = _ROUND_OFF * abs(force)
     return complex(force.real if abs(force.real) > least else 0.0, force.imag if abs(force.imag) > least else 0.0)
 
@@ -144,19 +144,19 @@ def _text_of(name: str) -> str:
 
 
 def _parted(name: str) -> tuple[str, str]:
-    """Return the name of a reaction, and t or n, raised, of its part across or along a link."""
+    """Return the name of a reaction and, raised, the t or n of its part across or along a link; "" for the whole reaction."""
     part = SUPERSCRIPT.get(name[-1], "") if name[0] == "R" else ""
     return name[:-1] if part else name, part
 
 
 def _set(word: tuple[str, str, str]) -> Runs:
-    """Return a force as runs: a letter with its index, and what stands behind it."""
+    """Return a force, given as (letter, index, text after them), as runs."""
     letter, low, after = word
     return [{"v": letter, "s": low}, *([{"t": after}] if after else [])] if low else [{"t": letter + after}]
 
 
 def _math_of(vector: ForceVector) -> str:
-    """Return a force as Typst math: underlined twice where it is known, once where its direction is."""
+    """Return a force as Typst math: underlined twice if it is known, once if only its direction is known."""
     letter, low, after = vector.word
     raised = {"ᵗ": "^t", "ⁿ": "^n"}.get(after, "")
     symbol = f'{letter}_"{low}"{raised}' if low else f'"{letter}"{raised}'
@@ -189,7 +189,7 @@ def _levers(context: PageContext, plans: ForcePlans) -> list[Part]:
 
 
 def _compared(context: PageContext, plans: ForcePlans) -> list[Part]:
-    """Return `table#forces-compare`: what was computed, what the plans and the lever say, the difference in percent."""
+    """Return `table#forces-compare`: values computed, values read from the plans and the lever, differences in percent."""
     numbers = context.numbers
     lines: list[list[Cell]] = []
     for one in plans.readings():
@@ -218,14 +218,14 @@ def _rows(context: PageContext, found: ForceAnalysis) -> list[Part]:
 
 
 def _without_noise(found: ForceAnalysis) -> Array:
-    """Return reactions and drives (n, k), 0 where a row has only the round-off of its largest."""
+    """Return reactions and drives (n, k); an entry that is only round-off of the largest in its row is 0."""
     rows = found.reactions.rows
     largest = np.abs(np.nan_to_num(rows)).max(axis=1, initial=0.0)[:, None]
     return np.where(np.abs(rows) < _ROUND_OFF * largest, 0.0, rows)
 
 
 def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
-    """Return in which rows the drive brakes, its mean, and the flywheel."""
+    """Return the sentences on the rows in which the drive brakes, on its mean, and on the flywheel."""
     power = found.energy.drive
     known = power[np.isfinite(power)]
     brakes = [place + 1 for place in np.flatnonzero(power < -1e-9 * np.abs(known).max(initial=0.0)).tolist()]
@@ -244,7 +244,7 @@ def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
 
 
 def _spans(rows: list[int]) -> list[str]:
-    """Return rows as "1–4" and "7": a span where they follow each other."""
+    """Return rows as "1–4" and "7": consecutive rows become a span."""
     spans: list[list[int]] = []
     for row in rows:
         if spans and row == spans[-1][1] + 1:

@@ -1,6 +1,6 @@
-"""What the file says of masses and forces, as a table below the data: masses, weight, loads, springs, friction, flywheel.
+"""The table of masses and forces below the data: masses, weight, loads, springs, friction, flywheel, as in the file.
 
-Enters: a `PageContext`, `Forces`.  Leaves: a table, or nothing where they say nothing of the kind.  Used by `statement.py`.
+Enters: a `PageContext`, `Forces`.  Leaves: a table, or nothing if the file has no such entries.  Used by `statement.py`.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from coursework.variant.record.forces import MEASURED, Forces
 from coursework.words.templates import clean
 
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
-_Entry = tuple[str, str, Formula | str, str]  # whose, what, how much, its unit in SI
+_Entry = tuple[str, str, Formula | str, str]  # owner, meaning, value, unit in SI
 
 
 def masses_and_loads(context: PageContext, forces: Forces) -> list[Part]:
-    """Return the table of what has mass and what acts; torques of the motor are told beside the free rates."""
+    """Return the table of masses and loads, empty if there are none; the motor's torques stand with the free rates."""
     listed = [*_entries(context, forces)]
     if not listed:
         return []
@@ -31,7 +31,7 @@ def masses_and_loads(context: PageContext, forces: Forces) -> list[Part]:
     rules = [place for place, (one, other) in enumerate(pairwise(listed)) if one[0] != other[0]]
     rows: list[list[Cell]] = [
         [
-            context.lettered("" if place and place - 1 not in rules else of, data=False),  # before the first of several
+            context.lettered("" if place and place - 1 not in rules else of, data=False),  # only in the first row of an owner
             context.lettered(meaning, data=False),
             next(numbers) if isinstance(value, str) else value,
             context.unit(unit),
@@ -63,7 +63,7 @@ def _entries(context: PageContext, forces: Forces) -> Iterator[_Entry]:
 
 
 def _of(context: PageContext, of: str, record: object, at: Formula | None = None) -> Iterator[_Entry]:
-    """Yield what a record says, key by key; a force says `at` which point."""
+    """Yield the entries of a record, key by key, for the owner `of`; a force names the point `at` which it acts."""
     for key, unit in MEASURED.items():
         value = getattr(record, key, None)
         if value is not None and key != "at":
@@ -72,7 +72,7 @@ def _of(context: PageContext, of: str, record: object, at: Formula | None = None
 
 
 def _value(context: PageContext, how_much: Formula | str) -> str | Runs:
-    """Return a number, or the runs of a formula or of a shape."""
+    """Return a value as text if it is a number, or as runs if it is a formula or the word for a shape."""
     if isinstance(how_much, str):
         return context.say(f"acting.shape.{how_much}")
     number = constant(how_much)

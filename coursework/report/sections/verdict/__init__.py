@@ -1,1 +1,1 @@
-"""What the page says of the result: the answer, the control of the solution, the conclusion, every check in detail."""
+"""The parts of a page that judge the result: the answer, the control of the solution, the conclusion, all checks in detail."""

@@ -1,4 +1,4 @@
-"""The box of page 1: whether the rows are computed right and close to the motion, what to take, what was asked for.
+"""The box on page 1: whether the rows are computed right and close to the motion, advice, and the results asked for.
 
 Enters: a `PageContext`.  Leaves: a `Result`.  Used by `statement.py`.
 """
@@ -16,20 +16,20 @@ from coursework.report.wording.closeness import largest_error_sentence, splits, 
 from coursework.results.checks.summary import summary
 from coursework.scene.quantities import CHECKS, TABLE
 
-# Digits of a velocity in the box, and of a moment named in a sentence.
+# Significant digits of a velocity in the box, and of a time in a sentence.
 SHOWN_DIGITS, TIME_DIGITS = 5, 4
 
 
 def answer(context: PageContext) -> Result:
-    """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
+    """Return the box: verdict, advice, velocities of the check row, last minus first row, for exact rows the scheme's error."""
     run, say = context.run, context.words
     told: list[Runs] = []
     verdict = _verdict(context)
     if run.asks(CHECKS) and not (verdict and _says_all(context)):
-        # Where it stops is said already.
+        # The stop has been described already.
         findings = [replace(one, option="", value=None if one.code == "STOP" else one.value) for one in run.checks]
         told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
-    # What to take is said here and nowhere else.
+    # Only here the advice is given.
     advice = next((advice for finding in run.checks if (advice := parted(finding.sentence)[1])), "") if run.asks(CHECKS) else ""
     told += [context.rich(advice)] if advice else []
     if run.asks(TABLE) and len(run.motion.t):
@@ -42,7 +42,7 @@ def answer(context: PageContext) -> Result:
 
 
 def _says_all(context: PageContext) -> bool:
-    """Return whether the verdict leaves nothing for the sentences of the summary: an ordinary run of a scheme."""
+    """Return whether the verdict already says all that the summary would: an ordinary run of a scheme."""
     checks = [one for one in context.run.checks if one.code != "STOP"]
     if context.run.tableau is None or any(one.headline or (one.unjudged and one.code != "START") for one in checks):
         return False
@@ -54,7 +54,7 @@ def _says_all(context: PageContext) -> bool:
 
 
 def _verdict(context: PageContext) -> Runs:
-    """Return in few words whether the rows are computed right, and whether they are close to the motion."""
+    """Return in a few words whether the rows are computed right and close to the motion; empty if that was not checked."""
     say, checks = context.words, context.run.checks if context.run.asks(CHECKS) else ()
     computed = [one.verdict for one in checks if one.group == "computation" and one.code != "STOP"]
     accuracy = next((one for one in checks if one.code == "ACCURACY"), None)
@@ -73,7 +73,7 @@ def _verdict(context: PageContext) -> Runs:
 
 
 def _checked(context: PageContext) -> str:
-    """Return the velocities of the row that is checked."""
+    """Return the sentence on the velocities of the check row."""
     motion, variant = context.run.motion, context.run.variant
     row = min(variant.time.row_of_check, len(motion.t))
     sought = [name for name in motion.velocity_names if name not in variant.given_rates] or motion.velocity_names
@@ -87,12 +87,12 @@ def _checked(context: PageContext) -> str:
 
 
 def _misses(context: PageContext) -> list[Runs]:
-    """Return the row a period later minus the first, of the coordinates; of exact rows also the scheme's error."""
+    """Return the sentences on how far coordinates are from their start after a period; for exact rows, the scheme's error."""
     say, numbers, told = context.words, context.numbers, []
     coordinates, left = context.run.motion.coordinate_names, unreturned(context)
     moved = [split for split in left if split.name in coordinates]
     row = (context.run.results.evidence.period_row or 0) + 1
-    of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on behind a whole number of periods
+    of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on after a whole number of periods
     shown = [split for split in moved if split.name not in context.run.variant.given_coordinates] or moved
     gaps = [
         f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
@@ -103,7 +103,7 @@ def _misses(context: PageContext) -> list[Runs]:
         told.append(runs(say.sentences([misses, turns_taken_off(context, shown)])))
     elif any(split.name in coordinates for split in splits(context)):
         told.append(runs(say(f"result.repeats_positions{of_row}" if left else f"result.repeats{of_row}", row=row)))
-    # Beside rows that are the motion itself there is no other word of how far the scheme's are off.
+    # For exact rows, only this sentence says how large the scheme's error is.
     if context.run.tableau is None and (sentence := largest_error_sentence(context)):
         told.append(runs(sentence))
     return told

@@ -1,4 +1,4 @@
-"""The section of checks: each with its verdict in a mark and a word, its number, its limit.
+"""The section of checks: each with a mark and a word for its verdict, its value and its limit.
 
 Enters: a `PageContext`.  Leaves: the summary, and one part for each group of checks.  Used by `sections.py` and `control.py`.
 """
@@ -19,12 +19,12 @@ from coursework.words.sentences import ENGLISH, joined
 from coursework.words.templates import clean
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
-BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close
-NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
-SHARES = {OF_THE_SCALE, OF_POWER, "unit.of_the_shortest", "unit.relative"}  # parts of a whole, told in per cent
-LEAST_SHARE = 5e-4  # a smaller part is told as a power of ten
+BESIDE_A_LIMIT = 1e-9  # parts of its limit: a smaller value that passes is round-off of lengths that close
+NEARLY_WHOLE = 5e-5  # parts of an amount: a smaller difference from a whole number does not show in four digits
+SHARES = {OF_THE_SCALE, OF_POWER, "unit.of_the_shortest", "unit.relative"}  # units of shares, shown in per cent
+LEAST_SHARE = 5e-4  # a smaller share is shown as a power of ten
 MOST_LINES = 30  # further lines of one check; more are thinned
-SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
+SHORT_UNIT = 12  # characters of a unit that stands after its number; a longer one stands below
 
 
 def counts(context: PageContext) -> str:
@@ -37,7 +37,7 @@ def counts(context: PageContext) -> str:
 
 
 def checks(context: PageContext) -> list[Part]:
-    """Every check that was made, those of the computation before those of the motion."""
+    """Return every check that was made, checks of the computation before checks of the motion."""
     findings = context.run.checks
     if not findings:
         return []
@@ -53,18 +53,18 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     unit = context.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
     value = check.value if check.value is None else counted(check.value, check.unit)
-    is_left = isinstance(check.unit, Sentence) and check.unit.key == DIGITS_LEFT  # 15.4 of sixteen: never 15.40
+    is_left = isinstance(check.unit, Sentence) and check.unit.key == DIGITS_LEFT  # 15.4 of 16 digits, never 15.40
     is_count = value is not None and value >= 1 and (value.is_integer() or is_left)
     left = left_of_nought(check)
     value = value if left is None else 0.0
     told = amount(context, value, check.unit, whole=is_count, limit=check.limit) if left is None else rounded_off(context, left)
     heads, lines = _lines(context, check)
     if check.verdict == "PASS" and value == 0:
-        heads, lines = [], []  # where nothing is off, noughts say nothing more
+        heads, lines = [], []  # if nothing deviates, lines of zeros add nothing
     return Judged(
         mark=context.words(f"checks.mark.{check.verdict}"),
         verdict=context.words(f"checks.word.{check.verdict}"),
-        code=clean(check.code) if context.words.phrases.language == ENGLISH else "",  # a code is a word of English
+        code=clean(check.code) if context.words.phrases.language == ENGLISH else "",  # codes are English words
         title=context.rich(check.title),
         sentence=context.rich(parted(check.sentence)[0]),
         value=numeral(told),
@@ -76,7 +76,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
 
 
 def left_of_nought(check: Finding) -> float | None:
-    """Return the value of a check that passes with what round-off leaves of nought, else None."""
+    """Return the value of a check that passes with only round-off in place of zero, else None."""
     passes = check.verdict == "PASS" and not check.is_least
     is_share = isinstance(check.unit, Sentence) and check.unit.key in SHARES
     nought = ROUND_OFF if is_share else BESIDE_A_LIMIT * (check.limit or 0.0)
@@ -84,7 +84,7 @@ def left_of_nought(check: Finding) -> float | None:
 
 
 def parted(sentence: str) -> tuple[str, str]:
-    """Return what a check found, and behind it what to take instead, which a page says once."""
+    """Split the sentence of a check into its finding and its advice, which a page gives only once; "" if there is no advice."""
     parts = sentence.values.get("parts") if isinstance(sentence, Sentence) else None
     if not isinstance(parts, tuple):
         return sentence, ""
@@ -101,9 +101,9 @@ def _advises(sentence: object) -> bool:
 
 
 def amount(context: PageContext, value: float | None, unit: str, *, whole: bool = False, limit: float | None = None) -> str:
-    """Return a value with its unit: a part of a whole in per cent with one decimal, a tiny one as a power of ten.
+    """Return a value with its unit: a share in per cent with one decimal, a tiny one as a power of ten.
 
-    No part at all is told as its `limit` is.
+    A share of 0 is shown in per cent if its `limit` is; `whole`: the value is a count, without trailing zeros.
     """
     if value is not None and isinstance(unit, Sentence) and unit.key in SHARES:
         is_told = abs(value) >= LEAST_SHARE or (value == 0 and (limit is None or limit >= LEAST_SHARE))
@@ -115,12 +115,12 @@ def amount(context: PageContext, value: float | None, unit: str, *, whole: bool 
 
 
 def rounded_off(context: PageContext, value: float) -> str:
-    """Return what is left of nought: "2·10⁻¹⁶ (round-off)"."""
+    """Return the words for round-off in place of zero: "2·10⁻¹⁶ (round-off)"."""
     return context.words("control.round_off", value=context.numbers.power(value, 1))
 
 
 def bound(context: PageContext, check: Finding) -> str:
-    """Return a limit as it is told: "≤ 5 %"."""
+    """Return the limit of a check as it is shown: "≤ 5 %"."""
     value, unit = check.limit, check.unit
     if value is None:
         return NOTHING
@@ -135,7 +135,7 @@ def bound(context: PageContext, check: Finding) -> str:
 
 
 def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[Cell]]]:
-    """Return the further lines; the scheme's part of phi1, the period's part of it … become a row with a column for each."""
+    """Return heads and further lines of a check; lines on several parts of a name become one row with a column per part."""
     parts = [_line(context, label) for label, _, _ in check.rows]
     columns = list(dict.fromkeys(tail for _, tail in parts))
     rows = list(dict.fromkeys(head for head, _ in parts))
@@ -160,8 +160,9 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
 
 
 def counted(value: float, unit: str) -> float:
-    """Return an amount as it is told: a part of a whole and digits that are left never more than there are, of a scale 0
-    where it is round-off; whole where it is that but for the last digit shown and its unit is a word: 24 rows, not 23.9999.
+    """Return an amount as it is shown: see `never_more`; a share that is only round-off is 0.
+
+    An amount whose unit is a word is whole if it is so in the digits shown: 24 rows, not 23.9999.
     """
     if not isinstance(unit, Sentence):
         return value
@@ -172,7 +173,7 @@ def counted(value: float, unit: str) -> float:
 
 
 def _seen(row: tuple[str, float, str], noise: float) -> float:
-    """Return the amount of a line, 0 where it is round-off beside the largest, unless round-off is what it tells."""
+    """Return the amount of a line, or 0 if it is below `noise`, unless the line is about round-off."""
     label, amount, _ = row
     part = label.values.get("part") if isinstance(label, Sentence) else None
     tells = isinstance(part, Sentence) and part.key.endswith(".roundoff")
@@ -180,7 +181,7 @@ def _seen(row: tuple[str, float, str], noise: float) -> float:
 
 
 def _line(context: PageContext, label: str) -> tuple[str, str]:
-    """Return what a line is about and which part of it, "" where it says all of it."""
+    """Return the name that a line is about and the part of it that it gives, "" if it gives all."""
     if isinstance(label, Sentence) and label.key == "check.line":
         name, part = label.values["name"], label.values["part"]
         return str(name), context.words.written(part if isinstance(part, str) else str(part))
@@ -188,7 +189,7 @@ def _line(context: PageContext, label: str) -> tuple[str, str]:
 
 
 def _label(context: PageContext, label: str) -> Runs:
-    """Return the label of a line; a name of the table is set as its symbol."""
+    """Return the label of a line; the name of a column becomes its symbol."""
     known = label in context.run.motion.names
     return context.symbol_runs([label]) if known else context.rich(label)
 

@@ -1,4 +1,4 @@
-"""The conclusion: the numbers that this mechanism teaches, each computed, none where it is not known.
+"""The conclusion: the characteristic numbers of this mechanism, all computed; unknown ones are left out.
 
 Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 """
@@ -17,14 +17,14 @@ from coursework.results.checks.close_to_motion.period import Split, is_a_period
 from coursework.results.kinematics.turning_points import TurningPoint, stroke, turning_points
 from coursework.variant.record.variant import Coordinate
 
-DIGITS = 6  # of a stroke or an extreme: beyond those of the table, since no row stands there
+DIGITS = 6  # of a stroke or an extreme: more than in the table, which has no row there
 ANGLE_DIGITS = 5
 RATIO_DIGITS = 4
-EVEN = 1e-6  # of one: two ways that take as long
+EVEN = 1e-6  # a ratio that differs less from 1 means that both strokes take equally long
 
 
 def conclusion(context: PageContext) -> list[Part]:
-    """Ratio of stroke times, extremes and where, largest error and the step that would do, first row and last."""
+    """Return stroke and ratio of stroke times, largest error, last row against first, and the table of extremes."""
     run, say = context.run, context.words
     if not len(run.motion.t):
         return []
@@ -40,7 +40,7 @@ def conclusion(context: PageContext) -> list[Part]:
 
 
 def _outputs(context: PageContext) -> Iterator[Coordinate]:
-    """Yield what may have a stroke: sliders in guides of the frame, then links that turn about it, the last of each first."""
+    """Yield the coordinates that may have a stroke, last ones first: of sliders in the frame, then of links turning about it."""
     variant, mechanism = context.run.variant, context.run.scene.mechanism
     coordinates = {c.name: c for c in variant.coordinates if c.rate not in variant.known_rates}
     found: list[Coordinate] = []
@@ -94,7 +94,7 @@ def _degrees(context: PageContext, angle: float) -> str:
 
 
 def _error(context: PageContext) -> list[str]:
-    """Return the scheme's largest error; of a fine table that its step does."""
+    """Return the sentence on the scheme's largest error; if all checks pass, also that the step suffices."""
     say, sentence = context.words, largest_error_sentence(context)
     if not sentence:
         return []
@@ -105,7 +105,7 @@ def _error(context: PageContext) -> list[str]:
 
 
 def _return(context: PageContext) -> list[str]:
-    """Return what the row a period later says beside the first."""
+    """Return the sentence that compares the row a period later with the first row."""
     say, variant = context.words, context.run.variant
     coordinates, left = context.run.motion.coordinate_names, unreturned(context)
     found = [split for split in splits(context) if split.name in coordinates]
@@ -135,7 +135,7 @@ def _gap(context: PageContext, split: Split, value: float) -> str:
 
 
 def _extremes(context: PageContext) -> list[Part]:
-    """Return least and greatest of every coordinate that turns back, with the moments and the angle of the crank there."""
+    """Return the table of least and greatest values of coordinates that turn back, with times and crank angles."""
     say, variant, judged = context.words, context.run.variant, evidence(context)
     exact, driven = judged.exact, context.run.variant.driven_coordinates
     if exact is None or judged.restricted:

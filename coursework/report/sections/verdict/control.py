@@ -1,6 +1,6 @@
-"""The control of the solution: one line a check, in plain words, with one number.
+"""The control of the solution: one line per check, in plain words, with one number.
 
-Enters: a `PageContext`.  Leaves: `Claims`, what is not met first.
+Enters: a `PageContext`.  Leaves: `Claims`, those that are not met first.
 Used by `sections.py`; codes stand in the appendix (`checks.py`).
 """
 
@@ -14,16 +14,16 @@ from coursework.results.checks.result import GROUPS, Finding
 from coursework.words.sentence import Sentence
 
 DIGITS = 3
-ROWS = "unit.rows"  # 24.02 of them are 24 rows
+ROWS = "unit.rows"  # a number of rows is shown whole: 24.02 as 24
 
 
 def control(context: PageContext) -> list[Part]:
-    """Return a line for every check that could be judged, and where the details stand."""
+    """Return a line for every check that could be judged, after a note on where the details are."""
     judged = [finding for finding in context.run.checks if finding.verdict != "SKIP"]
     if not judged:
         return []
     heads = [context.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
-    intro = "control.intro" if context.run.variant.motor is None else "control.intro_free"  # judged by other scales
+    intro = "control.intro" if context.run.variant.motor is None else "control.intro_free"  # forces: other scales
     parts: list[Part] = [Paragraph(context.say(intro), style="note")]
     for group in GROUPS:
         chosen = sorted((one for one in judged if one.group == group), key=lambda one: one.verdict == "PASS")
@@ -44,7 +44,7 @@ def control(context: PageContext) -> list[Part]:
 
 
 def _claim(context: PageContext, finding: Finding) -> str:
-    """Return what a check claims: in the words of the very sentence it found, where there are some, else of its verdict."""
+    """Return the claim of a check: the words for the sentence that it found if there are any, else those for its verdict."""
     words, columns = context.words, context.run.variant.columns
     found = _first_sentence(finding.sentence)
     is_right = finding.verdict == "PASS"
@@ -62,12 +62,12 @@ def _claim(context: PageContext, finding: Finding) -> str:
 
 
 def _is_inside(context: PageContext, finding: Finding) -> bool:
-    """Return whether a finding speaks of a row behind which the table goes on."""
+    """Return whether a finding is about a row that is not the last of the table."""
     return finding.row is not None and finding.row < len(context.run.motion.t)
 
 
 def _first_sentence(sentence: str) -> Sentence | None:
-    """Return the first of the sentences that a finding consists of."""
+    """Return the first of the sentences that a finding consists of; None if it is plain text."""
     if not isinstance(sentence, Sentence):
         return None
     parts = sentence.values.get("parts")
@@ -75,7 +75,7 @@ def _first_sentence(sentence: str) -> Sentence | None:
 
 
 def _number(context: PageContext, finding: Finding) -> Cell:
-    """Return the one number of a line; what is left of nought is told as round-off."""
+    """Return the one number of a line; a value that is only round-off is marked so."""
     numbers, value = context.numbers, finding.value
     if value is None:
         return ""
@@ -88,7 +88,7 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     if finding.unit == "s":
         return context.quantity(value, "s", STOP_DIGITS)
     if key == ROWS:
-        value = float(f"{value:.{DIGITS}g}")  # the word behind the number is that of the number shown
+        value = float(f"{value:.{DIGITS}g}")  # the word after the number has to fit the number shown
     is_count = key == ROWS or (value.is_integer() and abs(value) >= 1)
     shown = numbers.plain(value, DIGITS) if is_count else numbers.scalar(value, DIGITS)
     return numeral(context.with_unit(shown, context.unit_beside(value, finding.unit)))
