@@ -38,7 +38,7 @@ STARTING = 60.0  # s added for the first answer of a process, which imports ever
 MOST_GROWN = 256
 REPLACED_AFTER = 2000
 MOST_BYTES = 64 * 2**20  # of one answer; a page has about 40 kB, a report with its graphs a few MB
-AHEAD = 2  # jobs per worker, waiting ones included, that are drawn at a time
+AHEAD = 2  # most jobs per worker that are drawn and not yet answered
 _ENDING = 2.0  # s in which a process without a job may remove its temporary files
 _PACE = 0.5  # s between two checks for an interrupt, which an endless wait would not notice on Windows
 _START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.pool_process import main; main()"

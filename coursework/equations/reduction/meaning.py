@@ -103,7 +103,7 @@ def _factor(tree: Formula, variant: Variant) -> str:
 
 
 def _counted_alike(angles: list[str], argument: Formula, variant: Variant) -> bool:
-    """Return whether the angles are comparable: two counted from the same axis, or each counted from x."""
+    """Return whether two angles count from one axis, or each from x; True for an argument that is no name or difference."""
     if argument.op != "name" and not _is_difference(argument):
         return True
     axes = [_axes(angle, variant) for angle in angles]
