@@ -1,1 +1,1 @@
-"""A(q, t)·u = b(q, t): velocity equations, their blocks in order, and the programs made of them."""
+"""A(q, t)·u = b(q, t): velocity equations, the blocks in which they are solved, and the programs made from them."""

@@ -1,4 +1,4 @@
-"""Derivatives of a table by five points, what rounding does to them, and the best distance between nodes.
+"""Derivatives of a table by five points, the effect of rounding on them, and the best distance between nodes.
 
 Enters: equally spaced nodes and values.  Leaves: derivatives at the same nodes.  Used for tables of a crank.
 Source: procedure poxdf of [Pasika]; its five formulas are exact for polynomials up to degree four.
@@ -25,16 +25,16 @@ COEFFICIENTS = (
 )
 # Independent errors of size sigma in the table give sigma sqrt(1 + 64 + 64 + 1)/(12 h) at an inner node.
 AMPLIFICATION = math.sqrt(130) / 12
-# A node off its place by a part p of the step falsifies the derivative by about the same part p; nodes that a
-# program has computed lie within 1e-9 of theirs, nodes typed with four decimals do not.
+# A node displaced by a fraction p of the step changes the derivative by about the same fraction p; nodes computed by a
+# program are within 1e-9 of their places, nodes typed with four decimals are not.
 SPACING = 1e-6
 
 
 def derivative(nodes: ArrayLike, values: ArrayLike) -> Array:
     """Return dy/dx (n,) of a table: central formula inside, one-sided ones at the two nodes of each end.
 
-    `nodes` x (n,), growing and equally spaced; `values` y (n,).
-    Raises `ValueError` for fewer than five nodes, nodes that do not grow or are not equally spaced, lengths
+    `nodes` x (n,), ascending and equally spaced; `values` y (n,).
+    Raises `ValueError` for fewer than five nodes, nodes that are not ascending or not equally spaced, lengths
     that differ, and entries that are not finite numbers.
 
     >>> from coursework.procedures import derivative
@@ -46,7 +46,7 @@ def derivative(nodes: ArrayLike, values: ArrayLike) -> Array:
 
 
 def five_point_derivative(values: Array, step: float) -> Array:
-    """Return dy/dx (n,) for a table already known to be good: `values` (n,), n >= 5, a `step` h apart."""
+    """Return dy/dx (n,) for a table already checked: `values` (n,), n >= 5, at the distance `step` h."""
     slope = np.empty_like(values)
     slope[2:-2] = (values[:-4] - values[4:]) + 8.0 * (values[3:-1] - values[1:-3])
     slope[:2] = np.array(COEFFICIENTS[:2], dtype=np.float64) @ values[:NODES]
@@ -77,7 +77,7 @@ def rounding_error(digit: float) -> float:
 def noise(sigma: float, spacing: float) -> float:
     """Return the standard deviation sigma sqrt(130)/(12 h) of the derivative at an inner node.
 
-    `sigma` that of the values (unit of y), `spacing` h (unit of x).
+    `sigma` is the standard deviation of the values (unit of y), `spacing` is h (unit of x).
 
     >>> from coursework.procedures import noise
     >>> round(noise(1e-4, spacing=0.1), 6)
@@ -87,7 +87,7 @@ def noise(sigma: float, spacing: float) -> float:
 
 
 def truncation(fifth: float, spacing: float) -> float:
-    """Return h^4 |f5|/30, the error of the central formula; `fifth` the size of the fifth derivative, `spacing` h.
+    """Return h^4 |f5|/30, the error of the central formula; `fifth` is the fifth derivative, `spacing` is h.
 
     >>> from coursework.procedures import truncation
     >>> round(truncation(24.0, spacing=0.1), 9)

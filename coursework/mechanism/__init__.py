@@ -1,8 +1,8 @@
-"""Links, joints, Assur groups, contours: a variant as a mechanism, and what its points say of velocities.
+"""Links, joints, Assur groups, contours: a variant as a mechanism, and the velocity equations that follow from its points.
 
 The words of the field.  *Link*: a rigid body (the frame is the fixed one).  *Driven point*: the point whose velocity is given.
-*Mobility*: W = 3n - 2p5 - p4.  *Assur group*, *dyad*: two links that add no mobility.  *Assembly mode*: which of the two ways a
-dyad closes.  *Dead point*: where a determinant is zero and the drive asks for what the links cannot give.  *Change point*: where
-two motions meet.  *Residual*: by how much an equation is not satisfied; *drift*: its growth.  *Analog*: a derivative by the crank
-angle.  *Step* h; *scheme*: how a step is made.
+*Mobility*: W = 3n - 2p5 - p4.  *Assur group*: links that add no mobility; *dyad*: a group of two links.  *Assembly mode*: which
+of the two ways a dyad closes.  *Dead point*: a determinant is zero, and the drive asks for a motion that the links cannot make.
+*Change point*: two motions meet.  *Residual*: by how much an equation is not satisfied; *drift*: its growth.  *Analog*: a
+derivative with respect to the crank angle.  *Step* h; *scheme*: the rule for making a step.
 """

@@ -1,4 +1,4 @@
-"""The joints of a mechanism, made once: from [links] and [frame] where a file has them, else from its chain of groups.
+"""The joints of a mechanism, made once: from [links] and [frame] if the file has them, else from its chain of groups.
 
 Enters: a `Variant` and its points as formulas.  Leaves: `Linkage`, the moving bodies and every `Joint` between them.
 Used by `mechanism.py` (mobility), `structure.py`, `equations/reduction/meaning.py` and `tracing.py`.
@@ -37,9 +37,10 @@ class Mobility:
 
 @frozen
 class Linkage:
-    """The moving `bodies` by name and the `joints` between them and with the frame "0".
+    """The moving `bodies` by name, and the `joints` between them and with the frame "0".
 
-    In a chain of groups each body goes with one coordinate (`coordinates`) and `holds` named points; links say both themselves.
+    In a chain of groups, `coordinates` gives the coordinate of each body and `holds` its named points; both are empty for links,
+    which list these themselves.
     """
 
     bodies: tuple[str, ...]
@@ -49,15 +50,15 @@ class Linkage:
 
     @property
     def mobility(self) -> Mobility:
-        """Return the count of links and of pairs by the freedoms they take."""
+        """Return the number of links, and of lower and higher pairs."""
         takes = [joint.kind.takes for joint in self.joints]
         return Mobility(len(self.bodies), takes.count(2), takes.count(1))
 
 
 def with_sliders(found: Linkage, wanted: Callable[[Joint], bool] = lambda joint: True) -> Linkage:
-    """Return a linkage in which each pin in a guide has its slider, a body with two joints that take two freedoms each.
+    """Return a linkage in which each pin in a guide gets a slider, a body with two joints that take two freedoms each.
 
-    Only those that are `wanted` get one.
+    Only joints for which `wanted` returns True get one.
 
     >>> from coursework.variant.catalogue import load
     >>> variant = load("example-2")
@@ -76,7 +77,7 @@ def with_sliders(found: Linkage, wanted: Callable[[Joint], bool] = lambda joint:
 
 
 def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
-    """Return bodies and joints; None where a file names neither links nor groups, or equations move what they do not show.
+    """Return bodies and joints, None if the file names neither links nor groups, or moves something that these do not show.
 
     >>> from coursework.variant.catalogue import load
     >>> variant = load("example-2")
@@ -99,7 +100,7 @@ def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
 
 
 def led_by_law(formula: Formula, variant: Variant, points: Mapping[str, Formula]) -> bool:
-    """Return whether a point moves by a law of time or of a coordinate alone, such as a follower: no body listed carries it."""
+    """Return whether a point, such as a follower, moves by a law of time or of a coordinate only: no listed body carries it."""
     names = reached(formula.names(), points)
     is_carried = not names.isdisjoint(c.name for c in variant.coordinates)
     return not is_carried and not names.isdisjoint(("t", *(law.name for law in variant.functions)))
@@ -136,15 +137,17 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
 
 
 def riders(variant: Variant) -> tuple[str, ...]:
-    """Return of each rail the point that slides on it, "" for none: a guide may be drawn through a pivot that it begins at."""
+    """Return for each rail the point that slides on it, "" if none: a guide may be drawn through a pivot at which it begins."""
     pins = {guide.through: group.meets for group in variant.groups for guide in group.guides if group.meets}
     named_in = [(through, through.name if through.op == "name" else "") for through, _ in variant.frame.rails]
     return tuple(pins.get(through) or ("" if name in variant.frame.hinges else name) for through, name in named_in)
 
 
 def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]) -> Iterator[Joint]:
-    """Yield the contacts of wheels, each once; a wheel on a pivot of the frame touches another wheel, what holds the point, or
-    the rack.  Where a pivot or a carrier keeps the wheel in its place, the contact only lets both roll alike.
+    """Yield each contact of a wheel once: with another wheel, the body that holds the point, a rack, or the frame.
+
+    Only a wheel on a pivot of the frame touches a rack.  If a pivot or a carrier holds the centre of the wheel, the contact is a
+    meshing one: it only makes both bodies roll alike.
     """
     met: set[str] = set()
     for link in variant.links:
@@ -162,9 +165,9 @@ def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]
 
 
 def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
-    """Name the bodies 1, 2, … in the order of the chain; a coordinate beside the groups is a body of its own.
+    """Return the linkage of a chain, its bodies named 1, 2, … in order; a coordinate outside the groups has a body of its own.
 
-    A length that no point is placed by has none until it is met as that of a crank: what slides along that crank.
+    A length that places no point has no body until a crank is found that has this length: then it is a slider on that crank.
     """
     numbers = map(str, itertools.count(1))
     carried: dict[str, str] = {}
@@ -201,21 +204,20 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
 
 
 def _driven_turn(coordinate: Coordinate, variant: Variant, bodies: tuple[str, str]) -> Joint:
-    """Return the pivot of what turns with an angle beside the groups: where its arm begins, or the guide that turns with it."""
+    """Return the pivot of a body turned by an angle outside the groups: at the start of its arm, or on the guide it turns."""
     arms = (formula.args[0] for _, formula in variant.points if formula.op == "+" and coordinate.name in formula.names())
     guides = (g.through for group in variant.groups for g in group.guides if coordinate.name in g.angle.names())
     return Joint(REVOLUTE, bodies, next((base for base in (*arms, *guides) if base.op == "name"), None))
 
 
 def _driven_slide(moved: str, variant: Variant, bodies: tuple[str, str]) -> Joint:
-    """Return what lets a point move with a length beside the groups: on the guide that the frame has through it."""
+    """Return the joint by which a length outside the groups moves a point along the guide of the frame through this point."""
     along = next((angle for through, angle in variant.frame.rails if through == named(moved)), None)
     return Joint(PRISMATIC, bodies, named(moved), along)
 
 
 def link_names(chain: Linkage, variant: Variant) -> dict[str, str]:
-    """Return what each body of a chain is called: by the number of its rate (w3: 3), what turns before what slides; else the
-    next free.
+    """Return the name of each body of a chain: the number of its rate (w3: 3), turning bodies first; else the next free number.
 
     >>> from coursework.variant.catalogue import load
     >>> variant = load("walschaerts")
@@ -234,13 +236,13 @@ def link_names(chain: Linkage, variant: Variant) -> dict[str, str]:
 
 
 def _guide(group: Group, index: int, carried: Mapping[str, str], points: Mapping[str, Formula]) -> str:
-    """Return the body that carries a guide: the one it turns with, else the one it goes through."""
+    """Return the body that carries a guide: the one it turns with, or else the one that holds its point."""
     guide = group.guides[index]
     turning = _carrier(guide.angle, carried, points)
     return turning if turning != FRAME else _carrier(guide.through, carried, points)
 
 
 def _carrier(formula: Formula, carried: Mapping[str, str], points: Mapping[str, Formula]) -> str:
-    """Return the body that a formula moves with: that of the latest coordinate in it, its points written out."""
+    """Return the body that a formula moves with: that of the latest coordinate in the formula and in the points it refers to."""
     names = reached(formula.names(), points)
     return next((body for coordinate, body in reversed([*carried.items()]) if coordinate in names), FRAME)

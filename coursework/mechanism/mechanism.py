@@ -1,4 +1,4 @@
-"""Variant -> Mechanism: points in the order they can be computed, chains of groups written as closures, mobility.
+"""Variant -> Mechanism: points in the order of computation, groups written as closures, joints and mobility.
 
 Enters: a `Variant`.  Leaves: a frozen `Mechanism`, still in formulas.  Raises `InputError`.
 Used by `equations/reduction/structure.py` and `equations/reduction/equations.py`.
@@ -21,15 +21,15 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# A point built from points built from points grows like a power of two; beyond this no mechanism is meant.
+# Points defined by points defined by points grow like powers of two; no real mechanism needs more parts than this.
 MAX_EXPANDED = 20_000
 
 
 @frozen
 class Mechanism:
-    """`points` in an order in which each needs only earlier ones; `constraints` written and from the chain.
+    """`points`, each after the points it needs; `constraints`, those written in the file and those of the groups.
 
-    `linkage` holds bodies and joints, None where the file does not show them.
+    `linkage` holds bodies and joints, None if the file does not show them.
     """
 
     variant: Variant
@@ -39,12 +39,12 @@ class Mechanism:
 
     @property
     def mobility(self) -> Mobility | None:
-        """Return how many freedoms the joints leave the links."""
+        """Return the mobility of the linkage, None if there is no linkage."""
         return self.linkage.mobility if self.linkage is not None else None
 
 
 def build(variant: Variant) -> Mechanism:
-    """Return the mechanism of a variant.  Raises `InputError` where points or groups cannot be put in order."""
+    """Return the mechanism of a variant.  Raises `InputError` if points or groups cannot be ordered or are too large."""
     written = dict(variant.points)
     constraints = list(variant.constraints)
     unknown = {group.kind: group_kind(group.kind).shape for group in variant.groups if group.kind not in GROUP_SHAPES}
@@ -70,7 +70,7 @@ def _fault(variant: Variant, message: Sentence, line: int = 0) -> InputError:
 
 
 def _as_closure(group: Group, index: int) -> tuple[Constraint | None, Formula | None]:
-    """Return the vector closure of a group and the formula of the point it meets in."""
+    """Return the vector closure of a group (None for a crank), and the formula of its meeting point."""
     sides, met = group_kind(group.kind).closure(group)
     if not sides:
         return None, met
@@ -79,12 +79,12 @@ def _as_closure(group: Group, index: int) -> tuple[Constraint | None, Formula | 
 
 
 def _expanded(formula: Formula, sizes: Mapping[str, int]) -> int:
-    """Return the parts of a formula with every point written out."""
+    """Return the number of nodes of a formula after every point is replaced by its formula."""
     return sum(sizes.get(node.name, 1) if node.op == "name" else 1 for node in formula.walk())
 
 
 def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tuple[str, Formula], ...], dict[str, int]]:
-    """Return the points in the order of the file, but each after those it needs, and how many parts each has written out."""
+    """Return the points in file order, but each after those it needs, and the expanded size of each."""
     sorter = TopologicalSorter({name: [n for n in formula.names() if n in written] for name, formula in written.items()})
     sorter.prepare()
     places = {name: place for place, name in enumerate(written)}

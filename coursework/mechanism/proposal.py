@@ -1,6 +1,6 @@
-"""The line of [unknowns] that says which velocity an unknown is, with the names of the file: what a student may write.
+"""The line for [unknowns] that says which velocity an unknown is, written with the names of the file, as a proposal.
 
-Enters: a `Variant` and the name of a velocity that nothing in its geometry gives.  Leaves: a sentence.
+Enters: a `Variant` and the name of a velocity that its geometry does not give.  Leaves: a sentence.
 Used by `results/checks/computed_right/equations.py` and `report/sections/derivation/motion_equations.py`.
 """
 
@@ -19,7 +19,7 @@ _ALONG = {"y": "0 deg", "x": "90 deg"}  # a point that keeps its height moves al
 
 
 def proposed(variant: Variant, name: str) -> Sentence:
-    """Return what to write so that the geometry knows a velocity.
+    """Return what to write so that the geometry determines the velocity `name`.
 
     >>> import coursework
     >>> text = coursework.load("v102").path.read_text(encoding="utf-8")
@@ -46,7 +46,7 @@ def proposed(variant: Variant, name: str) -> Sentence:
 
 
 def _of_link(variant: Variant, name: str) -> Sentence:
-    """Return what to write for the rate of a link, the one with the number of its name where there is one."""
+    """Return what to write for the rate of a link; the link is the one with the number in `name`, if there is one."""
     found = re.search(r"\d+$", name)
     digits = found[0] if found else ""
     known = {link.name for link in variant.links if link.rate != name}  # a chain numbers its links by their rates
@@ -66,7 +66,7 @@ def _line(name: str, unit: str, of: str, along: str = "", relative: str = "") ->
 
 
 def _guided(variant: Variant) -> Iterator[tuple[str, str, str]]:
-    """Yield (point, direction, link or "") of what slides: on a rail, along an axis, in a guide of a group, on another link."""
+    """Yield (point, direction, link or "") of all that slides: on a rail, along an axis, in a guide of a group, on a link."""
     contacts = {link.contact for link in variant.links}
     points = dict(variant.points)
     for through, angle in variant.frame.rails:
@@ -84,7 +84,7 @@ def _guided(variant: Variant) -> Iterator[tuple[str, str, str]]:
 
 
 def _direction(bar: Link, variant: Variant) -> str:
-    """Return the angle at which one point of a bar is placed from another, "" where the file does not write it so."""
+    """Return the angle at which one point of a bar is placed from another, "" if the file does not write it this way."""
     for name, formula in variant.points:
         start, *vector = formula.args if formula.op in {"+", "-"} else (formula,)
         if name in bar.points and start.op == "name" and start.name in bar.points and vector and vector[0].op == "@":
@@ -93,7 +93,7 @@ def _direction(bar: Link, variant: Variant) -> str:
 
 
 def _written(angle: Formula) -> str:
-    """Return an angle as a file would have it: a number in degrees."""
+    """Return an angle as a file writes it: a number in degrees if it is constant."""
     if set(angle.names()) <= {"pi"}:
         return f"{math.degrees(evaluate(angle, {})):.10g} deg"
     return spelled(angle)

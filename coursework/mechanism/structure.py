@@ -1,11 +1,11 @@
-"""The structure of a mechanism as a textbook tells it: links, pairs, mobility, Assur groups with class and order.
+"""The structure of a mechanism as in a textbook: links, pairs, mobility, Assur groups with class and order.
 
-Enters: a `Mechanism`.  Leaves: `Structure`, None where a file does not show all links and pairs.
+Enters: a `Mechanism`.  Leaves: `Structure`, None if the file does not show all links and pairs.
 Used by `report/sections/structure.py` and `effects/scheme.py`.
 
 A pin that slides in a guide of the frame (one pair of class 4) is shown with its slider, a link with two pairs of class 5: the
-mobility is the same, and groups are made of lower pairs.  Of two ways to name a hinge of three links none is taken: it is one
-hinge that all of them hold.
+mobility is the same, and Assur groups have lower pairs only.  A hinge of three links is shown as one hinge that all three
+hold, not as two hinges between pairs of links.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from coursework.mechanism.structure_record import AssurGroup, KinematicPair, Mem
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Variant
 
-DRIVE = "~"  # stands for what moves a driven point
-MOST_LINKS = 12  # of a mechanism whose groups are looked for among all sets of its links
+DRIVE = "~"  # stands for the drive of a driven point
+MOST_LINKS = 12  # the groups of larger mechanisms are not searched, because the search tries all sets of links
 FIRST, SECOND = "I", "II"
 CLASSES = (FIRST, SECOND, "III", "IV", "V", "VI", "VII", "VIII")
 
 
 def read_structure(mechanism: Mechanism) -> Structure | None:
-    """Return the structure; None where a file names no links, or leaves the mechanism more mobility than is driven.
+    """Return the structure, None if the file shows no links or no drive, or the mobility exceeds the driven freedoms.
 
     >>> from coursework.mechanism.mechanism import build
     >>> from coursework.variant.catalogue import load
@@ -47,7 +47,7 @@ def read_structure(mechanism: Mechanism) -> Structure | None:
 
 
 def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
-    """Return the links and joints whose freedoms are those that are driven, or fewer; None where a file does not show them."""
+    """Return links and joints with as many freedoms as are driven, else with fewer; None if the file shows none such."""
     variant = mechanism.variant
     ways = [mechanism.linkage] if mechanism.linkage is not None else []
     if ways and variant.links and variant.groups:
@@ -58,18 +58,18 @@ def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
 
 
 def _drives(variant: Variant) -> int:
-    """Return how many freedoms are driven: rates, and velocities of points along the axes."""
+    """Return how many freedoms are driven: rates, and components of point velocities."""
     laws = {law.name for law in variant.drive}
     return len(variant.known_rates) + len(laws.intersection(_axes(variant)))
 
 
 def _axes(variant: Variant) -> dict[str, str]:
-    """Return the names of velocities along the axes, such as VMx, with their points."""
+    """Return the names of velocity components along the axes, such as VMx, mapped to their points."""
     return {f"V{name}{axis}": name for name, _ in variant.points for axis in "xy"}
 
 
 def in_order(names: Iterable[str]) -> list[str]:
-    """Return names of links by their numbers, others behind.
+    """Return names of links sorted by number; names that are not numbers come last.
 
     >>> in_order(["10", "2", "rod"])
     ['2', '10', 'rod']
@@ -79,7 +79,7 @@ def in_order(names: Iterable[str]) -> list[str]:
 
 @dataclass(slots=True)
 class Bodies:
-    """The bodies of one linkage and what a page calls them."""
+    """The bodies of one linkage and their names on a page."""
 
     mechanism: Mechanism
     linkage: Linkage
@@ -97,7 +97,7 @@ class Bodies:
         self.driven = next((point for velocity, point in axes.items() if velocity in laws), "")
 
     def point(self, joint: Joint) -> str:
-        """Return the name of the point of a joint."""
+        """Return the name of the point of a joint, "" if it has none."""
         if joint.where is None:
             return ""
         return joint.where.name if joint.where.op == "name" else self.named.get(joint.where, "")
@@ -116,7 +116,7 @@ class Bodies:
         return {body: tuple(dict.fromkeys(name for name in names if name)) for body, names in held.items()}
 
     def rates(self) -> dict[str, str]:
-        """Return the rate that each body goes with."""
+        """Return the rate of each body."""
         variant = self.mechanism.variant
         if not self.linkage.coordinates:
             return {link.name: link.rate for link in variant.links if link.rate}
@@ -131,7 +131,7 @@ class Bodies:
             yield Member(name, points[bodies[name]], rates.get(bodies[name], ""), self.kind(bodies[name]))
 
     def kind(self, body: str) -> str:
-        """Return what kind of link a body is."""
+        """Return the kind of link of a body: "wheel", "sleeve", "slider", "lever", "pivoted", "coupler" or "link"."""
         own = [joint for joint in self.linkage.joints if body in joint.bodies]
         pivoted = any(FRAME in hinge and body in hinge for hinge in self.hinges().values())
         if any(link.name == body and link.wheel for link in self.mechanism.variant.links):
@@ -143,13 +143,13 @@ class Bodies:
         return "coupler" if len(own) > 1 else "link"
 
     def pairs(self) -> Iterator[KinematicPair]:
-        """Yield the pairs, those of the frame with it in the first place."""
+        """Yield the pairs; in a pair with the frame, the frame comes first."""
         for joint in self.linkage.joints:
             first, second = in_order(self.called[body] for body in joint.bodies)
             yield KinematicPair(joint.kind, (first, second), self.point(joint))
 
     def hinges(self) -> dict[object, set[str]]:
-        """Return the bodies that each hinge joins, by its point, or by its number where it has none."""
+        """Return the bodies that each hinge joins, keyed by its point, or by the number of its joint if it has no named point."""
         found: dict[object, set[str]] = {}
         for number, joint in enumerate(self.linkage.joints):
             if joint.pins:
@@ -157,17 +157,17 @@ class Bodies:
         return found
 
     def groups(self) -> Iterator[AssurGroup]:
-        """Yield driven links and groups in the order in which they can be put together; nothing where that is not known."""
+        """Yield driven links and groups in the order of assembly; nothing if this order is not known."""
         for bodies, placed in self.sets():
             yield self._group(bodies, placed)
 
     def sets(self) -> list[tuple[tuple[str, ...], set[str]]]:
-        """Return the bodies of each driven link and group, with what was placed before it; none where that is not known."""
+        """Return the bodies of each driven link and group, with those placed before it; empty if the order is not known."""
         found = [*self._found()]
         return found if sum(len(bodies) for bodies, _ in found) == len(self.linkage.bodies) else []
 
     def _contacts(self) -> list[tuple[set[str], int]]:
-        """Return what joins bodies: which, and how many freedoms each beyond the first loses."""
+        """Return for each joint the bodies that it joins, and the number of freedoms that each body beyond the first loses."""
         hinges = self.hinges()
         if self.driven:
             hinges.setdefault(self.driven, set()).update(
@@ -177,7 +177,7 @@ class Bodies:
         return [*((bodies, 2) for bodies in hinges.values()), *others]
 
     def _driven_bodies(self) -> list[str] | None:
-        """Return the body of each rate that is driven; None where a drive is none of a body, or of half a point."""
+        """Return the body of each driven rate; None if a rate has no body, or if only one component of a point is driven."""
         variant, rates = self.mechanism.variant, self.rates()
         sliding = {link.name for link in variant.links if link.slides}
         found = []
@@ -190,7 +190,7 @@ class Bodies:
         return found if halves == (2 if self.driven else 0) else None
 
     def _found(self) -> Iterator[tuple[tuple[str, ...], set[str]]]:
-        """Yield the smallest sets of bodies that what is placed already and their drives hold, with what was placed."""
+        """Yield the smallest sets of bodies that the placed ones and their drives leave no freedom, each with those placed."""
         driven, contacts, rest = self._driven_bodies(), self._contacts(), [*self.linkage.bodies]
         placed = {FRAME, DRIVE}
         if driven is None or len(rest) > MOST_LINKS:
@@ -221,7 +221,7 @@ class Bodies:
         return AssurGroup(tuple(names), CLASSES[min(number, len(CLASSES)) - 1], len(outer), self._dyad(bodies, placed))
 
     def _dyad(self, bodies: tuple[str, ...], placed: set[str]) -> str:
-        """Return "RRP" for a dyad of turning and sliding pairs, "" for another group."""
+        """Return a name such as "RRP" for a dyad of revolute and prismatic pairs, "" for any other group."""
         if len(bodies) != 2:
             return ""
         first, second = bodies
@@ -240,7 +240,7 @@ class Bodies:
 
 
 def _freedoms(some: Iterable[str], placed: set[str], contacts: list[tuple[set[str], int]], driven: list[str]) -> int:
-    """Return the freedoms that bodies keep beside placed ones and their drives."""
+    """Return the freedoms that the bodies `some` keep when `placed` bodies and their own drives are given."""
     own = set(some)
     free = 3 * len(own) - sum(driven.count(body) for body in own)
     for joined, takes in contacts:
@@ -251,7 +251,7 @@ def _freedoms(some: Iterable[str], placed: set[str], contacts: list[tuple[set[st
 
 
 def _longest_contour(bodies: tuple[str, ...], joined: list[tuple[str, str]]) -> int:
-    """Return how many links the longest closed contour without a shorter way across has, 0 where none closes."""
+    """Return how many links the longest closed contour without a shortcut has, 0 if there is no closed contour."""
     beside = {body: {a if b == body else b for a, b in joined if body in {a, b}} for body in bodies}
     longest = 0
     ways: list[tuple[str, ...]] = [(body,) for body in bodies]

@@ -1,4 +1,4 @@
-"""What the structure of a mechanism consists of: its links, pairs and Assur groups.
+"""The records of the structure of a mechanism: its links, pairs and Assur groups.
 
 Enters: nothing.  Leaves: the frozen records `Structure`, `Member`, `KinematicPair`, `AssurGroup`.
 Used by `structure.py` and `report/sections/structure.py`.
@@ -13,8 +13,9 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Member:
-    """A moving link: `name`, the named `points` it holds, the `rate` it turns with ("" where it has none of its own), its `kind`:
-    wheel, slider, sleeve, lever, pivoted (crank or rocker, which its motion tells), coupler, link.
+    """A moving link: its `name`, its named `points`, its `rate` ("" if it has none of its own) and its `kind`.
+
+    Kinds: wheel, slider, sleeve, lever, pivoted (crank or rocker, depending on its motion), coupler, link.
     """
 
     name: str
@@ -25,7 +26,7 @@ class Member:
 
 @frozen
 class KinematicPair:
-    """A pair of two `links`, named, the frame "0"; `point` where it is, "" where no point is named there."""
+    """A pair of two `links` by name, the frame being "0"; `point` is where it is, "" if no point is named there."""
 
     kind: JointKind
     links: tuple[str, str]
@@ -34,9 +35,9 @@ class KinematicPair:
 
 @frozen
 class AssurGroup:
-    """Some `links` that add no mobility, `kind` such as "RRP" ("" for no dyad of R and P); `order` counts the outer pairs.
+    """`links` that add no mobility; `kind` is a name such as "RRP" ("" if no dyad of R and P); `order` counts the outer pairs.
 
-    Class I is a driven link; of it `links` begins with that on which it stands.
+    Class I is a driven link; its `links` begin with the link on which it is mounted.
     """
 
     links: tuple[str, ...]
@@ -47,9 +48,9 @@ class AssurGroup:
 
 @frozen
 class Structure:
-    """Links and pairs with their sliders, `mobility` counted so and `without` the sliders, `drives` the freedoms driven.
+    """Links and pairs with sliders; the `mobility` with sliders and `without` them; `drives`, the number of driven freedoms.
 
-    `groups` in the order of assembly, empty where they are not found; `driven` the point that a drive moves, "" for none.
+    `groups` are in the order of assembly, empty if it was not found; `driven` is the point that a drive moves, "" if none.
     """
 
     links: tuple[Member, ...]

@@ -1,1 +1,1 @@
-"""What every run leans on: files written whole, streams, limits of time and memory, what is computed on demand."""
+"""What every run relies on: whole files, streams, limits of time and memory, values that are computed on demand."""

@@ -1,4 +1,4 @@
-"""Angles and vectors of the plane: the whole turns by which two angles may differ, products of vectors x + iy.
+"""Angles and vectors of the plane: the whole turns in a difference of two angles, and products of vectors x + iy.
 
 Enters: differences of angles (rad), vectors.  Leaves: whole turns (rad), products.  Used by every floor above.
 """
@@ -12,7 +12,7 @@ from coursework.system.arrays import Array
 
 
 def whole_turns(differences: ArrayLike) -> Array:
-    """Return the whole turns (rad) in each difference of two angles.
+    """Return, for each difference of two angles, the multiple of 2π (rad) nearest to it.
 
     >>> whole_turns([6.3, -0.2, -12.6]).round(3).tolist()
     [6.283, -0.0, -12.566]

@@ -1,7 +1,7 @@
-"""The types of arrays: floating numbers, and flags; sorting as NumPy does it, without what NumPy imports for it.
+"""The array types (floats, flags, complex numbers), and a few functions on arrays that avoid slow imports of NumPy.
 
-Enters: nothing, or numbers.  Leaves: types, or numbers.
-Used by every floor above that computes; a docstring beside a value says shape and unit.
+Enters: arrays and numbers.  Leaves: types and arrays.
+Used by every floor above that computes; the docstring beside a value gives its shape and unit.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ Complex = NDArray[np.complex128]
 
 
 def distinct(*values: NDArray[Any]) -> NDArray[Any]:
-    """Return numbers in order, each once; `np.unique` imports masked arrays, which cost as much as the checks of a table."""
+    """Return the distinct numbers in ascending order; `np.unique` imports masked arrays, as slow as the checks of a table."""
     ordered = np.sort(np.concatenate(values))
     return ordered[np.diff(ordered, prepend=-np.inf) > 0]
 
 
 def median(values: NDArray[Any]) -> NDArray[Any]:
-    """Return the median of each column, as `np.median` does, which imports masked arrays too.
+    """Return the median of each column, like `np.median`, which would import masked arrays too.
 
     >>> [float(median(np.array(column))) for column in ([7.0], [7.0, 2.0], [7.0, 2.0, 3.0], [7.0, 2.0, 3.0, 0.0, 4.0, 1.0])]
     [7.0, 4.5, 3.0, 2.5]
@@ -34,7 +34,7 @@ def median(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
-    """Return numbers and arrays (*shape) as the columns of one array (*shape, k)."""
+    """Return one array (*shape, k) whose columns are the k `values`: numbers, or arrays of that shape."""
     columns = np.empty((*shape, len(values)))
     for place, value in enumerate(values):
         columns[..., place] = value
@@ -42,7 +42,7 @@ def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
 
 
 def neighbours(flags: Flags) -> Flags:
-    """Return where the rows of `flags` (n, …) above and below are set; beyond the first and the last one all are.
+    """Return for each row of `flags` (n, …) whether both adjacent rows are set; beyond the first and last row counts as set.
 
     >>> neighbours(np.array([True, False, True, True]))
     array([False,  True, False,  True])
@@ -52,7 +52,7 @@ def neighbours(flags: Flags) -> Flags:
 
 
 def shifted(rows: Array, by: int) -> Array:
-    """Return rows moved down by `by` (up where negative), NaN where nothing comes in."""
+    """Return the rows moved down by `by` rows (up if negative); rows without a source are NaN."""
     moved = np.full_like(rows, np.nan)
     if by >= 0:
         moved[by:] = rows[: len(rows) - by]

@@ -1,10 +1,10 @@
-"""One budget of processor time and memory over a run, and what happens when it is spent.
+"""A budget of processor time and memory for one run, and the end of a run that exceeds it.
 
-Enters: limits and the name of the file.  Leaves: nothing, or `BudgetSpent` in the run that is watched.  Used by `commands/`.
+Enters: limits and the name of the file.  Leaves: nothing, or `BudgetSpent` raised in the watched run.  Used by `commands/`.
 
-Processor time is that of the whole process, on every system.  Memory is what the process holds beyond what it held at the
-start: on Linux and Windows what it holds now, elsewhere (macOS) the most it has held so far; where the system tells neither,
-memory is not watched.
+Processor time is that of the whole process, on every system.  Memory is counted beyond what the process held at the start:
+on Linux and Windows its present memory, elsewhere (macOS) its peak so far.  If the system reports neither, memory is not
+watched.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ from coursework.words.errors import CourseworkError, Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import load_phrases, say
 
-PACE = 0.1  # s between two looks
-GRACE = 5.0  # s that a run has to clear up by itself, before the process is ended around it
+PACE = 0.1  # s between two checks of the budget
+GRACE = 5.0  # s that a run has to clean up by itself before its process is ended
 MIB = 2**20
 WRONG_INPUT = 2
-SWALLOWING = ("weakref", "_weakrefset", "importlib")  # where callbacks and half-read files swallow what is raised
+SWALLOWING = ("weakref", "_weakrefset", "importlib")  # modules whose callbacks and half-finished imports swallow exceptions
 
 
 class BudgetSpent(CourseworkError):
@@ -39,15 +39,15 @@ class BudgetSpent(CourseworkError):
 
 
 class Ended(BaseException):
-    """Raised wherever the run happens to be; no library's `except Exception` holds it up.
+    """Raised in the main thread, wherever the run is; a `BaseException`, so that no library's `except Exception` stops it.
 
-    Who catches it on its way has `GRACE` seconds.
+    Code that catches it on the way, for instance to clean up, has `GRACE` seconds.
     """
 
 
 @frozen
 class Budget:
-    """`seconds` of processor time; `memory` in MiB beyond the start."""
+    """Limits of a run: `seconds` of processor time, and `memory` in MiB beyond what the process held at the start."""
 
     seconds: float = 60.0
     memory: float = 1024.0
@@ -55,10 +55,10 @@ class Budget:
 
 @contextmanager
 def watched(budget: Budget, name: str, last_word: Callable[[Fault], None] | None = None) -> Iterator[None]:
-    """Watch what is done inside; it ends with `BudgetSpent` once it has taken more than the budget.
+    """Watch the code inside the `with` block; raise `BudgetSpent` there once it exceeds the budget.
 
-    Where the run does not answer (a library that computes without looking up), unfinished files are removed, `last_word` is
-    called with the fault, and the process ends with status 2.  To be used in the main thread, where signals arrive.
+    If the run does not react (a library may compute without checking for signals), unfinished files are removed, `last_word` is
+    called with the fault, and the process ends with status 2.  Must be used in the main thread, where signals arrive.
     """
     watch = _Watch(budget, name, last_word or _say_last)
     before = signal.signal(signal.SIGTERM, watch.answer)
@@ -95,14 +95,14 @@ class _Watch(threading.Thread):
                 return
 
     def stop(self) -> None:
-        """Stop watching; an end that was called for in this very moment arrives here."""
+        """Stop watching; a signal sent at this very moment may still raise `Ended` here."""
         self._done.set()
         self.join()
 
     def answer(self, number: int, frame: FrameType | None) -> None:
-        """End the run, in the main thread; a SIGTERM of somebody else ends it as an interrupt does.
+        """Handle SIGTERM in the main thread: raise `Ended` if the budget is spent, else `KeyboardInterrupt`.
 
-        Where Python swallows what is raised it is left to the next time: the watch asks again.
+        Where Python would swallow the exception, nothing is raised: the watch sends the signal again.
         """
         if self.fault:
             if frame is not None and str(frame.f_globals.get("__name__")).startswith(SWALLOWING):
@@ -126,7 +126,7 @@ class _Watch(threading.Thread):
 
 
 def out_of_time(seconds: float) -> Sentence:
-    """Return what is told of a run whose processor time is spent."""
+    """Return the message for a run that has spent its processor time."""
     return say("fault.E001", limit=f"{seconds:g}", stage=_stage())
 
 
@@ -137,14 +137,14 @@ def _say_last(fault: Fault) -> None:
 
 
 def _stage() -> str:
-    """Return what the run is doing, in words."""
+    """Return in words what the run is computing now."""
     name = UNDER_WAY[-1] if UNDER_WAY else "other"
     key = f"ended.stage.{name}"
     return say(key) if load_phrases().has(key) else name.replace("_", " ")
 
 
 def memory_held() -> int | None:
-    """Return how many bytes of memory this process holds, None where the system does not tell."""
+    """Return the memory (bytes) that this process holds (its peak, if only that is known), None if the system does not tell."""
     if sys.platform == "win32":
         return _working_set()
     try:
@@ -161,10 +161,10 @@ def memory_held() -> int | None:
 
 
 def limit_memory(mib: float, held: int = 0) -> None:
-    """Bound the address space of this process at so much beyond what it has `held` (bytes), where the platform can."""
+    """Limit the address space of this process to `held` bytes plus `mib` MiB, where the platform supports it."""
     try:
         import resource
-    except ImportError:  # Windows: the limit of time is what remains
+    except ImportError:  # Windows: only the limit of time remains
         return
     resource.setrlimit(resource.RLIMIT_AS, (held + int(mib) * MIB, resource.getrlimit(resource.RLIMIT_AS)[1]))
 

@@ -1,6 +1,6 @@
-"""Rows of values -> the text of a CSV file, the same wherever it is written.
+"""Rows of values -> the text of a CSV file, identical on every system.
 
-Enters: a head and rows.  Leaves: text.  Used by `tables.py`, `written.py`, `assign.py` and `several.py`.
+Enters: a header and rows.  Leaves: text.  Used by `tables.py`, `written.py`, `assign.py` and `several.py`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 
 def csv_text(head: Iterable[str], rows: Iterable[Iterable[object]], line_end: str = "\n") -> str:
-    r"""Return a CSV file: a float as the shortest text that reads back to the same number, None as an empty cell.
+    r"""Return the text of a CSV file: a float as the shortest text that reads back as the same number, None as an empty cell.
 
     >>> csv_text(["t", "w"], [[0.1, None]])
     't,w\n0.1,\n'

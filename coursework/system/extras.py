@@ -1,6 +1,6 @@
-"""The extras of the package: what is in each, and what to type where a package of one is missing.
+"""The optional extras of the package: which packages each contains, and how to install one that is missing.
 
-Enters: the name of an extra.  Leaves: its packages; what pip installs it from.
+Enters: the name of an extra.  Leaves: its packages, and the argument for pip that installs it.
 Used by `commands/`, `assigning/` and `takeaway/`.
 """
 
@@ -21,19 +21,19 @@ _OF_EXTRA = re.compile(r"([\w.-]+).*extra == ['\"](\w+)['\"]")
 
 
 def installed_from(extra: str) -> str:
-    """Return what pip installs the extra from: the folder of the checkout, else the package by its name."""
+    """Return the argument for pip that installs an extra: the folder of the checkout if there is one, else the package name."""
     return f'"{ROOT}[{extra}]"' if PROJECT.is_file() else f'"{OWN}[{extra}]"'
 
 
 def require(module: str, format_name: str, extra: str) -> None:
-    """Raise `NotToBeHad`, with the line that installs it, where a module that a format needs cannot be found."""
+    """Raise `NotToBeHad`, with the line that installs it, if a `module` that a format needs cannot be found."""
     if find_spec(module) is None:
         folder = installed_from(extra)
         raise NotToBeHad(say("fault.W040", format=format_name, package=module, python=sys.executable, folder=folder))
 
 
 def packages() -> dict[str, list[str]]:
-    """Return the packages of every extra, by the checkout where there is one: what is installed may be older than it."""
+    """Return the packages of every extra; from the checkout if there is one, because the installed metadata may be older."""
     found: dict[str, list[str]] = {}
     for line in _requirements():
         if (one := _OF_EXTRA.match(line)) and one[2] != "all":

@@ -1,7 +1,7 @@
-"""Files that belong together: made in a hidden folder, moved into place one by one, the record last.
+"""Files that belong together: written in a hidden folder, then moved into place one by one, the record last.
 
-Enters: the folder of the results.  Leaves: the whole set, or what was there before; a set whose writer was killed has no
-record, and the next writer clears what it left.  Used by the command line; all scratch of a command lives here.
+Enters: the folder of the results.  Leaves: the whole set, or the files that were there before.  If the writer was killed, the
+set has no record, and the next writer removes the leftovers.  Used by the command line, whose temporary files all lie here.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from coursework.words.sentences import say
 
 HIDDEN = ".coursework-"
 LOCK = ".lock"
-MATPLOTLIB = "MPLCONFIGDIR"  # where matplotlib looks first
+MATPLOTLIB = "MPLCONFIGDIR"  # the variable in which matplotlib looks first for its folder
 
-_open: set[Path] = set()  # the hidden folders that this process has made and not yet removed
+_open: set[Path] = set()  # hidden folders that this process has made and not yet removed
 
 
 @contextmanager
 def working_folder(target: Path) -> Iterator[Path]:
-    """Yield a hidden folder inside `target` for whatever is unfinished; it is gone afterwards, whatever happens.
+    """Yield a hidden folder inside `target` for unfinished files; it is removed afterwards, whatever happens.
 
-    `target` is made where it is not there, and removed again where it stays empty.  Folders that killed runs left in it are
-    cleared.  Temporary files of libraries go there too.  Raises `OutputError`.
+    `target` is made if it does not exist, and removed again if it stays empty.  Hidden folders that killed runs left in it are
+    removed.  Temporary files of libraries go into the hidden folder too.  Raises `OutputError`.
     """
     with refused(target):
         made = _make(target)
@@ -53,14 +53,14 @@ def working_folder(target: Path) -> Iterator[Path]:
     finally:
         for folder in made:
             with suppress(OSError):
-                folder.rmdir()  # only where nothing is in it
+                folder.rmdir()  # fails, as it should, if the folder is not empty
 
 
 @contextmanager
 def scratch_in(folder: Path) -> Iterator[None]:
-    """Let temporary files lie in a folder; matplotlib's settings too, where its own place for them cannot be written.
+    """Put temporary files into `folder`; matplotlib's settings too, if their usual folder is not writable.
 
-    Left alone, it would make a folder elsewhere and tell the user about it.
+    Otherwise matplotlib would make a folder elsewhere and print a warning.
     """
     before = tempfile.tempdir, os.environ.get(MATPLOTLIB)
     tempfile.tempdir = str(folder)
@@ -76,7 +76,7 @@ def scratch_in(folder: Path) -> Iterator[None]:
 
 def _homes() -> Iterator[Path]:
     """Yield the folders in which matplotlib keeps its settings and its list of fonts."""
-    home = Path(os.path.expanduser("~"))  # noqa: PTH111  `Path.home` raises where there is none
+    home = Path(os.path.expanduser("~"))  # noqa: PTH111  `Path.home` raises if there is no home
     if not sys.platform.startswith(("linux", "freebsd")):
         yield home / ".matplotlib"
         return
@@ -85,15 +85,15 @@ def _homes() -> Iterator[Path]:
 
 
 def _is_writable(folder: Path) -> bool:
-    """Return whether a folder could be made or written to, without making it."""
+    """Return whether `folder` is writable, or could be made; it is not made."""
     nearest = next((place for place in (folder, *folder.parents) if place.exists()), folder)
     return nearest.is_dir() and os.access(nearest, os.W_OK | os.X_OK)
 
 
 def publish(hidden: Path, target: Path, names: Iterable[str], record: str) -> None:
-    """Move the files of a set from `hidden` to `target`; while they move, `target` has no record.
+    """Move the files of a set from `hidden` to `target`; while they are being moved, `target` has no record.
 
-    Raises `OutputError` naming the file that could not be put in place.
+    Raises `OutputError` with the name of the file that could not be put in place.
     """
     names = (*names, record)
     for name in names:
@@ -109,7 +109,7 @@ def publish(hidden: Path, target: Path, names: Iterable[str], record: str) -> No
 
 
 def files_of(target: Path, record: str) -> Mapping[str, str] | None:
-    """Return the files of a finished set (name -> SHA-256); None where there is no record to read them from."""
+    """Return the files of a finished set (name -> SHA-256), None if there is no readable record."""
     try:
         found = json.loads((target / record).read_text(encoding="utf-8"))["files"]
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
@@ -118,7 +118,7 @@ def files_of(target: Path, record: str) -> Mapping[str, str] | None:
 
 
 def clear_leftovers(target: Path) -> None:
-    """Remove the hidden folders that killed runs left in `target`; those of a run that still works stay."""
+    """Remove the hidden folders that killed runs left in `target`; the folder of a run still at work stays."""
     for path in target.glob(f"{HIDDEN}*"):
         hidden = path.with_name(path.name.removesuffix(LOCK))
         lock = hidden.with_name(hidden.name + LOCK)
@@ -128,22 +128,22 @@ def clear_leftovers(target: Path) -> None:
 
 
 def discard_all() -> None:
-    """Remove every hidden folder of this process; for one that is about to end without clearing up."""
+    """Remove every hidden folder of this process, before it ends without the usual cleanup."""
     for hidden in tuple(_open):
         discard(hidden)
         _remove(hidden.with_name(hidden.name + LOCK))
 
 
 def discard(hidden: Path) -> None:
-    """Remove a hidden folder with all that is in it, as far as the system lets us."""
+    """Remove a hidden folder and its contents, as far as the system allows."""
     try:
-        hidden.rmdir()  # usually it is empty: everything has been moved into place
+        hidden.rmdir()  # usually empty: all its files have been moved into place
     except OSError:
         shutil.rmtree(hidden, ignore_errors=True)
 
 
 def _make(target: Path) -> list[Path]:
-    """Make a folder and those above it; return the new ones, the innermost first."""
+    """Make a folder and its missing parents; return the folders made, innermost first."""
     new = []
     for folder in (target, *target.parents):
         if folder.exists():
@@ -154,12 +154,12 @@ def _make(target: Path) -> list[Path]:
 
 
 def _new_hidden(target: Path) -> tuple[IO[bytes], Path]:
-    """Return a new hidden folder, and its lock, which is held as long as this process lives."""
+    """Make a hidden folder; return its open lock file, locked until it is closed or the process ends, and the folder."""
     hidden = target / f"{HIDDEN}{os.urandom(6).hex()}"
     path = hidden.with_name(hidden.name + LOCK)
     file = path.open("xb")
     try:
-        with suppress(OSError):  # a disk without locks
+        with suppress(OSError):  # the file system may not support locks
             take_lock(file)
         hidden.mkdir()
     except BaseException:
@@ -170,7 +170,7 @@ def _new_hidden(target: Path) -> tuple[IO[bytes], Path]:
 
 
 def _is_abandoned(lock: Path) -> bool:
-    """Return whether nobody holds a lock; one that is not there is held by nobody."""
+    """Return whether no process holds the lock; a missing lock file is held by nobody."""
     try:
         with lock.open("r+b") as file:
             take_lock(file)

@@ -1,9 +1,9 @@
-"""`@frozen`, and `@caching` without slots, `@changing` not frozen: what `@dataclass` makes, in a fifth of the time.
+"""Decorators like `@dataclass`, in a fifth of its time: `@frozen`, `@caching` (frozen, no slots) and `@changing` (not frozen).
 
 Enters: a class with annotations.  Leaves: a data class.  Used by every floor above.
 
-The standard decorator compiles six methods a class: for the 160 classes of a table, longer than NumPy takes to load.
-Here all classes share them but `__init__`.
+The standard decorator compiles six methods for each class; for the 160 classes that a table needs, this takes longer than
+loading NumPy.  Here all classes share these methods, except `__init__`.
 """
 
 from __future__ import annotations
@@ -15,32 +15,32 @@ from reprlib import recursive_repr
 from typing import Any, NoReturn, TypeVar, dataclass_transform
 
 Kind = TypeVar("Kind")
-_NONE = ("ClassVar", "InitVar", "KW_ONLY")  # in annotations of what is no field
-_FEW = 16  # objects of a class: an `__init__` written out takes as long as twenty of them save
+_NONE = ("ClassVar", "InitVar", "KW_ONLY")  # annotations with these words may declare something that is not a field
+_FEW = 16  # objects of a class before its `__init__` is compiled: compiling costs what twenty objects save
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen(kind: type[Kind]) -> type[Kind]:
-    """Return the frozen data class of a class; methods of its own stand."""
+    """Return the frozen data class of `kind`, with slots; methods that the class defines itself are kept."""
     return _made(kind, {"__setattr__": _refuse, "__delattr__": _refuse})
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def caching(kind: type[Kind]) -> type[Kind]:
-    """Return the frozen data class of a class with room for the cached properties of its objects: no slots."""
+    """Return the frozen data class of `kind` without slots, so that its objects can store cached properties."""
     return _made(kind, {"__setattr__": _refuse, "__delattr__": _refuse}, slots=False)
 
 
 @dataclass_transform(field_specifiers=(field,))
 def changing(kind: type[Kind]) -> type[Kind]:
-    """Return what `@dataclass(slots=True)` makes of a class."""
+    """Return the data class that `@dataclass(slots=True)` makes of `kind`: not frozen, not hashable."""
     return _made(kind, {"__hash__": None})
 
 
 def _made(kind: type[Kind], own: dict[str, Any], *, slots: bool = True) -> type[Kind]:
-    kind.__doc__ = kind.__doc__ or kind.__name__  # else the standard one makes a text of the signature
+    kind.__doc__ = kind.__doc__ or kind.__name__  # otherwise `dataclass` builds a docstring from the signature
     told = vars(kind).get("__annotations__", {})
-    # The standard one takes every annotation apart to find what is no field: half its time, for the few that may be none.
+    # `dataclass` parses every annotation to find those that are not fields, half its time: so it sees only doubtful ones.
     kind.__annotations__ = {name: said if any(one in str(said) for one in _NONE) else object for name, said in told.items()}
     made: Any = dataclass(init=False, repr=False, eq=False, slots=slots)(kind)
     made.__annotations__ = told
@@ -52,14 +52,14 @@ def _made(kind: type[Kind], own: dict[str, Any], *, slots: bool = True) -> type[
     if slots:
         methods |= {"__getstate__": _state, "__setstate__": _restore}
     for name, method in (methods | own).items():
-        if vars(kind).get(name) is None:  # Python itself sets __hash__ to None beside an own __eq__
+        if vars(kind).get(name) is None:  # Python itself sets __hash__ to None if the class defines __eq__
             setattr(made, name, method)
     result: type[Kind] = made
     return result
 
 
 def _first_init(made: Any) -> Callable[..., None]:
-    """Return what makes the first objects of a class: of most classes a run has so few that to write it out would cost more."""
+    """Return the `__init__` for the first objects of a class: most classes have too few objects to be worth compiling one."""
     left = _FEW
 
     def __init__(self: Any, *values: Any, **named: Any) -> None:
@@ -73,7 +73,7 @@ def _first_init(made: Any) -> Callable[..., None]:
 
 
 def _filled(self: Any, made: Any, values: tuple[Any, ...], named: dict[str, Any]) -> bool:
-    """Set the fields of an object; return whether the call is as the class wants it: what is wrong is told by `_init`."""
+    """Set the fields of an object; return False if the arguments are wrong, which the compiled `__init__` then reports."""
     every = fields(made)
     wanted = [one.name for one in every if one.init]
     content = dict(zip(wanted, values, strict=False)) | named
@@ -97,7 +97,7 @@ def _filled(self: Any, made: Any, values: tuple[Any, ...], named: dict[str, Any]
 
 
 def _init(made: Any) -> Callable[..., None]:
-    """Return what sets the fields, in the order of the class."""
+    """Return a compiled `__init__` that sets the fields in the order of the class."""
     scope: dict[str, Any] = {"MISSING": MISSING}
     heads: list[str] = []
     lines: list[str] = [] if "__slots__" in vars(made) else ["    kept = self.__dict__"]
@@ -123,14 +123,14 @@ def _init(made: Any) -> Callable[..., None]:
             lines.append(f"    kept[{one.name!r}] = {value}")
     if hasattr(made, "__post_init__"):
         lines.append("    self.__post_init__()")
-    exec(f"def __init__(self, {', '.join(heads)}):\n" + ("\n".join(lines) or "    pass"), scope)  # names of fields only
+    exec(f"def __init__(self, {', '.join(heads)}):\n" + ("\n".join(lines) or "    pass"), scope)  # field names only
     init: Callable[..., None] = scope["__init__"]
-    init.__qualname__ = f"{made.__qualname__}.__init__"  # as a wrong call names it
+    init.__qualname__ = f"{made.__qualname__}.__init__"  # shown in the error message of a wrong call
     return init
 
 
 def _compared(names: tuple[str, ...]) -> tuple[Callable[[Any, Any], Any], Callable[[Any], int]]:
-    """Return `__eq__` and `__hash__` over some fields."""
+    """Return `__eq__` and `__hash__` that use the fields `names`."""
     get = attrgetter(*names) if names else lambda _: ()
     key = get if len(names) != 1 else lambda one: (get(one),)
     return (

@@ -1,8 +1,8 @@
-"""A folder that one process writes into at a time.
+"""A lock on a folder, so that only one process writes into it at a time.
 
-Enters: a folder.  Leaves: nothing; while it is held a hidden file in the folder has the number of the process.
-Raises `OutputError` where another process holds it.  Used by `commands/grade.py` and the desk.
-The lock is the system's and ends with the process, whatever ends that; a file left behind locks nothing.
+Enters: a folder.  Leaves: nothing; while the lock is held, a hidden file in the folder contains the number of the process.
+Raises `OutputError` if another process holds it.  Used by `commands/grade.py` and the desk.
+The operating system releases the lock when the process ends, for whatever reason; a file left behind locks nothing.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from coursework.words.sentences import say
 
 NAME = ".coursework.lock"
 _PACE = 0.02  # s between two tries
-_FAR = 2**30  # Windows locks bytes; this one is beyond what is read
+_FAR = 2**30  # Windows locks single bytes; this offset is beyond the bytes that are read
 
 
 @contextmanager
 def held(folder: Path, patience: float = 0.0, *, own: bool = True) -> Iterator[None]:
-    """Hold a folder while something is written into it.  Raises `OutputError` where another process does for `patience` s.
+    """Hold the lock of a folder while writing into it.  Raises `OutputError` if it cannot be had within `patience` s.
 
-    A folder of our `own`, into which nobody else writes, is cleared of what a process that was killed had begun.
+    If the folder is our `own`, so that nobody else writes into it, files that a killed process left unfinished are removed.
     """
     path = folder / NAME
     refuse_link(path)
@@ -41,19 +41,19 @@ def held(folder: Path, patience: float = 0.0, *, own: bool = True) -> Iterator[N
             clear_leftovers(folder)
         yield
     finally:
-        with suppress(OSError):  # Windows removes no open file
+        with suppress(OSError):  # Windows does not remove an open file
             path.unlink()
         file.close()
 
 
 def refuse_link(path: Path) -> None:
-    """Raise `OutputError` where a path is a link: what is written there would go elsewhere."""
+    """Raise `OutputError` if `path` is a symbolic link: the text would be written elsewhere."""
     if path.is_symlink():
         raise OutputError([Fault(say("fault.W017"), str(path))])
 
 
 def _opened(path: Path, until: float) -> IO[bytes]:
-    """Return the locked file.  The one before may have removed it between the opening and the locking: then there is another."""
+    """Return the locked file.  Try again if its last holder removed it between our opening and our locking it."""
     while True:
         file = path.open("a+b", buffering=0)
         try:

@@ -1,4 +1,4 @@
-"""What is asked for -> what has to be computed, each once, in order; nothing else.
+"""From the quantities asked for to those that must be computed: each one once, in order, and no others.
 
 Enters: properties marked `@computed(needs)`, the names asked for.  Leaves: typed values kept by their owner, a `Plan`, counts.
 Used by `scene.py`, `motion_results.py` and `quantities.py`; `run.py` reads the plan.
@@ -21,13 +21,13 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 T = TypeVar("T")
-UNDER_WAY: list[str] = []  # what this process is computing, the innermost last: for whoever must say where time went
+UNDER_WAY: list[str] = []  # names of the quantities this process is computing, innermost last; read to say where the time went
 Needs = Mapping[str, tuple[str, ...]]
 
 
 @contextmanager
 def under_way(name: str) -> Iterator[None]:
-    """Mark what is being computed."""
+    """Mark the quantity `name` as being computed."""
     UNDER_WAY.append(name)
     try:
         yield
@@ -37,7 +37,7 @@ def under_way(name: str) -> Iterator[None]:
 
 @changing
 class Ledger:
-    """What was computed: `calls` and own `seconds` (without those of what it needed) of each quantity."""
+    """Counts the computations: `calls` of each quantity, and its own `seconds`, without those of the quantities it needed."""
 
     calls: dict[str, int] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict)
@@ -48,7 +48,7 @@ class Ledger:
         self._within.append(0.0)
         begun = time.perf_counter()
         try:
-            # What is not finite is told with its place by whoever writes it; NumPy's warnings name a line of ours.
+            # Values that are not finite are reported, with their place, when written; NumPy's warnings would name our code.
             with under_way(name), np.errstate(all="ignore"):
                 value = compute(owner)
         finally:
@@ -62,17 +62,17 @@ class Ledger:
 
 
 class Owner(Protocol):
-    """Whoever keeps computed values counts them in a ledger."""
+    """An object that keeps computed values and counts them in a ledger."""
 
     @property
     def ledger(self) -> Ledger: ...
 
     def charged(self, error: Exception) -> Exception | None:
-        """Return what a user is told about an error of arithmetic or of a law, None where the tool itself is at fault."""
+        """Return the error to show the user for an error of arithmetic or of a law, None if the tool itself is at fault."""
 
 
 class Computed(Generic[T]):
-    """A property computed when somebody looks at it for the first time; `needs` names those that it looks at itself."""
+    """A property computed when it is first read; `needs` names the other properties that its computation reads."""
 
     def __init__(self, compute: Callable[[Any], T], needs: tuple[str, ...]) -> None:
         self.compute, self.needs, self.name = compute, needs, compute.__name__
@@ -86,7 +86,7 @@ class Computed(Generic[T]):
         return self if owner is None else self.of(owner)
 
     def of(self, owner: Owner) -> T:
-        """Return the value for its owner, who keeps it."""
+        """Return the value for `owner`, computed at the first call and then kept by the owner."""
         kept: dict[str, T] = vars(owner)
         if self.name not in kept:
             try:
@@ -101,26 +101,26 @@ class Computed(Generic[T]):
 
 
 def computed(*needs: str) -> Callable[[Callable[[Any], T]], Computed[T]]:
-    """Mark a method, or a function of an owner, as a property that is computed once and needs those named."""
+    """Mark a method, or a function of an owner, as a property that is computed once and reads the properties `needs`."""
     return lambda compute: Computed(compute, needs)
 
 
 def needs_of(kind: type) -> dict[str, tuple[str, ...]]:
-    """Return what every computed property of a class needs, those of the classes it extends first."""
+    """Return the needs of every computed property of a class, beginning with those of its base classes."""
     found = {name: one for base in reversed(kind.__mro__) for name, one in vars(base).items()}
     return {name: one.needs for name, one in found.items() if isinstance(one, Computed)}
 
 
 @frozen
 class Plan:
-    """`order` of the quantities computed; `needed_by` the first that asks for each; `left_out` the rest, and what needs them."""
+    """What is computed: the quantities in `order`, the first user of each (`needed_by`), those `left_out` with their users."""
 
     order: tuple[str, ...]
     needed_by: Mapping[str, str]
     left_out: Mapping[str, tuple[str, ...]]
 
     def lines(self) -> list[Sentence]:
-        """Return the plan for a reader."""
+        """Return the plan as lines for a reader."""
         ordered = ((name, self.needed_by[name]) for name in self.order)
         computed = [(name, say("plan.asked") if by == name else say("plan.needed", by=by)) for name, by in ordered]
         left = [
@@ -131,9 +131,9 @@ class Plan:
 
 
 def make_plan(needs: Needs, wanted: Iterable[str]) -> Plan:
-    """Return what `wanted` needs, in order; names without an entry in `needs` are given.
+    """Return the plan that computes `wanted`; needed names that are no key of `needs` count as given.
 
-    Raises `graphlib.CycleError` where quantities need each other in a circle.
+    Raises `graphlib.CycleError` if quantities need each other in a circle.
     """
     needed_by = {name: name for name in wanted}
     for name in (waiting := list(needed_by)):

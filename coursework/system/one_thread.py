@@ -1,6 +1,6 @@
-"""Linear algebra in one thread: matrices of a mechanism are small, and a thread that waits for larger ones costs start-up.
+"""Linear algebra in one thread: the matrices of a mechanism are small, and idle worker threads slow down the start.
 
-Enters: nothing.  Leaves: variables of the environment, which count until NumPy is loaded; those of the user stand.
+Enters: nothing.  Leaves: environment variables that NumPy reads when it is loaded; those set by the user are kept.
 Used by `pool.py` and `commands/program.py`.
 """
 
@@ -12,6 +12,6 @@ ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_
 
 
 def keep_to_one_thread() -> None:
-    """Let the libraries that this process loads from now on use one thread, unless the user has said how many."""
+    """Make the libraries that this process loads from now on use one thread, unless the user has set a number."""
     for name, value in ONE_THREAD.items():
         os.environ.setdefault(name, value)

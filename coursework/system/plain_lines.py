@@ -1,10 +1,10 @@
-"""Records as lines of JSON, and back: what crosses to another process is data only, whoever has read what on the other side.
+"""Records as lines of JSON, and back: only data cross to another process, even if that process has read a hostile file.
 
-Enters: records (dataclasses, frozen) whose annotations say what they are made of; or a line, and the kind of record expected.
-Leaves: lines; or a record of that kind, and `ValueError` for any other line.  The line never says what is to be made of it.
+Enters: records (frozen dataclasses) whose annotations give the types of their fields; or a line, and the type expected.
+Leaves: lines; or a record of that type, and `ValueError` for any other line.  A line never chooses the type it becomes.
 Used by `pool.py`, `pool_process.py` and `grading/batch/`.
 
-Bytes travel as base64, a `Sentence` as its key and values; `Any`, and what stands in lists, travels as JSON has it.
+Bytes travel as base64, a `Sentence` as its key and values; `Any`, and the items of lists, as JSON represents them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Record = TypeVar("Record")
 
 @frozen
 class _Way:
-    """How values of one kind become plain, and how they come back."""
+    """How values of one type are converted to plain data (`there`) and how they are restored (`back`)."""
 
     there: Callable[[Any], Any]
     back: Callable[[Any], Any]
@@ -40,11 +40,11 @@ def plain_of(record: Any) -> Any:
 
 
 def record_of(kind: type[Record], plain: Any) -> Record:
-    """Return the record that `plain_of` made plain.  Raises `ValueError` for what cannot have been one."""
+    """Return the record of type `kind` that `plain_of` made plain.  Raises `ValueError` if `plain` is no such record."""
     of: Any = kind
     try:
         record: Record = _way(of).back(plain)
-    except (KeyError, TypeError, AttributeError) as error:  # half a sentence
+    except (KeyError, TypeError, AttributeError) as error:  # for instance an incomplete sentence
         raise ValueError(str(error)) from None
     return record
 
@@ -55,7 +55,7 @@ def line_of(record: Any) -> bytes:
 
 
 def read_line(kind: type[Record], line: bytes) -> Record:
-    """Return the record of a line.  Raises `ValueError` for one that is torn, or no such record."""
+    """Return the record of type `kind` in a line.  Raises `ValueError` if the line is incomplete or holds no such record."""
     try:
         return record_of(kind, json.loads(line, parse_constant=_no_number))
     except RecursionError:
@@ -111,14 +111,14 @@ def _checked(kind: Any, plain: Any) -> Any:
 
 
 def _said(value: Any) -> Any:
-    """Return a value of a sentence as JSON has it."""
+    """Return a value of a sentence as plain data."""
     if isinstance(value, Sentence):
         return {"key": value.key, "values": {name: _said(part) for name, part in value.values.items()}}
     return list(map(_said, value)) if isinstance(value, tuple) else value
 
 
 def _heard(plain: Any) -> Any:
-    """Return the value that `_said` was given."""
+    """Return the value from which `_said` made `plain`."""
     if isinstance(plain, dict):
         return say(plain["key"], **{name: _heard(part) for name, part in plain["values"].items()})
     return tuple(map(_heard, plain)) if isinstance(plain, list) else plain

@@ -1,10 +1,10 @@
-"""Jobs done by processes of our own, which are watched: silence, a death or a leak costs one process and nobody else's job.
+"""Jobs done by watched processes of our own: one that hangs, dies or leaks memory harms no job but its own.
 
-Enters: a `Trade`, jobs as records.  Leaves: an answer a job, whatever happens.  A process may have read a hostile file, so what
-it sends is read as data of the kind expected and nothing else (`plain_lines.py`).
+Enters: a `Trade`, jobs as records.  Leaves: an answer for each job, whatever happens.  A process may have read a hostile file,
+so its output is read only as data of the expected type (`plain_lines.py`).
 Used by `several.py`, `grading/batch/` and the desk.
 
-Every process is a fresh interpreter on every system, with the paths of this one: what is forked inherits threads and locks.
+On every system each process is a fresh interpreter with our `sys.path`: a forked one would inherit threads and locks.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ Key = TypeVar("Key")
 Job = TypeVar("Job")
 Answer = TypeVar("Answer")
 
-STARTING = 60.0  # s for the first answer of a process, which imports everything
-# What leaks somewhere in a library cannot pile up: a process is replaced when it has grown by so many MiB, and, for platforms
-# that do not say how much a process holds, after so many answers.
+STARTING = 60.0  # s added for the first answer of a process, which imports everything
+# A leak in some library must not add up: a process is replaced once it has grown by this many MiB, and after this many
+# answers, for platforms that do not tell how much memory a process holds.
 MOST_GROWN = 256
 REPLACED_AFTER = 2000
-MOST_BYTES = 64 * 2**20  # of an answer; a page has some 40 kB, a report with its graphs a few MB
-AHEAD = 2  # jobs a worker that are drawn before they can be done
-_ENDING = 2.0  # s in which a process without a job puts its temporary files away
-_PACE = 0.5  # s between two looks for an interrupt, which on Windows no endless wait hears
+MOST_BYTES = 64 * 2**20  # of one answer; a page has about 40 kB, a report with its graphs a few MB
+AHEAD = 2  # most jobs per worker that are drawn and not yet answered
+_ENDING = 2.0  # s in which a process without a job may remove its temporary files
+_PACE = 0.5  # s between two checks for an interrupt, which an endless wait would not notice on Windows
 _START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.pool_process import main; main()"
 
 
@@ -48,11 +48,11 @@ _START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.pool_pr
 class Trade(Generic[Job, Answer]):
     """What the processes of a pool can do.
 
-    `place` is "module:function": called with the plain `setup` in each process, it returns a context whose value is a function
-    from a plain job to an `answer`.  `unanswered` gives the answer for a job over which a process was silent for more than
-    `seconds` or ended itself, its budget being spent (True: it is not tried again), or died `tries` times, alone from the second
-    on.
-    `memory` (MiB) bounds the address space of a process, where the platform can.
+    `place` is "module:function".  Each process calls this function with the plain `setup`; it returns a context manager whose
+    value is a function from a plain job to an `answer`.
+    `unanswered(job, final)` makes the answer for a job without one.  `final` is True if the process was silent for more than
+    `seconds`, ended itself because its budget was spent, or was dropped: such a job is not tried again.  It is False if the
+    process died in each of `tries` tries, each in a new process.  `memory` (MiB) limits the address space, where possible.
     """
 
     place: str
@@ -62,11 +62,11 @@ class Trade(Generic[Job, Answer]):
     seconds: float | None = None
     memory: int | None = None
     tries: int = 2
-    quiet: bool = True  # nothing that a process writes to standard error is shown
+    quiet: bool = True  # discard what a process writes to standard error
 
 
 class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]):
-    """One process at a time, started when there is a job for it; a context manager."""
+    """A context manager around one process at a time, which is started when there is a job for it."""
 
     def __init__(self, trade: Trade[Job, Answer]) -> None:
         self.trade = trade
@@ -76,14 +76,14 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
         self._job: Job | None = None
         self.since = 0.0
         self._answered = self._grown = 0
-        self.ended = 0  # processes that ended, or were ended, over a job
+        self.ended = 0  # number of processes that ended, or were ended, during a job
         self._late = self._closed = self._dropped = False
 
     def __exit__(self, *_: object) -> None:
         self.close()
 
     def answer(self, job: Job) -> Answer:
-        """Return what came of a job."""
+        """Return the answer to a job."""
         line = line_of(job)
         with self._at_work, self._named(job):
             for _ in range(self.trade.tries):
@@ -100,14 +100,14 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
             return self.trade.unanswered(job, False)
 
     def drop(self, job: Job) -> None:
-        """End the process where it is at this very job, for whose answer nobody waits any longer."""
+        """Kill the process if it is working on this very job, whose answer nobody needs any longer."""
         with self._naming:
             if self._job is job and self._child is not None:
                 self._dropped = True
                 self._child.kill()
 
     def rest(self, seconds: float) -> bool:
-        """End the process where it has had no job for so long; return whether one is left.  The next job starts another."""
+        """End the process if it has been idle for `seconds`; return whether one is left.  The next job starts another."""
         if self._at_work.acquire(blocking=False):
             try:
                 if time.monotonic() - self.since > seconds:
@@ -121,13 +121,13 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
         self._closed = True
         child = self._child
         if child is not None and self._at_work.locked():
-            child.kill()  # whoever waits for its answer gets none
+            child.kill()  # the thread that waits for its answer gets none
         with self._at_work:
             self._end()
 
     @contextmanager
     def _named(self, job: Job) -> Iterator[None]:
-        """Let it be known which job the process is at."""
+        """Record which job the process is working on."""
         with self._naming:
             self._job, self._dropped = job, False
         try:
@@ -137,7 +137,7 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
                 self._job, self.since = None, time.monotonic()
 
     def _asked(self, line: bytes) -> bytes:
-        """Return the line of the process, less than one where it died or was silent for too long."""
+        """Send a line to the process and return its answer line; incomplete or empty if the process died or was too slow."""
         if self._answered >= REPLACED_AFTER or self._grown >= MOST_GROWN:
             self._end()
         seconds = self.trade.seconds
@@ -157,7 +157,7 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
 
     @contextmanager
     def _clocked(self, child: subprocess.Popen[bytes], seconds: float | None) -> Iterator[None]:
-        """Kill the process after so many seconds, so that nobody waits for it any longer."""
+        """Kill the process after `seconds` (never if None), so that nobody waits for it any longer."""
 
         def late() -> None:
             self._late = True
@@ -179,11 +179,11 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
             [sys.executable, "-c", _START, *sys.path], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL if self.trade.quiet else None, env=ONE_THREAD | os.environ,
         )  # fmt: skip
-        if self._closed:  # in this very moment
+        if self._closed:  # closed at this very moment by another thread
             self._child.kill()
 
     def _end(self) -> int:
-        """End the process, and return its status: one without a job ends by itself when its line is closed."""
+        """End the process and return its status; an idle process ends by itself once its input is closed."""
         if self._child is None:
             return 0
         child, self._child = self._child, None
@@ -198,11 +198,11 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
 
 
 class Pool(AbstractContextManager["Pool[Job, Answer]"], Generic[Job, Answer]):
-    """Workers of one trade, each started when it is needed; a context manager, which ends them whatever they are doing."""
+    """Workers of one trade, each started when needed; a context manager that ends them whatever they are doing."""
 
     def __init__(self, trade: Trade[Job, Answer], workers: int) -> None:
         self._workers = [Worker(trade) for _ in range(workers)]
-        self._idle: queue.LifoQueue[Worker[Job, Answer]] = queue.LifoQueue()  # what is warm comes first
+        self._idle: queue.LifoQueue[Worker[Job, Answer]] = queue.LifoQueue()  # a warm worker comes first
         for worker in reversed(self._workers):
             self._idle.put(worker)
         self._threads = ThreadPoolExecutor(workers)
@@ -211,28 +211,28 @@ class Pool(AbstractContextManager["Pool[Job, Answer]"], Generic[Job, Answer]):
         self.close()
 
     def submit(self, job: Job) -> Future[Answer]:
-        """Hand in a job; its answer comes when it comes, without regard to others.  One not yet begun can be cancelled."""
+        """Submit a job; its answer comes independently of others.  A job that has not begun can be cancelled."""
         return self._threads.submit(self._answer, job)
 
     def drop(self, future: Future[Answer], job: Job) -> None:
-        """Give up a job that was handed in: it is not begun, or the process that is at it is ended."""
+        """Give up a submitted job: cancel it, or end the process that is working on it."""
         if not future.cancel():
             for worker in self._workers:
                 worker.drop(job)
 
     def rest(self, seconds: float) -> None:
-        """End the processes that have had no job for so long, all but one."""
+        """End the processes that have been idle for `seconds`, except the one that was busy last."""
         left = [worker for worker in self._workers if worker.rest(math.inf)]
         for worker in sorted(left, key=lambda worker: worker.since)[:-1]:
             worker.rest(seconds)
 
     @property
     def ended(self) -> int:
-        """Return how many processes ended, or were ended, over a job."""
+        """Return how many processes ended, or were ended, during a job."""
         return sum(worker.ended for worker in self._workers)
 
     def answers(self, jobs: Iterable[tuple[Key, Job]]) -> Iterator[tuple[Key, Answer]]:
-        """Yield the answer of each job with its key, as they come; jobs are drawn as they are needed, in this thread."""
+        """Yield the key and answer of each job, in the order of completion; jobs are drawn as needed, in this thread."""
         waiting = iter(jobs)
         running: dict[Future[Answer], Key] = {}
         while True:

@@ -1,7 +1,7 @@
-"""A process of a pool: a line of JSON in, one out, until there are no more.
+"""A process of a pool: it reads jobs as lines of JSON and writes one answer line for each, until its input ends.
 
-Enters: an `Opening`, then jobs, on standard input.  Leaves: an `Answered` a job on standard output, which nothing else reaches.
-Used by `pool.py`, which starts it.  What a file does to this process it does to nobody else.
+Enters: an `Opening`, then jobs, on standard input.  Leaves: one `Answered` per job on standard output, to which nothing else
+is written.  Used by `pool.py`, which starts it.  A hostile file can harm this process only.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from coursework.system.plain_lines import line_of, plain_of, read_line
 
 @frozen
 class Opening:
-    """The first line: the trade as "module:function", what the function is given, the most memory (MiB) or None."""
+    """The first line: the function of the trade as "module:function", its `setup`, and the limit of `memory` (MiB) or None."""
 
     trade: str
     setup: Any
@@ -29,14 +29,14 @@ class Opening:
 
 @frozen
 class Answered:
-    """An answer, and the MiB that the process has grown by since its first one: a leak must not become a student's fault."""
+    """An answer, and the MiB by which the process has `grown` since its first one: a leak must not count as a student's fault."""
 
     grown: int
     answer: Any
 
 
 def serve(lines: BinaryIO, answers: BinaryIO) -> None:
-    """Answer every line until there are none."""
+    """Answer the lines one by one until the input ends."""
     opening = read_line(Opening, lines.readline())
     module, _, name = opening.trade.partition(":")
     with getattr(import_module(module), name)(opening.setup) as work:
@@ -52,12 +52,12 @@ def serve(lines: BinaryIO, answers: BinaryIO) -> None:
 
 
 def main() -> None:
-    """Serve on the standard streams; what a library prints there, or reads, goes nowhere and comes from nowhere."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever started us hears it too, and ends us
+    """Serve on the standard streams; a library that prints or reads there gets the null device instead."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process receives the interrupt too, and ends us
     lines, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     nowhere = os.open(os.devnull, os.O_RDWR)
     os.dup2(nowhere, 0)
     os.dup2(nowhere, 1)
-    with suppress(BrokenPipeError):  # whoever started us is gone
+    with suppress(BrokenPipeError):  # the parent process is gone
         serve(lines, answers)
-    os._exit(0)  # everything is put away; an interpreter full of libraries takes its time to end
+    os._exit(0)  # nothing is left to clean up, and an interpreter full of libraries is slow to exit

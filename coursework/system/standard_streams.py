@@ -1,6 +1,6 @@
-"""Standard output whose reader may leave, and a disk behind it that may be full.
+"""Standard output that survives a reader who leaves and a full disk.
 
-Enters and leaves: the streams of the process, for the time of one command.  Used by `program.py`.
+Enters: the streams of the process.  Leaves: the same streams, guarded for the time of one command.  Used by `program.py`.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import Any, TextIO
 
 
 class Spoken:
-    """A text stream that goes on where nothing can be written any more: what is said after that is dropped.
+    """A text stream that goes on after a failed write; later text is dropped.
 
-    `lost` then says why, unless the reader simply left (`head`, a pager), which is nobody's fault.
+    `lost` then gives the reason, but stays empty if the reader simply left (`head`, a pager), which is nobody's fault.
     """
 
     def __init__(self, stream: TextIO) -> None:
@@ -32,7 +32,7 @@ class Spoken:
             return len(text)
 
     def flush(self) -> None:
-        """Pass on what was written."""
+        """Flush the text written so far."""
         try:
             self._stream.flush()
         except OSError as error:
@@ -42,12 +42,12 @@ class Spoken:
         return getattr(self._stream, name)
 
     def _give_up(self, error: OSError) -> None:
-        """Lead the stream to nowhere, so that neither the next line nor the end of the process stumbles over it again."""
+        """Redirect the stream to the null device, so that neither the next line nor the end of the process fails again."""
         with suppress(OSError, ValueError):
             nowhere = os.open(os.devnull, os.O_WRONLY)
             os.dup2(nowhere, self._stream.fileno())
             os.close(nowhere)
-        # Windows says EINVAL of a pipe whose reader has gone.
+        # Windows reports EINVAL for a pipe whose reader has gone.
         if not isinstance(error, BrokenPipeError) and not (os.name == "nt" and error.errno == errno.EINVAL):
             reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror
             self.lost = f"standard output could not be written: {reason}. Lead it elsewhere."
@@ -55,7 +55,7 @@ class Spoken:
 
 @contextmanager
 def patient_streams() -> Iterator[Spoken | None]:
-    """Let the process speak UTF-8 to readers that may leave; yields standard output, None where the process has none."""
+    """Make the standard streams write UTF-8 and survive a reader who leaves; yield standard output, None if there is none."""
     before = sys.stdout, sys.stderr
     for stream in before:
         if hasattr(stream, "reconfigure"):

@@ -1,4 +1,4 @@
-"""The version of the package, for whoever writes it down beside a result.
+"""The version of the package, to be recorded beside a result.
 
 Enters: nothing.  Leaves: a text.  Used by `scene_run.py` and `grading/batch/`; a user asks `coursework.__version__`.
 """

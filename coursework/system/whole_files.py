@@ -1,7 +1,7 @@
-"""Whole files or none: written beside their place, then put there in one move.
+"""Whole files or none: written under a temporary name in the same folder, then renamed in one step.
 
-Enters: bytes and a path.  Leaves: the file.  Raises `OutputError`; nothing half-written is left.
-Used by whoever writes a file; files that belong together go through `file_set.py`.
+Enters: bytes and a path.  Leaves: the file.  Raises `OutputError`; no half-written file is left.
+Used by every module that writes a single file; files that belong together go through `file_set.py`.
 """
 
 from __future__ import annotations
@@ -27,24 +27,24 @@ _FAULTS = {
 
 @contextmanager
 def refused(target: Path) -> Iterator[None]:
-    """Turn what the system refuses while `target` is written into an `OutputError` that names it."""
+    """Turn an error of the operating system while `target` is written into an `OutputError` that names it."""
     try:
         yield
     except OSError as error:
         if key := _FAULTS.get(error.errno or 0):
             raise OutputError([Fault(say(key), str(target))]) from error
         raise OutputError([Fault(say("fault.W008", reason=reason_of(error)), str(target))]) from error
-    except ValueError as error:  # a name that no file can have: a zero byte in it
+    except ValueError as error:  # an impossible file name, for instance with a zero byte
         raise OutputError([Fault(say("fault.W009", reason=str(error)), str(target))]) from error
 
 
 def wrong_ending(path: Path, endings: str) -> OutputError:
-    """Return the fault of a name that does not end as a file of its kind does."""
+    """Return the error for a file name whose ending does not suit its format."""
     return OutputError([Fault(say("fault.W011", endings=endings, found=path.suffix or "–"), str(path))])
 
 
 def write_bytes(path: Path | str, content: bytes) -> None:
-    """Write a whole file; folders on the way are made.  Raises `OutputError`, leaving what was there before."""
+    """Write a whole file and make missing folders.  Raises `OutputError`; the old file is then still there."""
     target = Path(path)
     with refused(target):
         if not target.name:  # "." or "/"
@@ -60,13 +60,13 @@ def write_bytes(path: Path | str, content: bytes) -> None:
 
 
 def clear_leftovers(folder: Path) -> None:
-    """Remove what a process that was killed had begun to write into a folder, which nobody else writes into now."""
+    """Remove the unfinished files that a killed process left in a folder; nobody else may be writing into it now."""
     for left in folder.rglob(f"{_BEGUN}*.part"):
         left.unlink(missing_ok=True)
 
 
 def take_lock(file: IO[bytes], at: int = 0) -> None:
-    """Take a lock, on Windows of one byte, that ends with the process.  Raises `BlockingIOError` where another process has it."""
+    """Lock a file (on Windows its byte `at`) until the process ends.  Raises `BlockingIOError` if another process holds it."""
     if sys.platform == "win32":
         import msvcrt
 
@@ -82,7 +82,7 @@ def take_lock(file: IO[bytes], at: int = 0) -> None:
 
 
 def write_through(path: Path, content: bytes) -> None:
-    """Write a new file down to the disk.  Raises `OSError`."""
+    """Write a new file and force it to the disk.  Raises `OSError`."""
     with path.open("xb") as file:
         file.write(content)
         file.flush()

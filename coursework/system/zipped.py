@@ -1,4 +1,4 @@
-"""Files -> a zip, the same bytes for the same files, whenever and wherever it is made; and back.
+"""Files -> a zip with the same bytes for the same files, whenever and wherever it is made; and back.
 
 Enters: names and contents.  Leaves: bytes.
 Used by `word.py`, `open_document.py`, `downloads.py`, `zips.py` and `desk/answering/takeaway.py`.
@@ -12,11 +12,11 @@ from collections.abc import Iterable
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 _UNIX = 3
-_STORED = "mimetype"  # of OpenDocument, which stands first and as it is
+_STORED = "mimetype"  # OpenDocument requires this file to be stored uncompressed
 
 
 def zipped(files: Iterable[tuple[str, bytes]], mode: int = 0o600) -> bytes:
-    """Return files as a zip without an hour; `mode` is who may read them once they are taken out."""
+    """Return the files as a zip without time stamps; `mode` holds the permission bits of the unpacked files."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w") as archive:
         for name, content in files:
@@ -27,6 +27,6 @@ def zipped(files: Iterable[tuple[str, bytes]], mode: int = 0o600) -> bytes:
 
 
 def unpacked(content: bytes) -> dict[str, bytes]:
-    """Return the files of a zip of our own, or of a program that is trusted, by name."""
+    """Return the files (name -> content) of a zip made by this tool or by a trusted program."""
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         return {name: archive.read(name) for name in archive.namelist()}

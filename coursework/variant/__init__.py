@@ -1,1 +1,1 @@
-"""A variant file: text into a checked `Variant`; what it says, what it may say, and what is wrong with it."""
+"""A variant file: its text into a checked `Variant`; what a file may contain, and what is wrong with it."""

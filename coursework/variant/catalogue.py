@@ -1,4 +1,4 @@
-"""The catalogue: which variants there are, where one lies, and the variant of a name or a path.
+"""The catalogue: the names of its variants, the file of each, and loading a variant by name or path.
 
 Enters: a name or a path.  Leaves: paths, titles, a `Variant`.
 Used by `api.py`, `cli.py`, `commands/`, `grading/` and `grading/batch/`.
@@ -36,7 +36,7 @@ def _natural(name: str) -> list[tuple[bool, int | str]]:
 
 
 def names() -> list[str]:
-    """Return the names of the catalogue's variants, numbers in their order.
+    """Return the names of the catalogue's variants, sorted with numbers in numerical order.
 
     >>> import coursework
     >>> coursework.names()[:3]
@@ -46,7 +46,7 @@ def names() -> list[str]:
 
 
 def entries(language: str = ENGLISH) -> list[Entry]:
-    """Return the catalogue, in a language as far as the files speak it."""
+    """Return the catalogue, with texts in `language` where the files have them."""
     listed = []
     for name in names():
         data = tomllib.loads((folder("variants") / f"{name}.toml").read_text(encoding="utf-8"))
@@ -56,10 +56,10 @@ def entries(language: str = ENGLISH) -> list[Entry]:
 
 
 def find(path_or_name: str | Path | int) -> Path:
-    """Return the file of a name in the catalogue, of a path, or of a path without its ending .toml.
+    """Return the file of a variant, given a name in the catalogue, a path, or a path without its ending .toml.
 
-    A file of the current folder stands before a variant of the catalogue with its name.
-    Raises `InputError` for a name that is none of these, with the closest one.
+    A file in the current folder takes precedence over a variant of the catalogue with the same name.
+    Raises `InputError`, with the closest name, if nothing is found.
     """
     text = str(path_or_name)
     is_name = re.fullmatch(r"[\w-]{1,60}", text) is not None
@@ -69,7 +69,7 @@ def find(path_or_name: str | Path | int) -> Path:
     ended = path.with_name(f"{path.name}.toml") if path.name and path.suffix != ".toml" else path
     if _is_file(ended) or _is_file(path):
         return ended if _is_file(ended) else path
-    # An editor on Windows adds ".txt" behind the name, and the file manager does not show it.
+    # An editor on Windows may append ".txt" to the name, and the file manager hides it.
     if path.name and _is_file(doubled := ended.with_name(f"{ended.name}.txt")):
         raise InputError(say("fault.C013", ended=ended, doubled=doubled, name=ended.name))
     if is_name and not path.is_dir():
@@ -79,7 +79,7 @@ def find(path_or_name: str | Path | int) -> Path:
 
 
 def own_file(path_or_name: str | Path) -> Path | None:
-    """Return the file of the current folder that is taken in place of a variant of the catalogue, None where there is none."""
+    """Return the file in the current folder that replaces a catalogue variant of the same name, None if there is none."""
     text = str(path_or_name)
     if text.lower() not in names():
         return None
@@ -89,7 +89,7 @@ def own_file(path_or_name: str | Path) -> Path | None:
 
 
 def variant_from(given: object, judge: Judge | None = None) -> Variant:
-    """Return a variant as it is, or that of a name, a path or a number.  Raises `TypeError` for anything else."""
+    """Return a variant unchanged, or load one from a name, path or number.  Raises `TypeError` for any other object."""
     from coursework.variant.record.variant import Variant
 
     if isinstance(given, Variant):
@@ -102,7 +102,7 @@ def variant_from(given: object, judge: Judge | None = None) -> Variant:
 def load(path_or_name: str | Path | int, judge: Judge | None = None) -> Variant:
     """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault, each with its line.
 
-    `judge` adds what a floor above knows to be wrong with a file that has faults.
+    `judge` adds the faults that only a higher floor can find, if the file has faults at all.
 
     >>> import coursework
     >>> variant = coursework.load("31")
@@ -117,5 +117,5 @@ def load(path_or_name: str | Path | int, judge: Judge | None = None) -> Variant:
 def _is_file(path: Path) -> bool:
     try:
         return path.is_file()
-    except OSError:  # a name longer than the system knows
+    except OSError:  # the name is longer than the system allows
         return False

@@ -1,6 +1,6 @@
-"""Expressions -> their derivatives, themselves multiplied out or with parts replaced, and the values of those of numbers alone.
+"""Calculus on expressions: derivatives, expansion, replacement of parts, common denominators.
 
-Enters: expressions.  Leaves: expressions; a value.  Used by whoever reduces equations.
+Enters: expressions.  Leaves: expressions.  Used by whoever reduces equations.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def rebuilt(part: Expression, args: tuple[Expression, ...]) -> Expression:
 
 
 def piecewise(time: Expression, *parts: Expression) -> Expression:
-    """Return what is a piece until the time after it, and so on, the last for ever; pieces alike that meet are one."""
+    """Return a piecewise expression: each piece applies until the time after it, the last for ever; equal neighbours merge."""
     kept = [parts[-1]]
     for piece, end in zip(parts[-3::-2], parts[-2::-2], strict=True):
         if piece is not kept[0]:
@@ -38,7 +38,7 @@ def piecewise(time: Expression, *parts: Expression) -> Expression:
 
 
 def replaced(part: Expression, by: Mapping[Expression, Expression]) -> Expression:
-    """Return an expression with parts replaced."""
+    """Return an expression in which each key of `by` is replaced by its value."""
     done = dict(by)
 
     def changed(one: Expression) -> Expression:
@@ -52,7 +52,7 @@ def replaced(part: Expression, by: Mapping[Expression, Expression]) -> Expressio
 
 @lru_cache(maxsize=4096)
 def derivative(part: Expression, by: Expression) -> Expression:
-    """Return the derivative of an expression by a symbol."""
+    """Return the derivative of an expression with respect to a symbol."""
     if by not in part.free_symbols:
         return ZERO
     match part.op:
@@ -74,7 +74,7 @@ def derivative(part: Expression, by: Expression) -> Expression:
 
 
 def _slope(part: Expression, place: int) -> Expression:
-    """Return the derivative of a function by one of its arguments."""
+    """Return the derivative of a function with respect to its argument number `place`."""
     first = part.args[0]
     match part.op:
         case "sin":
@@ -98,18 +98,18 @@ def _slope(part: Expression, place: int) -> Expression:
         case "abs":
             return call("sign", first)
         case "sign":
-            return ZERO  # but at the jump itself
+            return ZERO  # except at the jump itself
     return table(part, 1)
 
 
 def table(law: Expression, more: int) -> Expression:
-    """Return the derivative, `more` times, of a tabulated law by its argument: `_table_r_0` has the derivatives `_table_r_1` …"""
+    """Return the derivative of order `more` of a tabulated law by its argument: `_table_r_0` has `_table_r_1`, `_table_r_2`."""
     stem, _, order = law.op.rpartition("_")
     return node(f"{stem}_{int(order) + more}", law.args)
 
 
 def expand(part: Expression) -> Expression:
-    """Return an expression multiplied out, inside functions and below fractions, too."""
+    """Return an expression multiplied out, also inside functions and in denominators."""
     before = None
     while part is not before:
         before, part = part, _expanded(part)
@@ -131,13 +131,13 @@ def _expanded(part: Expression) -> Expression:
 
 
 def together(part: Expression) -> tuple[Expression, Expression]:
-    """Return what stands above and below when all terms are brought to one denominator."""
+    """Return numerator and denominator of an expression with all terms over one denominator."""
     above, below = _sides(part)
     return above, multiply(*[power(base, by) for base, by in below.items()])
 
 
 def _sides(part: Expression) -> tuple[Expression, dict[Expression, Fraction]]:
-    """Return what stands above, and what stands below as powers, none of them of numbers."""
+    """Return the numerator, and the denominator as powers of bases that are not numbers."""
     if part.op == "+":
         sides = [_sides(term) for term in part.args]
         common: dict[Expression, Fraction] = {}
@@ -151,7 +151,7 @@ def _sides(part: Expression) -> tuple[Expression, dict[Expression, Fraction]]:
         over, under = _sides(base) if base.op == "+" and by.denominator == 1 else (base, {})
         if by > 0:
             above.append(power(over, by))
-        else:  # 2 a + 2 b below is a + b
+        else:  # the denominator 2 a + 2 b is written as a + b, its 2 goes into the numerator
             whole = content(term.split()[0] for term in over.terms)
             above.append(power(number(whole), by))
             parts = [one.base_and_power for one in (over / number(whole)).factors]
@@ -163,6 +163,6 @@ def _sides(part: Expression) -> tuple[Expression, dict[Expression, Fraction]]:
 
 
 def content(numbers: Iterable[Fraction]) -> Fraction:
-    """Return the largest number that divides all of some."""
+    """Return the largest number that divides all `numbers`."""
     found = list(numbers)
     return Fraction(math.gcd(*(one.numerator for one in found)), math.lcm(*(one.denominator for one in found)))

@@ -1,10 +1,10 @@
-"""One immutable expression: numbers, symbols, sums, products, powers and functions, each always in the same canonical form.
+"""Immutable expressions: numbers, symbols, sums, products, powers and functions, each always in the same canonical form.
 
 Enters: parts, by `number`, `variable`, `add`, `multiply`, `power` and `node`.  Leaves: `Expression`; equal ones are one object.
 Used by `functions.py`, `calculus.py`, `symbolic_objects.py` and whoever reads the kind of an expression.
 
-A sum has its number first and no two terms alike; a product has its number first, no two factors with the same base, and a
-number times a sum alone is multiplied out.
+A sum has its number first and no two similar terms.  A product has its number first and no two factors with the same base; a
+product of only a number and a sum is multiplied out.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from typing import Any
 from weakref import WeakValueDictionary
 
 Number = int | Fraction
-# What comes first in sums and products; functions follow by name.
+# Sort order of the kinds in sums and products; other functions follow by name.
 _KINDS = {"pi": 11, "symbol": 13, "^": 15, "*": 16, "+": 17, "abs": 20}
 _NUMBERS = {Fraction(0): 0, Fraction(1): 1, Fraction(1, 2): 2, Fraction(-1): 5}
 
 
 class Expression:
-    """`op` is number, symbol, pi, + * ^, piecewise or the name of a function; `value` that of a number, `name` that of a symbol.
+    """An expression: `op` is number, symbol, pi, + * ^, piecewise or a function name; a number has a `value`, a symbol a `name`.
 
-    `depth` counts its levels, `size` its parts, written out.  The arguments of "piecewise" are t, then each piece and the time
-    at which it ends, last the piece that has no end.
+    `depth` is the number of levels, `size` the number of nodes, repeated parts counted each time.  The arguments of "piecewise"
+    are t, then each piece followed by the time at which it ends, and the last piece, which has no end.
     """
 
     __slots__ = ("__weakref__", "_free", "_key", "args", "depth", "name", "op", "size", "value")
@@ -49,7 +49,7 @@ class Expression:
 
     @property
     def free_symbols(self) -> frozenset[Expression]:
-        """Return every symbol inside."""
+        """Return every symbol in the expression."""
         if self._free is None:
             own = (self,) if self.op == "symbol" else ()
             self._free = frozenset(own).union(*(arg.free_symbols for arg in self.args))
@@ -59,26 +59,26 @@ class Expression:
         return self._key < other._key
 
     def walk(self) -> Iterator[Expression]:
-        """Yield every different part, this one first."""
+        """Yield every distinct part once, this expression first."""
         found, met = [self], {self}
-        for part in found:  # grows
+        for part in found:  # the list grows during the loop
             yield part
             fresh = [arg for arg in part.args if arg not in met]
             met.update(fresh)
             found += fresh
 
     def has(self, symbol: Expression) -> bool:
-        """Return whether a symbol stands inside."""
+        """Return whether the expression contains a symbol."""
         return symbol in self.free_symbols
 
     @property
     def terms(self) -> tuple[Expression, ...]:
-        """Return the terms of a sum, an expression of another kind as its only one."""
+        """Return the terms of a sum; any other expression is its own single term."""
         return self.args if self.op == "+" else (self,)
 
     @property
     def factors(self) -> tuple[Expression, ...]:
-        """Return the factors of a product, an expression of another kind as its only one."""
+        """Return the factors of a product; any other expression is its own single factor."""
         return self.args if self.op == "*" else (self,)
 
     @property
@@ -88,7 +88,7 @@ class Expression:
 
     @property
     def has_minus(self) -> bool:
-        """Return whether an expression is written with a minus: -x, or a sum of which most terms, or the leading one, are."""
+        """Return whether the expression is written with a minus: -x, or a sum in which most terms are, or half with the first."""
         parts = [term.split() for term in self.terms]
         negative = sum(factor < 0 for factor, _ in parts)
         if 2 * negative != len(parts):
@@ -97,7 +97,7 @@ class Expression:
         return min(moving, key=lambda part: part[1]._key)[0] < 0
 
     def split(self) -> tuple[Fraction, Expression]:
-        """Return the number before an expression and the rest."""
+        """Return the numerical factor of the expression and the rest."""
         if self.op == "number":
             return self.value, ONE
         if self.op == "*" and self.args[0].op == "number":
@@ -107,7 +107,7 @@ class Expression:
 
     @property
     def base_and_power(self) -> tuple[Expression, Fraction]:
-        """Return base and exponent, the exponent 1 of what is no power."""
+        """Return base and exponent; the exponent is 1 if the expression is no power."""
         return (self.args[0], self.args[1].value) if self.op == "^" else (self, _ONE)
 
     def __add__(self, other: Expression | Number) -> Expression:
@@ -144,7 +144,7 @@ _known: WeakValueDictionary[tuple[object, ...], Expression] = WeakValueDictionar
 
 
 def node(op: str, args: tuple[Expression, ...] = (), name: str = "", value: Fraction = _ZERO) -> Expression:
-    """Return the one expression of a kind with these arguments, as they are."""
+    """Return the unique expression with this kind and these arguments, without simplification."""
     key = (op, value) if op == "number" else (op, args, name)  # fractions are slow to hash
     found = _known.get(key)
     return _known.setdefault(key, Expression(op, args, name, value)) if found is None else found
@@ -156,21 +156,21 @@ def number(value: Number) -> Expression:
 
 
 def variable(name: str) -> Expression:
-    """Return a symbol, which stands for a real number."""
+    """Return a symbol that stands for a real number."""
     return node("symbol", name=name)
 
 
 def as_expression(value: Expression | Number) -> Expression:
-    """Return an expression as it is, a number as one."""
+    """Return an expression unchanged, a number as an expression."""
     return value if isinstance(value, Expression) else number(value)
 
 
 ZERO, ONE, MINUS, HALF, PI = number(0), number(1), number(-1), number(Fraction(1, 2)), node("pi")
-POLE = node("^", (ZERO, MINUS))  # what has no value, whatever the motion
+POLE = node("^", (ZERO, MINUS))  # an expression without a value, whatever the motion
 
 
 def add(*terms: Expression) -> Expression:
-    """Return a sum."""
+    """Return a sum in canonical form."""
     found: dict[Expression, Fraction] = {}
     for term in [part for one in terms for part in one.terms]:
         factor, rest = term.split()
@@ -185,7 +185,7 @@ def _joined(op: str, parts: list[Expression], nothing: Expression) -> Expression
 
 
 def multiply(*factors: Expression) -> Expression:
-    """Return a product."""
+    """Return a product in canonical form."""
     total, powers = _ONE, dict[Expression, Fraction]()
     for factor in [part for one in factors for part in one.factors]:
         base, by = factor.base_and_power
@@ -197,7 +197,7 @@ def multiply(*factors: Expression) -> Expression:
         return ZERO
     parts = [base if by == 1 else power(base, by) for base, by in powers.items()]
     if any(part.op in {"*", "number"} or part.base_and_power[0] not in powers for part in parts):
-        # What is a power no more, or one of another base, may meet its like.
+        # A part that is no longer a power, or has another base now, may join with a similar factor.
         return multiply(number(total), *parts)
     parts.sort()
     if total != 1 and len(parts) == 1 and parts[0].op == "+":
@@ -206,7 +206,7 @@ def multiply(*factors: Expression) -> Expression:
 
 
 def power(base: Expression, exponent: Number) -> Expression:
-    """Return a power."""
+    """Return a power in canonical form."""
     by = exponent if isinstance(exponent, Fraction) else Fraction(exponent)
     whole = by.denominator == 1
     if by == 0 or base is ONE:
@@ -221,7 +221,7 @@ def power(base: Expression, exponent: Number) -> Expression:
         case "number" if base.value > 0:
             return _root(base.value, by)
         case "*":
-            outside = [factor for factor in base.args if whole or is_nonnegative(factor)]  # of a root only these come out
+            outside = [factor for factor in base.args if whole or is_nonnegative(factor)]  # of a root, only these come out
             if outside:
                 inside = multiply(*[factor for factor in base.args if factor not in outside])
                 return multiply(*[power(factor, by) for factor in outside], power(inside, by))
@@ -236,7 +236,7 @@ def power(base: Expression, exponent: Number) -> Expression:
 
 
 def _root(value: Fraction, by: Fraction) -> Expression:
-    """Return a number to a power that is no whole one, as what is rational of it and roots of whole numbers."""
+    """Return a positive number to a fractional power, as a rational factor and roots of whole numbers."""
     if value.denominator > 1:
         return multiply(power(number(value.numerator), by), power(number(value.denominator), -by))
     exact = round(value.numerator ** (1 / by.denominator))
@@ -260,7 +260,7 @@ def absolute(part: Expression) -> Expression:
 
 
 def is_nonnegative(part: Expression) -> bool:
-    """Return whether an expression is seen to be zero or more."""
+    """Return whether an expression can be recognised as zero or more."""
     if not part.free_symbols:
         return value(part) >= 0
     match part.op:
@@ -273,7 +273,7 @@ def is_nonnegative(part: Expression) -> bool:
 
 
 def value(part: Expression) -> float:
-    """Return the value of an expression of numbers alone, nan where it has none."""
+    """Return the value of an expression without symbols, nan if it has none."""
     if part.op == "number":
         return part.value.numerator / part.value.denominator
     args = [value(arg) for arg in part.args]

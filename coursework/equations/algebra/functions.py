@@ -1,4 +1,4 @@
-"""Functions of expressions, with what is known of them at once: sin(-x) = -sin x, cos(x + pi/2) = -sin x, sin(asin x) = x.
+"""Functions of expressions with immediate simplification: sin(-x) = -sin x, cos(x + pi/2) = -sin x, sin(asin x) = x.
 
 Enters: the name of a function and its arguments.  Leaves: an `Expression`.  Used by `calculus.py` and `symbolic.py`.
 """
@@ -10,12 +10,12 @@ from fractions import Fraction
 from coursework.equations.algebra.expression import HALF, ONE, PI, ZERO, Expression, absolute, node, number, power, value
 
 _ODD = {"sin", "tan", "asin", "atan", "sign"}
-# Sines of parts of pi that are roots of one whole number, by (the angle, its sine squared).
+# Sines of multiples of pi that are square roots of a rational number: angle / pi -> its sine squared.
 _SINES = {Fraction(part, 12): Fraction(square, 4) for part, square in ((0, 0), (2, 1), (3, 2), (4, 3), (6, 4))}
 
 
 def call(name: str, *args: Expression) -> Expression:
-    """Return a function of expressions."""
+    """Return a function of expressions, simplified where possible."""
     first = args[0]
     match name:
         case "sqrt":
@@ -53,7 +53,7 @@ def cosine(angle: Expression) -> Expression:
 
 
 def _of_angle(name: str, angle: Expression) -> Expression | None:
-    """Return a trigonometric function where more is known of its argument."""
+    """Return a simpler form of a trigonometric function of an angle, None if there is none."""
     part = sum((factor for factor, rest in map(Expression.split, angle.terms) if rest is PI), Fraction(0))
     quarters = part // HALF.value
     if quarters:
@@ -70,7 +70,7 @@ def _of_angle(name: str, angle: Expression) -> Expression | None:
 
 
 def _of_inverse(name: str, angle: Expression) -> Expression | None:
-    """Return a trigonometric function of an inverse one: of the angle of a right triangle, from its sides."""
+    """Return a trigonometric function of an inverse one, from the sides of a right triangle; None for any other angle."""
     x = angle.args[0] if angle.args else ONE
     match angle.op:
         case "asin":

@@ -1,4 +1,4 @@
-"""An expression -> SymPy's object of it, for whoever goes on by hand; and which SymPy that is.
+"""An expression -> its SymPy object, for users who go on by hand; and the version of SymPy.
 
 Enters: an `Expression`.  Leaves: a SymPy expression in real symbols.  Used by `blocks.py` and `scene_run.py`.
 SymPy is loaded here and nowhere else.
@@ -19,7 +19,7 @@ _NAMES = {"abs": "Abs", "+": "Add", "*": "Mul", "^": "Pow"}
 
 
 def symbolic(part: Expression) -> sp.Expr:
-    """Return SymPy's object of an expression."""
+    """Return the SymPy object of an expression."""
     import sympy as sp
 
     if part.op == "number":
@@ -38,9 +38,9 @@ def symbolic(part: Expression) -> sp.Expr:
 
 
 def sympy_version() -> str:
-    """Return the version of SymPy, "" where it is not installed: no table and no page needs it.
+    """Return the version of SymPy, "" if it is not installed: no table and no page needs it.
 
-    It is not loaded: the metadata of a package take forty times as long as its own file.
+    SymPy is not loaded, but its release file is read: the metadata of a package take forty times as long.
     """
     spec = find_spec("sympy")
     if spec is None or spec.origin is None:

@@ -1,7 +1,7 @@
-"""The second back end of the door: a straight-line program as a JavaScript function.
+"""The second back end of code generation: a straight-line program as a JavaScript function.
 
-Enters: a `Bound`.  Leaves: JavaScript text that means the same over `Math` and the runtime in `reports/live`.
-Used by `live`, whose page may evaluate no text: what moves there stands in its script.
+Enters: a `Bound`.  Leaves: JavaScript text with the same meaning, over `Math` and the runtime in `reports/live`.
+Used by `live`, whose page may not evaluate text: all its formulas are part of its script.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ _NAME = re.compile(r"[A-Za-z_]\w*")
 def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body: Bound, results: Sequence[str]) -> str:
     """Return `const name = (t, q, …, out) => {…}`, which writes its results into `out` in order and returns it.
 
-    `arguments`: the name of each array that is handed over, with the private names of what lies in it; an empty sequence
-    is a number that bears its own name.
+    `arguments` maps the name of each array argument to the private names of its entries; an empty sequence means a number
+    with this very name.
 
     >>> from coursework.equations.codegen.programs import Bound
     >>> line = Line(("v_w",), "v_w = v_p*cos(t)")
@@ -32,7 +32,7 @@ def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body:
     };
     """
     inside = {word for line in body.lines for word in _NAME.findall(line.text.partition(" = ")[2])}
-    # A result that no line reads goes straight to its place.
+    # A result that no line reads is written directly into `out`.
     direct = {result: f"out[{place}]" for place, result in enumerate(results) if result not in inside}
     written = {target for line in body.lines for target in line.targets if len(line.targets) == 1}
     handed = [
@@ -47,14 +47,14 @@ def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body:
 
 
 def called_tables(body: Bound) -> dict[str, tuple[str, int]]:
-    """Return the tabulated laws that a program calls: the name it calls them by -> name of the law, order of derivative."""
+    """Return the tabulated laws that a program calls: name in the program -> (name of the law, order of derivative)."""
     called = {word for line in body.lines for word in _NAME.findall(line.text)}
     known = {f"_table_{key}_{order}": (key, order) for key in body.tables for order in range(3)}
     return {name: law for name, law in known.items() if name in called}
 
 
 def _statement(line: Line, direct: Mapping[str, str]) -> str:
-    """Return one line.  Python and JavaScript write arithmetic alike; they differ in what is not computed yet and in lists."""
+    """Return one line as JavaScript; only functions without arguments, lists and assignments differ from Python."""
     _, _, value = line.text.partition(" = ")
     value = _SOLVED.sub(r"_solve([\1])", value).replace("lambda: ", "() => ")
     if line.targets[0] in direct and len(line.targets) == 1:

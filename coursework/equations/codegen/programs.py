@@ -1,9 +1,9 @@
 """THE door between symbols and numbers: expressions -> straight-line Python over `math` or NumPy.
 
 Enters: assignments, made by this program.  Leaves: plain functions.
-No text of a user's file passes here: names were checked against letters, digits and _ when the file was read and are
-private ones here (`names.py`), numbers are printed by us.  Every other floor calls what `compile_function` returns and
-never sees a symbol.
+No text of a user's file is compiled here.  Names were checked to be letters, digits and _ when the file was read, and are
+replaced by private ones (`names.py`); numbers are printed by this program.  All other floors call what `compile_function`
+returns and never see a symbol.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ class Assign:
 
 @frozen
 class Solve:
-    """Solve a linear block of three or more numerically (LU); also writes its determinant.
+    """Solve a linear block of three or more unknowns numerically (LU); also assign its determinant.
 
-    With `adjugate` the unknowns are multiplied by it: adj(A) b, which has a value where the determinant vanishes, too.
+    With `adjugate` the result is adj(A) b, the unknowns times the determinant, which exists even where the determinant is zero.
     """
 
     unknowns: tuple[Expression, ...]
@@ -52,9 +52,9 @@ Statement = Assign | Solve
 
 @frozen
 class Program:
-    """Lines in an order in which each needs only earlier ones, the arguments and `reads`; the tabulated laws they call.
+    """Lines, each after those it needs; they read the arguments, the names in `reads` and the tabulated laws.
 
-    `known` are the lines of what the data alone give, `data` the names of data that any line reads.
+    `known` are the lines that depend on data alone, `data` the names of the data that any line reads.
     """
 
     known: tuple[Line, ...]
@@ -64,7 +64,7 @@ class Program:
     tables: Mapping[str, TableLaw]
 
     def bind(self, constants: Mapping[str, float]) -> Bound:
-        """Return the program with its data; what they give is worked out now, or where it has no value in every call."""
+        """Return the program with its data; values of data alone are computed now, or in every call if one of them fails."""
         numbers = {name: constants[name] for name in self.data}
         try:
             numbers |= self._settled(numbers)
@@ -73,7 +73,7 @@ class Program:
         return Bound(self.lines, {name: numbers[name] for name in self.reads}, self.tables)
 
     def free(self) -> Bound:
-        """Return the program whose data are arguments of every call."""
+        """Return the program with the data as arguments of every call."""
         return Bound((*self.known, *self.lines), {}, self.tables)
 
     def _settled(self, numbers: Mapping[str, float]) -> dict[str, float]:
@@ -87,7 +87,7 @@ class Program:
 
 @frozen
 class Bound:
-    """The `lines` of a program with the `numbers`, by name, that they read beside their arguments."""
+    """The `lines` of a program, and the `numbers` (by name) that they read in addition to their arguments."""
 
     lines: tuple[Line, ...]
     numbers: Mapping[str, float]
@@ -95,12 +95,12 @@ class Bound:
 
 
 def with_numbers(arguments: Iterable[str], numbers: Iterable[str]) -> str:
-    """Return the arguments of a function over bound lines: its own, then the numbers by name, which nobody passes."""
+    """Return the parameter list of a function of bound lines: its arguments, then each number as a default that nobody passes."""
     return ", ".join([*arguments, *(f"{name}={name}" for name in numbers)])
 
 
 def renamed(lines: Iterable[Line], rename: Mapping[str, str]) -> list[Line]:
-    """Return lines with other identifiers."""
+    """Return lines with identifiers replaced according to `rename`."""
     return [Line(line.targets, _NAME.sub(lambda word: rename.get(word[0], word[0]), line.text)) for line in lines]
 
 
@@ -110,7 +110,7 @@ def program(
     data: Collection[str],
     tables: Mapping[str, TableLaw],
 ) -> Program:
-    """Return a program for `wanted`, with the definitions it needs; `data` are the names of what is a number in every run."""
+    """Return a program for `wanted` with the definitions it needs; `data` are the names whose values are fixed in each run."""
     written = {target for statement in wanted for target in _targets(statement)}
     collected = StraightLine(data, definitions, written)
     for statement in wanted:
@@ -132,7 +132,7 @@ def compile_function(
 ) -> Callable[..., Any]:
     """Return `name(*arguments) -> (results…)`; with `numpy` every argument may be an array (n,).
 
-    With `outside` too a tabulated law gives nan beyond its table instead of raising `OutsideTable`.
+    With both `numpy` and `outside`, a tabulated law gives nan beyond its table instead of raising `OutsideTable`.
     """
     source = _source(name, [with_numbers(arguments, body.numbers)], body.lines, results)
     return build(source, name, body, numpy=numpy, outside=outside)
@@ -146,7 +146,7 @@ def _source(name: str, arguments: Iterable[str], lines: Iterable[Line], results:
 def compile_later(
     name: str, arguments: Sequence[str], body: Bound, results: Sequence[str], *, numpy: bool = False
 ) -> Callable[..., Any]:
-    """Return the same function, compiled when it is first called: many scenes never ask for it."""
+    """Return the same function as `compile_function`, compiled at its first call, because many scenes never call it."""
     compiled: list[Callable[..., Any]] = []
 
     def call(*values: Any) -> Any:
@@ -158,7 +158,7 @@ def compile_later(
 
 
 def in_formula(error: Exception) -> bool:
-    """Return whether a division by zero was made by a program that was printed here, so by a formula of the file."""
+    """Return whether an error is a division by zero in generated code, that is, in a formula of the file."""
     last = error.__traceback__
     while last is not None and last.tb_next is not None:
         last = last.tb_next
@@ -166,7 +166,7 @@ def in_formula(error: Exception) -> bool:
 
 
 def _exp(value: float) -> float:
-    """Return e to a power, infinite where that is beyond the largest number: 1/(1 + exp(800)) is 0."""
+    """Return e to the power `value`, infinite if that overflows: 1/(1 + exp(800)) is 0."""
     try:
         return math.exp(value)
     except OverflowError:
@@ -177,19 +177,19 @@ _MATH: dict[str, Any] = {name: vars(math)[name] for name in CALLS if hasattr(mat
 _MATH["exp"] = _exp
 _MATH["_choose"] = lambda holds, yes, no: yes() if holds else no()
 _ARRAYS: dict[str, Any] = {name: vars(np)[name] for name in CALLS if hasattr(np, name)}
-# The names of `math` for what NumPy calls otherwise.
+# NumPy functions under the names of `math`, where these differ.
 _ARRAYS |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np.arctan2, "pow": np.power}
 _ARRAYS["_choose"] = lambda holds, yes, no: np.where(holds, yes(), no())
 
 
-@lru_cache(maxsize=256)  # a structure has about thirty
+@lru_cache(maxsize=256)  # a structure needs about thirty
 def _code(source: str, name: str) -> CodeType:
-    """Return a source compiled; variants that differ in their data have the same one."""
+    """Return compiled source; variants that differ only in their data share it."""
     return compile(source, f"<generated {name}>", "exec")
 
 
 def build(source: str, name: str, body: Bound, *, numpy: bool = False, outside: bool = False) -> Callable[..., Any]:
-    """Return the function `name` of a source that this program printed itself."""
+    """Return the function `name` of a source that this program has printed."""
     namespace = {**(_ARRAYS if numpy else _MATH), **body.numbers}
     namespace |= {"abs": abs, "sign": np.sign, "range": range, "_adjugate": _adjugate}
     namespace["_solve"] = _solve_rows if numpy else _solve
@@ -205,9 +205,9 @@ def build(source: str, name: str, body: Bound, *, numpy: bool = False, outside: 
 
 
 def _quiet(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function over arrays that gives nan where there is no value, without a word; whoever reads it looks for nan.
+    """Return a function over arrays that gives nan without a warning where there is no value; its callers look for nan.
 
-    The function itself is its `__wrapped__`, for whoever keeps quiet over many calls.
+    The function itself is available as `__wrapped__`, for callers that suppress warnings over many calls.
     """
 
     @wraps(function)
@@ -219,7 +219,7 @@ def _quiet(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _beyond(law: TableLaw, order: int) -> Callable[[Any], Any]:
-    """Return the function of a tabulated law over arrays that gives nan where the table has ended."""
+    """Return a function of a tabulated law over arrays that gives nan outside the table."""
     function = law.function(order)
 
     def value(argument: Any) -> Any:
@@ -249,7 +249,7 @@ def _adjugate(entries: tuple[float, ...]) -> tuple[float, ...]:
 
 
 def _solve_rows(entries: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return the same for arrays (n,) at once, nan where the block is singular."""
+    """Return the same as `_solve` for arrays (n,), nan in the rows whose block is singular."""
     size = _size(len(entries))
     rows = np.stack(np.broadcast_arrays(*entries), axis=-1).astype(float)
     matrix = rows[..., : size * size].reshape(*rows.shape[:-1], size, size)

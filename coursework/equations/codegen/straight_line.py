@@ -1,6 +1,6 @@
-"""Expressions -> lines of Python in which every value is computed once, and what the data alone give once for all.
+"""Expressions -> lines of Python that compute every value once, and values of data alone before all others.
 
-Enters: statements made by this program.  Leaves: text that means the same over `math` and over NumPy.
+Enters: statements made by this program.  Leaves: text with the same meaning over `math` and over NumPy.
 Used by `programs.py` only.
 Local value numbering (A. V. Aho, R. Sethi, J. D. Ullman, "Compilers", 1986, 9.8): equal values get one number, and a value
 that is read more than once gets a name.
@@ -19,20 +19,20 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
 CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
-_MOST_FACTORS = 16  # powers up to this one are products
+_MOST_FACTORS = 16  # powers up to this exponent are written as products
 _SUM, _PRODUCT, _ATOM = 1, 2, 3
-# Operations that may be done once for all where their operands are known: no table, whose range is told row by row, no choice.
+# Operations that may be computed in advance if all operands are known: no tables (checked row by row), no choices.
 _SETTLING = {"+", "*", "/", *CALLS}
-MOST_OPERATIONS = 20_000  # different ones in one program; the largest of the catalogue has some hundreds
+MOST_OPERATIONS = 20_000  # distinct operations in one program; the largest of the catalogue has some hundreds
 
 
 class FormulaRefused(InputError, ValueError):
-    """What the formulas of a variant lead to cannot be computed; whoever knows the variant says its file."""
+    """Something that follows from the formulas of a variant cannot be computed; a caller that knows the variant adds its file."""
 
 
 @frozen
 class Line:
-    """`text` gives values to the names `targets`."""
+    """A line of code whose `text` assigns to the names `targets`."""
 
     targets: tuple[str, ...]
     text: str
@@ -40,12 +40,12 @@ class Line:
 
 @changing
 class StraightLine:
-    """Collects statements, then gives their lines.
+    """Collects statements, then returns their lines.
 
-    `data` are private names of numbers that do not change while the lines are run: what they alone give is computed in lines of
-    its own, `known`; `reads` are the names of data and of known values in all other lines, `known_reads` the data behind those.
-    A name of `definitions` that no statement of `written` sets is defined where it is first read.
-    A value is an integer: its number, negative for the negative of it.  A form is an operation and the values it takes.
+    `data` are private names of numbers that are constant during a run.  Values that depend on data alone are computed in lines of
+    their own, `known`.  `reads` are the data and known values read by all other lines, `known_reads` the data read by `known`.
+    A name in `definitions` that is not in `written` is defined where it is first read.
+    A value is represented by its number, its negative by the negative number.  A form is an operation and its operands.
     """
 
     data: Collection[str]
@@ -97,7 +97,7 @@ class StraightLine:
             case "symbol":
                 return self._symbol(expr)
             case "number":
-                # A quotient of two integers is rounded once by Python, so the decimal of the task sheet comes back exactly.
+                # Python rounds a quotient of two integers once, so the decimal of the task sheet comes back exactly.
                 return self._constant(expr.value.numerator / expr.value.denominator)
             case "pi":
                 return self._constant(math.pi)
@@ -140,7 +140,7 @@ class StraightLine:
         return found
 
     def _is_settled(self, value: int) -> bool:
-        """Return whether a value follows from numbers and data alone."""
+        """Return whether a value depends on numbers and data alone."""
         return abs(value) in self._settled or abs(value) in self._folded
 
     def _constant(self, size: float) -> int:
@@ -151,7 +151,7 @@ class StraightLine:
         return found
 
     def _apart(self, values: Sequence[int]) -> tuple[list[float], list[int], list[int]]:
-        """Return the constants among some values, those that follow from the data, and the others, in order."""
+        """Return the constants among `values`, then those that depend on data alone, then the others, each in order."""
         constants = [math.copysign(self._folded[abs(v)], v) for v in values if abs(v) in self._folded]
         others = sorted((v for v in values if abs(v) not in self._folded), key=abs)
         return constants, [v for v in others if abs(v) in self._settled], [v for v in others if abs(v) not in self._settled]
@@ -188,13 +188,13 @@ class StraightLine:
         return sign * self._number("/", abs(above), abs(below))
 
     def _power(self, power: Expression) -> int:
-        """Return a power, or where its exponent is negative what it is one divided by."""
+        """Return a power, or its reciprocal if the exponent is negative."""
         if power is POLE:
             raise FormulaRefused(say("fault.V513", text="1/0"))
         base, exponent = power.args
         value, twice = self._value(base), 2 * abs(exponent.value)
         if twice.denominator > 1 or twice > 2 * _MOST_FACTORS:
-            # A negative number to a fractional power is no real number; `**` would go on in complex ones.
+            # A negative number to a fractional power is no real number; `**` would return a complex one.
             return self._function("pow", [value, self._constant(float(abs(exponent.value)))])
         whole, half = divmod(int(twice), 2)
         factors = [self._function("sqrt", [value])] if half else []
@@ -210,12 +210,12 @@ class StraightLine:
             raise FormulaRefused(say("fault.V515", name=name))
         known: Callable[..., float] | None = getattr(math, name, None)
         if known and all(abs(value) in self._folded for value in values):
-            with suppress(ArithmeticError, ValueError):  # without a value it stays a call, and is told when it is made
+            with suppress(ArithmeticError, ValueError):  # without a value it stays a call, which then raises
                 return self._constant(known(*self._apart(values)[0]))
         return self._number(name, *values)
 
     def _pieces(self, time: int, pieces: Sequence[Expression], ends: Sequence[Expression]) -> int:
-        """Return the piece that holds.  The times at which pieces end grow, so it is found by halving."""
+        """Return the piece that applies, found by bisection, because the ends of the pieces are in ascending order."""
         if len(pieces) == 1:
             return self._value(pieces[0])
         half = len(pieces) // 2
@@ -223,9 +223,9 @@ class StraightLine:
         return self._number("if >", self._value(ends[half - 1]), time, before, after)
 
     def _text(self, value: int, level: int, *, inline: bool = False, known: bool = False) -> str:
-        """Return a value as it stands inside a sum, a product or alone; `inline` without naming anything new.
+        """Return the text of a value inside a sum, a product or alone (`level`); `inline` forbids naming further values.
 
-        `known` says that it stands in a line of the data alone.
+        `known` tells that the text belongs to a line of data alone.
         """
         number = abs(value)
         settled = number in self._settled
@@ -243,7 +243,7 @@ class StraightLine:
         return text if own >= level else f"({text})"
 
     def _name(self, number: int, letter: str, lines: list[Line], *, known: bool = False) -> None:
-        """Give a value a name, by a line of its own behind those it needs."""
+        """Give a value a name, in a line of its own after those it needs."""
         body = self._body(number, known=known)[0]
         name = f"{letter}{self._helpers}"
         self._helpers += 1
@@ -251,7 +251,7 @@ class StraightLine:
         self._names[number] = name
 
     def _body(self, number: int, *, inline: bool = False, known: bool = False) -> tuple[str, int]:
-        """Return the text of a value and what it is."""
+        """Return the text of a value, and whether it is a sum, a product or an atom."""
         operation, *rest = self._forms[number]
         values = [int(value) for value in rest]
         if not values:
@@ -265,6 +265,6 @@ class StraightLine:
             return f"{left}{operation}{self._text(values[1], _ATOM, inline=inline, known=known)}", _PRODUCT
         if str(operation).startswith("if "):
             left, right, yes, no = (self._text(value, _SUM, inline=True) for value in values)
-            # Only the piece that holds may be computed: another one need not have a value there.
+            # Only the piece that applies may be computed: the others may have no value there.
             return f"_choose({left} {str(operation)[3:]} {right}, lambda: {yes}, lambda: {no})", _ATOM
         return f"{operation}({', '.join(self._text(value, _SUM, inline=inline, known=known) for value in values)})", _ATOM

@@ -17,12 +17,12 @@ from coursework.words.errors import Unplaced
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# Part of an interval by which round-off may lie beyond the table.
+# Fraction of an interval by which an argument may be outside the table because of round-off.
 _SLACK = 1e-6
 
 
 class OutsideTable(Unplaced):
-    """The law `name` was asked for beyond its table."""
+    """The law `name` was evaluated outside its table."""
 
     def __init__(self, message: Sentence, name: str) -> None:
         super().__init__(message)
@@ -30,10 +30,10 @@ class OutsideTable(Unplaced):
 
 
 class TableLaw:
-    """A polynomial between every two nodes, for the value and both derivatives; worked out once, when first asked for.
+    """A polynomial between adjacent nodes, for the value and both derivatives; computed once, when first needed.
 
     `method` "five-point": nodal derivatives by the five-point formulas, quartic between nodes; "spline": cubic.
-    `pieces[order]` (intervals, degree + 1): coefficients in u = 0 … 1, the lowest first.
+    `pieces[order]` (intervals, degree + 1): coefficients of powers of u = 0 … 1, the lowest first.
     """
 
     def __init__(self, name: str, rows: tuple[tuple[float, float], ...], method: str) -> None:
@@ -51,9 +51,9 @@ class TableLaw:
 
     @property
     def levels(self) -> list[Array]:
-        """Return what the pieces are made from, (n,) each at the nodes: value and both derivatives; of a spline value and slope.
+        """Return the nodal data (n,) of the pieces: value and both derivatives, or value and slope for a spline.
 
-        A slope is that of `spline_slopes`, per interval.  A page that carries these needs a fifth of the numbers.
+        A slope is that of `spline_slopes`, per interval.  A page that stores these instead of pieces needs a fifth of the data.
         """
         if self.method == "spline":
             return [self.values, spline_slopes(self.values.tolist())]
@@ -64,20 +64,20 @@ class TableLaw:
 
     @property
     def nodes(self) -> Array:
-        """Return the arguments (n,) between which the law is one polynomial each."""
+        """Return the arguments (n,) of the nodes."""
         return np.asarray(self.first + self.step * np.arange(self.intervals + 1), dtype=np.float64)
 
     def function(self, order: int) -> Callable[[Any], Any]:
-        """Return the function of the law's argument (a number or an array) that gives its derivative of `order` 0, 1 or 2.
+        """Return the function of the argument (a number or an array) that gives the derivative of `order` 0, 1 or 2.
 
-        A march asks for one number at a time, so there plain Python is twenty times as fast as NumPy.
+        Integration evaluates one number at a time, for which plain Python is twenty times as fast as NumPy.
         """
         if order not in self._functions:
             self._functions[order] = self._made(order)
         return self._functions[order]
 
     def _made(self, order: int) -> Callable[[Any], Any]:
-        met: dict[int, tuple[float, ...]] = {}  # of the intervals asked for so far, the highest coefficient first
+        met: dict[int, tuple[float, ...]] = {}  # intervals used so far, the highest coefficient first
 
         def law(argument: Any) -> Any:
             place = (argument - self.first) / self.step
@@ -100,7 +100,7 @@ class TableLaw:
         return law
 
     def covers(self, argument: Any) -> Any:
-        """Return whether the table reaches an argument (a number or an array)."""
+        """Return whether an argument (a number or an array) is inside the table."""
         place = (argument - self.first) / self.step
         return (place >= -_SLACK) & (place <= self.intervals + _SLACK)
 
@@ -110,11 +110,11 @@ class TableLaw:
 
 
 def _quartics(levels: list[Array]) -> list[Array]:
-    """Return the quartics through five nodes around each interval: of the values, their derivatives, and those of these."""
+    """Return the quartics through the five nodes around each interval: for the values, first and second derivatives."""
     from coursework.equations.five_point import NODES
 
     intervals = np.arange(len(levels[0]) - 1)
-    # The five nodes begin one before the interval, at the ends as far from them as must be.
+    # The five nodes begin one before the interval; at the ends they are shifted as far as necessary.
     starts = np.clip(intervals - 1, 0, len(levels[0]) - NODES)
     pieces = []
     for level in levels:
@@ -143,15 +143,15 @@ def _cubics(values: Array, step: float) -> list[Array]:
 def spline_slopes(values: Sequence[float]) -> Array:
     """Return the slopes (n,) at the nodes of the cubic spline with not-a-knot ends, per interval.
 
-    Inside m[i-1] + 4 m[i] + m[i+1] = 3 (y[i+1] - y[i-1]).  The end rows, m[0] - m[2] = 2 (2 y[1] - y[0] - y[2]) and its
-    mirror, are put into their neighbours, so that three diagonals are left and n nodes cost n steps.
+    Inside, m[i-1] + 4 m[i] + m[i+1] = 3 (y[i+1] - y[i-1]).  The end rows, m[0] - m[2] = 2 (2 y[1] - y[0] - y[2]) and its
+    mirror image, are substituted into their neighbours, so that three diagonals are left and n nodes cost n steps.
     """
     right = [3 * (after - before) for before, after in zip(values, values[2:], strict=False)]
     low = 2 * (2 * values[1] - values[0] - values[2])
     high = 2 * (2 * values[-2] - values[-1] - values[-3])
     right[0] -= low
     right[-1] += high
-    # (4 2; 1 4 1; …; 1 4 1; 2 4): down, each row takes off what stands left of its diagonal; then up.
+    # (4 2; 1 4 1; …; 1 4 1; 2 4): forward elimination of the entry left of the diagonal, then back substitution.
     above, inner = [2 / 4], [right[0] / 4]
     for place in range(1, len(right)):
         left = 2.0 if place == len(right) - 1 else 1.0

@@ -1,1 +1,1 @@
-"""Mechanism -> velocity equations A(q, t) u = b(q, t) (`equations`) -> blocks in order, each with its determinant (`blocks`)."""
+"""Mechanism -> velocity equations A(q, t) u = b(q, t) (`equations`) -> ordered blocks, each with its determinant (`blocks`)."""

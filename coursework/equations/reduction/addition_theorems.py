@@ -1,6 +1,6 @@
-"""cos a cos b + sin a sin b -> cos(a - b), and its three sisters.
+"""The addition theorems: cos a cos b + sin a sin b -> cos(a - b), and the three similar ones.
 
-Enters: terms of a sum.  Leaves: fewer terms of the same value.  Used by `tidy.py`.
+Enters: terms of a sum.  Leaves: fewer terms with the same sum.  Used by `tidy.py`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Angles = list[tuple[str, Expression]]
 
 
 def pair_angles(terms: list[Expression], rank: Rank) -> list[Expression]:
-    """Join pairs of terms until none is left; `rank` is the place of a function in the author's order."""
+    """Join pairs of terms until no pair is left; `rank` gives the place of a function in the author's order."""
     turning = [k for k, term in enumerate(terms) if len(_angles(term)) > 1]
     for i, j in combinations(turning, 2):
         if (joined := _join(terms[i], terms[j], rank)) is not None:
@@ -27,7 +27,7 @@ def pair_angles(terms: list[Expression], rank: Rank) -> list[Expression]:
 
 
 def common(terms: Sequence[Expression], *, divisors: bool = False) -> Expression:
-    """Return the factors that all terms have, numbers apart; if `divisors`, those too by which one of them alone is divided."""
+    """Return the factors that all terms share, without numbers; with `divisors`, also every divisor that any term has."""
     powers = [dict(factor.base_and_power for factor in term.split()[1].factors) for term in terms]
     bases = dict.fromkeys(base for own in powers for base in own if divisors or all(base in other for other in powers))
     least = {base: min(own.get(base, Fraction(0)) for own in powers) for base in bases}
@@ -38,7 +38,7 @@ def _join(first: Expression, second: Expression, rank: Rank) -> Expression | Non
     (p, a), (q, b) = first.split(), second.split()
     if abs(p) != abs(q):
         return None
-    # A divisor of one term only is a factor that the other has more of.
+    # A divisor of one term only counts as a factor of the other.
     shared = common([a, b], divisors=True)
     only_a, only_b = a / shared, b / shared
     if any(sum(factor.base_and_power[1] for factor in part.factors) != 2 for part in (only_a, only_b)):
@@ -51,7 +51,7 @@ def _join(first: Expression, second: Expression, rank: Rank) -> Expression | Non
 
 
 def _angles(part: Expression) -> Angles:
-    """Return (sin|cos, angle) for each such factor of a product."""
+    """Return ("sin" or "cos", angle) for each such factor of a product."""
     powers = [factor.base_and_power for factor in part.factors]
     return [(base.op, base.args[0]) for base, by in powers if base.op in {"sin", "cos"} for _ in range(int(by))]
 

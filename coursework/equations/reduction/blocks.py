@@ -1,4 +1,4 @@
-"""A(q, t) u = b(q, t) -> blocks in order, each with its determinant and what that means.
+"""A(q, t) u = b(q, t) -> blocks in order of solution, each with its determinant and the meaning of its zero.
 
 Enters: `VelocityEquations`.  Leaves: `Reduction`.  Blocks of one and two by Cramer's rule, larger ones numerically (LU).
 Used by `reduction/`, `scene_run.py`, `way_to_motion.py`, `integration/`, `kinematics/` and `live/`.
@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 
 @frozen
 class Block:
-    """Unknown velocities solved together.
+    """Unknown velocities that are solved together.
 
-    `coefficients` (size, size) and `sides` (size,), with the velocities of earlier blocks by name; `determinant`
-    as shown (None for three unknowns and more); `meaning` of a vanishing determinant; `largest` absolute value the
-    determinant can take (0 where no bound is known).
+    `coefficients` (size, size) and `sides` (size,) may contain the velocities of earlier blocks by name.  `determinant` is the
+    formula shown (None for three unknowns or more), `meaning` a sentence about its zero, `largest` a bound of its absolute value
+    (0 if no bound is known).
     """
 
     unknowns: tuple[str, ...]
@@ -53,12 +53,12 @@ class Block:
 
     @property
     def matrix(self) -> tuple[tuple[sp.Expr, ...], ...]:
-        """Return the coefficients (size, size) as SymPy's objects."""
+        """Return the coefficients (size, size) as SymPy objects."""
         return tuple(tuple(map(symbolic, row)) for row in self.coefficients)
 
     @property
     def right_side(self) -> tuple[sp.Expr, ...]:
-        """Return the right sides (size,) as SymPy's objects."""
+        """Return the right sides (size,) as SymPy objects."""
         return tuple(map(symbolic, self.sides))
 
     @property
@@ -73,13 +73,13 @@ class Block:
 
     @property
     def symbolic_determinant(self) -> Expression:
-        """Return the determinant of a block of one or two."""
+        """Return the determinant of a block of one or two unknowns."""
         m = self.coefficients
         return m[0][0] if self.size == 1 else m[0][0] * m[1][1] - m[0][1] * m[1][0]
 
     @property
     def numerators(self) -> tuple[Expression, ...]:
-        """Return determinant times unknown (Cramer) of a block of one or two."""
+        """Return determinant times unknown (Cramer's rule) for a block of one or two unknowns."""
         m, r = self.coefficients, self.sides
         if self.size == 1:
             return (r[0],)
@@ -88,7 +88,7 @@ class Block:
 
 @frozen
 class Reduction:
-    """`blocks` in the order of solution; `used` and `unused` names of equations; `notes` sentences about the latter."""
+    """`blocks` in the order of solution; names of `used` and `unused` equations; `notes` are sentences about the unused ones."""
 
     blocks: tuple[Block, ...]
     used: tuple[str, ...]
@@ -96,7 +96,7 @@ class Reduction:
     notes: tuple[str, ...]
 
     def needed(self, wanted: Sequence[str]) -> tuple[int, ...]:
-        """Return the indices of the blocks that `wanted` velocities need, in order."""
+        """Return the indices of the blocks that the velocities `wanted` need, in order."""
         sought = set(map(symbol, wanted))
         chosen = []
         for index in range(len(self.blocks) - 1, -1, -1):
@@ -108,7 +108,7 @@ class Reduction:
 
 
 def angles_in_determinants(blocks: Sequence[Block], equations: VelocityEquations) -> set[str]:
-    """Return the angles that are not driven and stand in a determinant: a wide step of one can cross a dead point unseen."""
+    """Return the angles in the matrix of a block that are not driven: a large step in one can pass a dead point unnoticed."""
     key = ("in determinants", tuple((block.equations, block.unknowns) for block in blocks))
     inside = equations.once(
         key, lambda: {s for block in blocks for row in block.coefficients for entry in row for s in entry.free_symbols}
@@ -119,7 +119,7 @@ def angles_in_determinants(blocks: Sequence[Block], equations: VelocityEquations
 
 
 def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
-    """Return the reduction; `start` (coordinates at t = 0) decides only where equations are redundant.
+    """Return the reduction; `start` (coordinates at t = 0) only helps to judge which equations are redundant.
 
     Raises `InputError` for systems that do not determine the velocities.
     """
@@ -130,7 +130,7 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
     owner = match(rows, len(names))
     found = []
     for columns in block_order(rows, owner):
-        # Equations of a block in the author's order, unknowns in the order of the file.
+        # Equations of a block are in the author's order, unknowns in the order of the file.
         members = [used[row] for row in sorted(owner[column] for column in columns)]
         block = _block(tuple(members), tuple(names[column] for column in columns), equations)
         if block is None or block.size > 2:
@@ -144,7 +144,7 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
 
 
 def _block(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:
-    """Return the block of some equations, None where its determinant is zero in every position."""
+    """Return the block of some equations, None if its determinant is zero in every position."""
     bare = equations.once(("block", members, unknowns), lambda: _bare(members, unknowns, equations))
     if bare is None or bare.determinant is None:
         return bare
@@ -153,7 +153,7 @@ def _block(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equ
 
 
 def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:
-    """Return a block as far as no datum changes it."""
+    """Return the part of a block that does not depend on the data."""
     matrix = tuple(tuple(equation.coefficients.get(name, ZERO) for name in unknowns) for equation in members)
     right_side = tuple(_moved(equation, unknowns) for equation in members)
     names = tuple(equation.name for equation in members)
@@ -166,6 +166,6 @@ def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equa
 
 
 def _moved(equation: VelocityEquation, unknowns: Collection[str]) -> Expression:
-    """Return the right side with the terms of earlier velocities moved over."""
+    """Return the right side after the terms of earlier velocities are moved to it."""
     earlier = [slope * symbol(name) for name, slope in equation.coefficients.items() if name not in unknowns]
     return add(equation.right_side, *[-term for term in earlier])

@@ -1,11 +1,11 @@
-"""What the geometry says of velocities that no coordinate has: unknowns bound in [unknowns], and rates of links.
+"""Velocities without a coordinate, as the geometry gives them: unknowns bound in [unknowns], and rates of links.
 
 Enters: a `Mechanism` and its symbols.  Leaves: for each such velocity a `Bound`, linear in the unknown velocities.
-Used by `equations.py`.  Written equations are judged by them, and where none is written they stand for those.
+Used by `equations.py`.  They check the written equations, and replace them if none is written.
 
-A point B has by its position a velocity V_B; against link 3 it is V_B - (V_K + w3 x KB), K a point of that link.  A link with two
-points, a wheel that rolls and a sleeve on a bar have a rate that follows from the points: w AB^2 = AB x (V_B - V_A); the wheel's
-contact moves as what it touches; the sleeve turns with its bar.
+The position of a point B gives its velocity V_B; relative to link 3 it is V_B - (V_K + w3 x KB), with K a point of that link.
+The points give the rate of a link with two points: w AB^2 = AB x (V_B - V_A).  The contact of a rolling wheel moves like the
+body it touches, and a sleeve turns with its bar.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from coursework.words.sentences import say
 
 @frozen
 class Speed:
-    """A velocity as `sum coefficients[u] u + rest`, u the unknown velocities."""
+    """A velocity in the form `sum coefficients[u] u + rest`, where u are the unknown velocities."""
 
     coefficients: Mapping[str, Expression]
     rest: Expression
@@ -44,7 +44,7 @@ STILL = Speed({}, ZERO)
 
 @frozen
 class Bound:
-    """`is_zero` = 0 gives the velocity `name`; `link` is the one whose rate it is, "" for a line of [unknowns]."""
+    """The equation `is_zero` = 0 for the velocity `name`; `link` is the link whose rate it is, "" for a line of [unknowns]."""
 
     name: str
     is_zero: Speed
@@ -53,9 +53,9 @@ class Bound:
 
 @frozen
 class Turn:
-    """A `link` turns at `found` by its points or its contact, and at `named`, its `rate`, as the file says.
+    """A `link` turns at `found` according to its points or contact, and at `named` (its `rate`) according to the file.
 
-    That holds of points of one body only: where `grows`, the speed at which their distance does, is zero.
+    Both must agree if the points belong to one body, that is, if `grows`, proportional to the growth of their distance, is zero.
     """
 
     link: str
@@ -67,7 +67,7 @@ class Turn:
 
 @frozen
 class _Body:
-    """A link that a binding names: its rate, a point that is its own, and its entry in [links] if it has one."""
+    """A link that a binding names: its rate, one of its own points, and its entry in [links] if it has one."""
 
     rate: str | None
     point: Formula | None
@@ -75,7 +75,7 @@ class _Body:
 
 
 class Geometry:
-    """Velocities of points and links of one mechanism."""
+    """Velocities of the points and links of one mechanism."""
 
     def __init__(self, mechanism: Mechanism, symbols: Symbols) -> None:
         self.variant: Variant = mechanism.variant
@@ -83,7 +83,7 @@ class Geometry:
         self._bodies = _bodies(mechanism)
 
     def bound(self) -> tuple[Bound, ...]:
-        """Return the unknowns that [unknowns] binds.  Raises `InputError` for a link whose rate nothing gives."""
+        """Return the equations of the bound [unknowns].  Raises `InputError` for a link whose rate cannot be found."""
         found = []
         for binding in self.variant.bindings:
             with placed(self.variant, f"unknowns.{binding.name}", self._line(binding)):
@@ -91,7 +91,7 @@ class Geometry:
         return tuple(found)
 
     def rates_of_links(self, known: set[str]) -> tuple[Bound, ...]:
-        """Return the rates of links that are not among the `known` velocities and follow from points."""
+        """Return the sought rates of links that are not among the `known` velocities but follow from points."""
         found: dict[str, Bound] = {}
         for name, body in self._bodies.items():
             if body.link is None or body.rate not in self.variant.sought or body.rate in known or body.rate in found:
@@ -104,7 +104,7 @@ class Geometry:
         return self.variant.nearest_line("unknowns", binding.name)
 
     def _speed(self, binding: Binding) -> Speed:
-        """Return the velocity that a binding names."""
+        """Return the velocity that a binding refers to."""
         if binding.link:
             rate = self._rate(binding.link, binding)
             return rate.plus(self._rate(binding.relative, binding), MINUS) if binding.relative else rate
@@ -117,12 +117,12 @@ class Geometry:
         return STILL.plus(moved[0], cosine(angle)).plus(moved[1], sine(angle))
 
     def _moved(self, point: Vector) -> tuple[Speed, Speed]:
-        """Return the velocity of a point by its position."""
+        """Return the velocity of a point, from its position."""
         x, y = (rate_of(part, self.variant, self._symbols) for part in point)
         return x, y
 
     def _material(self, link: str, at: Vector, binding: Binding) -> tuple[Speed, Speed]:
-        """Return the velocity of that point of a link which stands where `at` is."""
+        """Return the velocity of the point of a link that is at the position `at`."""
         body = self._body(link, binding)
         if body.point is None:
             raise self._nothing(link, binding)
@@ -133,14 +133,14 @@ class Geometry:
         body = self._body(link, binding)
         if body.rate is not None and body.rate != binding.name:
             return speed_of(body.rate, self.variant.sought)
-        # A link without a rate of its own: r AB^2 = ..., solved for r, which stands nowhere else.
+        # For a link without its own rate r: r AB^2 = ..., solved for r, which occurs nowhere else.
         found = self._from_points(body.link, _of(_HELD)) if body.link is not None else None
         if found is None:
             raise self._nothing(link, binding)
         return _solved(found)
 
     def turns(self) -> tuple[Turn, ...]:
-        """Return how fast links turn by what tells it (points, contact, bar), where that is not their rate at sight."""
+        """Return how fast links turn according to points, contact or bar, unless this is obviously their rate."""
         links = [(name, body.link) for name, body in self._bodies.items() if body.link is not None and body.link.rate]
         rates = [link.rate for _, link in links]
         own = {coordinate.rate: symbol(coordinate.name) for coordinate in self.variant.coordinates}
@@ -151,13 +151,13 @@ class Geometry:
                 if not link.wheel and not link.slides and self._plainly_turned(link, own[rate]):
                     continue
             elif not link.points and rates.count(rate) == 1:
-                continue  # a wheel alone: its rate is what its rolling tells
+                continue  # a wheel alone: its rate follows only from its rolling
             named = speed_of(rate, self.variant.sought)
             found += [Turn(name, rate, _solved(zero), named, grows) for zero, grows in self._told(link, _of(_HELD))]
         return tuple(found)
 
     def _plainly_turned(self, link: Link, angle: Expression) -> bool:
-        """Return whether a coordinate turns every arm of a link, as an angle does, and nothing else moves one."""
+        """Return whether the angle of a link turns each of its arms, and no other coordinate moves one."""
         others = [TIME, *(symbol(coordinate.name) for coordinate in self.variant.coordinates)]
         for point in link.points[1:]:
             x, y = (b - a for a, b in zip(*(self._symbols.vectors[name] for name in (link.points[0], point)), strict=True))
@@ -168,11 +168,11 @@ class Geometry:
         return True
 
     def _from_points(self, link: Link, rate: Speed) -> Speed | None:
-        """Return what is zero for the `rate` of a link, None where its points do not tell."""
+        """Return an expression that is zero for the `rate` of a link, None if its points do not determine it."""
         return next((zero for zero, _ in self._told(link, rate)), None)
 
     def _told(self, link: Link, rate: Speed) -> Iterator[tuple[Speed, Speed]]:
-        """Yield what is zero for the `rate` of a link, and what must be zero for it: no arm within one body grows."""
+        """Yield expressions that are zero for the `rate` of a link, each with one that is zero if the arm used does not grow."""
         vectors = self._symbols.vectors
         if link.wheel and link.contact:
             touched = self._touched(link, vectors[link.contact])
@@ -195,7 +195,7 @@ class Geometry:
                 yield rate.plus(along, MINUS), STILL
 
     def _touched(self, wheel: Link, contact: Vector) -> tuple[Speed, Speed] | None:
-        """Return the velocity of what a wheel touches at its contact, None where the file does not say what that is."""
+        """Return the velocity, at the contact, of the body that a wheel touches; None if the file does not say which body."""
         for body in self._bodies.values():
             other = body.link
             if other is None or other == wheel or wheel.contact not in {*other.points, other.contact}:
@@ -210,7 +210,7 @@ class Geometry:
             return _turned(self._moved(at), rate, (contact[0] - at[0], contact[1] - at[1]))
         frame, rails = self.variant.frame, {through.name for through, _ in self.variant.frame.rails}
         others = [link for link in self.variant.links if link.contact and link.contact not in rails]
-        # A contact on no rail is on a circle of the frame, where there is one for each such wheel.
+        # A contact on no rail is on a circle of the frame, if there is a circle for each such wheel.
         return (STILL, STILL) if wheel.contact in rails or 0 < len(others) <= len(frame.circles) else None
 
     def _body(self, name: str, binding: Binding) -> _Body:
@@ -223,11 +223,11 @@ class Geometry:
         return InputError([Fault(told, self.variant.file, self._line(binding), 0, f"unknowns.{binding.name}")])
 
 
-_HELD = "_rate"  # stands for a rate that has no name in the file
+_HELD = "_rate"  # stands for a rate without a name in the file
 
 
 def _bodies(mechanism: Mechanism) -> dict[str, _Body]:
-    """Return the links by name: of [links], else those of the chain of groups, numbered by their rates."""
+    """Return the links by name: those of [links], or else those of the chain of groups, numbered by their rates."""
     variant = mechanism.variant
     if variant.links:
         own = {link.name: next((name for name in (*link.points, link.wheel) if name), None) for link in variant.links}
@@ -240,7 +240,7 @@ def _bodies(mechanism: Mechanism) -> dict[str, _Body]:
     for body, name in link_names(chain, variant).items():
         moves = coordinates[chain.coordinates[body]]
         pins = (joint.where for joint in chain.joints if joint.pins and body in joint.bodies)
-        if moves.unit == "rad":  # a block turns with its guide, which is a link of its own
+        if moves.unit == "rad":  # a block turns with its guide, which is a separate link
             found[name] = _Body(moves.rate, next((pin for pin in pins if pin is not None), None))
     return found
 
@@ -250,18 +250,18 @@ def _of(name: str) -> Speed:
 
 
 def _solved(zero: Speed) -> Speed:
-    """Return the rate that `_HELD` stands for, where an expression linear in it is zero."""
+    """Return the rate that `_HELD` stands for, from an expression linear in it that is zero."""
     others = Speed({name: part for name, part in zero.coefficients.items() if name != _HELD}, zero.rest)
     return STILL.plus(others, -1 / zero.coefficients[_HELD])
 
 
 def speed_of(name: str, sought: Collection[str]) -> Speed:
-    """Return a velocity by its name: an unknown one where it is `sought`, else a known one."""
+    """Return the velocity `name`: an unknown one if it is `sought`, else a known one."""
     return _of(name) if name in sought else Speed({}, symbol(name))
 
 
 def rate_of(expression: Expression, variant: Variant, symbols: Symbols) -> Speed:
-    """Return how fast an expression of the positions changes."""
+    """Return the time derivative of an expression of the positions."""
     speed = Speed({}, symbols.partial(expression, TIME))
     for coordinate in variant.coordinates:
         slope = symbols.partial(expression, symbol(coordinate.name))
@@ -275,5 +275,5 @@ def _minus(one: tuple[Speed, Speed], other: tuple[Speed, Speed]) -> tuple[Speed,
 
 
 def _turned(start: tuple[Speed, Speed], rate: Speed, arm: Vector) -> tuple[Speed, Speed]:
-    """Return the velocity of the end of an arm whose start is known and which turns."""
+    """Return the velocity of the end of a turning `arm`, from the velocity of its start."""
     return start[0].plus(rate, -arm[1]), start[1].plus(rate, arm[0])

@@ -1,4 +1,4 @@
-"""A block of two velocities by Cramer's rule, every determinant shown.
+"""A block of two velocities solved by Cramer's rule, with every determinant shown.
 
 Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `solution.py`.
 """
@@ -21,9 +21,9 @@ Rows = tuple[tuple[Formula, Formula], tuple[Formula, Formula]]
 
 @frozen
 class Cramer:
-    """`coefficients` of `unknowns` and `right_sides` of both equations; `determinant`, and that of each unknown.
+    """`coefficients` of the `unknowns` and `right_sides` of both equations; `determinant`; `numerators`, one per unknown.
 
-    `put_in` names earlier velocities that were replaced by their formulas because the right sides are shorter so.
+    `put_in` names earlier velocities that were replaced by their formulas, because this makes the right sides shorter.
     """
 
     unknowns: tuple[str, str]
@@ -35,10 +35,10 @@ class Cramer:
 
 
 def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> tuple[Cramer | None, ...]:
-    """Return the working of each `wanted` block, None for those that are not of two.
+    """Return the solution of each block that is `wanted` and has two unknowns, None for all others.
 
-    The leading coefficient of each row is made positive, as it is written by hand.  No datum changes it: it is worked out once
-    for all variants of a template.
+    The leading coefficient of each row is made positive, as it is written by hand.  The result does not depend on the data: it
+    is computed once for all variants of a template.
 
     >>> import coursework
     >>> scene = coursework.solve("31", quantities=["table"]).scene

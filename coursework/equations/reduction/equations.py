@@ -1,7 +1,7 @@
-"""Mechanism -> velocity equations A(q, t) u = b(q, t): as written, or differentiated from positions.
+"""Mechanism -> velocity equations A(q, t) u = b(q, t), as written or differentiated from positions.
 
 Enters: a `Mechanism`.  Leaves: `VelocityEquations` and the position equations behind them.
-Raises `InputError` naming the term that is not linear in the unknown velocities.
+Raises `InputError` with the name of a term that is not linear in the unknown velocities.
 Used by `reduction/`, `way_to_motion.py`, `accuracy/`, `checks/`, `drawing/` and `geometry/`.
 """
 
@@ -24,12 +24,12 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 Fact = TypeVar("Fact")
-_LONGEST_WRITTEN = 60  # characters of an expression that stands within a sentence
+_LONGEST_WRITTEN = 60  # characters of the longest expression inside a sentence
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class VelocityEquation:
-    """`sum coefficients[u] u = right_side`; `written` are both sides as the file has them, None if derived from positions."""
+    """`sum coefficients[u] u = right_side`; `written` holds both sides as in the file, None if derived from positions."""
 
     name: str
     because: str
@@ -46,9 +46,9 @@ class VelocityEquation:
 
 @frozen
 class Position:
-    """A position equation `expression = value kept` in `unit` (m or rad); `target`: "zero", "start", or the drive it follows.
+    """A position equation: `expression` (in `unit`, m or rad) keeps a value; `target` is "zero", "start" or the drive it follows.
 
-    `written` is the expression of one that has no name but its number, "" for any other.
+    `written` is the expression, if it is short and its `name` is only a number, else "".
     """
 
     name: str
@@ -59,17 +59,17 @@ class Position:
 
     @property
     def told(self) -> str:
-        """Return what a sentence calls it: E.x - A.x - r*cos(phi) where nothing shorter is known to the reader."""
+        """Return its name in sentences: the expression, such as E.x - A.x - r*cos(phi), if the reader knows no shorter name."""
         return self.written or self.name
 
 
 @dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
 class VelocityEquations:
-    """All velocity equations of a mechanism, those of its [closure] beside them, its symbols and tabulated laws.
+    """All velocity equations of a mechanism, those of its [closure], its symbols and tabulated laws.
 
-    `bound`: beside written equations, what the geometry says of velocities that no coordinate has.
+    `bound` holds, beside written equations, those that the geometry gives for velocities without a coordinate.
 
-    All but the `variant` is the same for variants that differ in their data only; so are the `facts` found `once`.
+    All fields but `variant` are the same for variants that differ only in their data, also the `facts` found by `once`.
     """
 
     variant: Variant
@@ -85,14 +85,14 @@ class VelocityEquations:
     facts: dict[Hashable, object] = field(default_factory=dict, repr=False)
 
     def once(self, key: Hashable, find: Callable[[], Fact]) -> Fact:
-        """Return a fact that no datum changes, found when it is first asked for."""
+        """Return a fact that does not depend on the data; it is computed at the first call."""
         if key not in self.facts:
             self.facts[key] = find()
         return cast("Fact", self.facts[key])
 
 
 def differentiate(mechanism: Mechanism) -> VelocityEquations:
-    """Return the velocity equations of a mechanism.  Raises `InputError` for terms non-linear in the velocities."""
+    """Return the velocity equations of a mechanism.  Raises `InputError` for terms that are not linear in the velocities."""
     variant = mechanism.variant
     symbols = Symbols(mechanism)
     order = Order([f for c in mechanism.constraints for f in (c.left, c.right)], variant)
@@ -132,11 +132,11 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
 
 
 def _bound(geometry: Geometry, equations: tuple[VelocityEquation, ...]) -> tuple[VelocityEquation, ...]:
-    """Return what the geometry says of velocities of [unknowns] and of links that no position has."""
+    """Return the equations that the geometry gives for [unknowns], and for rates of links that no position determines."""
     said = geometry.bound()
     held = [equation for equation in equations if equation.written is None]
     known = {name for equation in held for name in equation.coefficients}
-    if len(held) < len(known):  # positions alone leave some of these open; what rolls is then told by its contact
+    if len(held) < len(known):  # positions do not determine all of these: a rolling link gets its rate by contact
         known -= {link.rate for link in geometry.variant.links if link.contact and link.rate}
     found = []
     for one in (*said, *geometry.rates_of_links(known | {one.name for one in said})):
@@ -151,7 +151,7 @@ def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> l
         both = Formula("-", (constraint.left, constraint.right))
         return [Position(constraint.name, symbols.scalar(both), "zero", _unit(both, variant))]
     left, right = symbols.vector(constraint.left), symbols.vector(constraint.right)
-    name = f"{constraint.name} " if constraint.name[-1:].isalpha() else constraint.name  # 1x, and "cylinder x"
+    name = f"{constraint.name} " if constraint.name[-1:].isalpha() else constraint.name  # 1x, but "cylinder x"
     return [Position(f"{name}{axis}", a - b, "zero") for axis, a, b in zip("xy", left, right, strict=True)]
 
 
@@ -171,7 +171,7 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
 
 
 def _unit(formula: Formula, variant: Variant) -> str:
-    """Return the unit of a scalar position equation: rad where it stays the same with all lengths twice as long, else m."""
+    """Return the unit of a scalar position equation: rad if its value does not change when all lengths are doubled, else m."""
     if any(node.op == "part" for node in formula.walk()):
         return "m"
     laws = {law.name: law for law in (*variant.drive, *variant.functions)}
@@ -222,7 +222,7 @@ def _non_linear(tree: Formula, names: set[str]) -> FormulaFault:
 
 
 def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Speed:
-    """Return a scalar formula as a sum over the unknown velocities."""
+    """Return a scalar formula as a linear sum over the unknown velocities."""
     inside = unknown & set(tree.names())
     if not inside:
         return Speed({}, symbols.scalar(tree))

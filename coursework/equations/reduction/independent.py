@@ -1,4 +1,4 @@
-"""Which equations determine the unknown velocities; redundant, contradictory, missing ones said by name.
+"""Which equations determine the unknown velocities; redundant, contradictory and missing ones are reported by name.
 
 Enters: velocity equations and the start.  Leaves: the indices to use and sentences.  Raises `InputError`.
 Source: Dulmage, Mendelsohn 1958 (structure); rank by orthogonalisation in the author's order (numbers).
@@ -20,10 +20,10 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
-# A row counts as dependent where what is left of it after projection is below this part of its length: 1e-9 lies far above
-# round-off (1e-16 times the condition of a benign scene) and far below any angle a task sheet can mean.
+# A row counts as dependent if its rest after projection is below this fraction of its length: 1e-9 is far above round-off
+# (1e-16 times the condition of a benign scene) and far below any angle that a task sheet can mean.
 DEPENDENT = 1e-9
-# What differs by less than this part repeats: more is a difference that is written in the file.
+# A smaller relative difference is a repetition; a larger one was written in the file.
 EXACTLY = 1e-14
 _MISSING = "fault.V404"
 _MOST_CONDITION = 1e15
@@ -32,10 +32,10 @@ _MOST_CONDITION = 1e15
 def choose(
     equations: VelocityEquations, start: Sequence[float], *, numbers: bool = False
 ) -> tuple[tuple[int, ...], tuple[str, ...]]:
-    """Return the places of a maximal independent set of equations in the author's order, and sentences about the others.
+    """Return the indices of a maximal independent set of equations in the author's order, and sentences about the others.
 
-    `start`: coordinates at t = 0 (rad, m).  `numbers`: judge by numbers also where each velocity has an equation of its own,
-    which says nothing against two equations that are multiples of each other.  Raises `InputError` where velocities stay
+    `start`: coordinates at t = 0 (rad, m).  With `numbers`, the numerical rank is checked even if each velocity has an equation
+    of its own, because two of these equations may still be multiples of each other.  Raises `InputError` if velocities remain
     undetermined or two equations contradict each other.
     """
     listed = equations.equations
@@ -51,7 +51,7 @@ def choose(
     names = [equation.name for equation in listed]
     sames, conflicts = _judge_dropped(matrix, right, kept, names)
     if conflicts:
-        # Nobody can mend what follows from the geometry: of what contradicts each other that is told which is written.
+        # What follows from the geometry cannot be corrected: so of contradicting equations the written one is reported.
         order = sorted(range(len(listed)), key=lambda place: listed[place].written is not None)
         kept = [order[place] for place in _kept(base[order])]
         sames, conflicts = _judge_dropped(matrix, right, kept, names)
@@ -64,13 +64,13 @@ def choose(
 
 
 def _generic(system: LinearSystem, start: Sequence[float]) -> Array:
-    # Any fixed irrational shifts do: they leave the special positions in which a mechanism may start.
+    # Any fixed irrational shifts will do: they leave the special position in which a mechanism may start.
     shifted = [value + 0.1 * ((0.618 * (i + 1)) % 1.0) + 0.05 for i, value in enumerate(start)]
     return system.matrix(0.0137, shifted)[0]
 
 
 def _kept(matrix: Array) -> list[int]:
-    """Return the rows that are independent of the kept rows before them (modified Gram-Schmidt)."""
+    """Return the rows that are independent of the rows kept before them (modified Gram-Schmidt)."""
     basis: list[Array] = []
     kept = []
     scale = np.max(np.abs(matrix), axis=0, initial=0.0)
@@ -87,7 +87,7 @@ def _kept(matrix: Array) -> list[int]:
 
 
 def _left_out(matrix: Array, kept: list[int], names: list[str]) -> Iterator[tuple[int, Array, list[str]]]:
-    """Yield each row that is not kept, the weights of the kept ones in it, and the names of those that count."""
+    """Yield each row that is not kept, its weights over the kept rows, and the names of those with a weight."""
     for index in sorted({*range(len(names))} - {*kept}):
         weights = np.linalg.lstsq(matrix[kept].T, matrix[index], rcond=None)[0]
         yield index, weights, [names[k] for k, weight in zip(kept, weights, strict=True) if abs(weight) > DEPENDENT]
@@ -96,7 +96,7 @@ def _left_out(matrix: Array, kept: list[int], names: list[str]) -> Iterator[tupl
 def _judge_dropped(
     matrix: Array, right: Array, kept: list[int], names: list[str]
 ) -> tuple[list[tuple[str, list[str]]], list[tuple[str, list[str], float]]]:
-    """Return (name, names it repeats) and (name, names it contradicts, by how much) of the rows left out."""
+    """Return, for the rows left out, (name, names it repeats) and (name, names it contradicts, difference)."""
     sames: list[tuple[str, list[str]]] = []
     conflicts: list[tuple[str, list[str], float]] = []
     for index, weights, involved in _left_out(matrix, kept, names):
@@ -110,7 +110,7 @@ def _judge_dropped(
 
 
 def _nearly(matrix: Array, kept: list[int], names: list[str]) -> list[tuple[str, list[str], float]]:
-    """Return (name, names it nearly repeats, part in which it differs) of the rows left out that are no exact repetition."""
+    """Return (name, names it nearly repeats, relative difference) for the rows left out that are no exact repetition."""
     found = []
     for index, weights, involved in _left_out(matrix, kept, names):
         size = float(np.linalg.norm(matrix[index]))
@@ -121,9 +121,9 @@ def _nearly(matrix: Array, kept: list[int], names: list[str]) -> list[tuple[str,
 
 
 def _too_near(equations: VelocityEquations, nearly: list[tuple[str, list[str], float]], matrix: Array) -> Fault:
-    """Return the fault of equations that differ, by too little for doubles.
+    """Return the fault of equations that differ by too little for double precision.
 
-    The condition is that of rows of one length; near and beyond the reciprocal of round-off its size is no longer known.
+    The condition is that of rows scaled to equal length; near 1e15, the reciprocal of round-off, its value is unreliable.
     """
     unknowns, listed = equations.unknowns, equations.equations
     name, others, part = max(nearly, key=lambda one: one[2])
@@ -154,7 +154,7 @@ def _fault(
     sentences: list[Sentence] = []
     driven, written = tuple(law.name for law in drive), {one.name for one in equations.equations if one.written}
     if conflicts and len(drive) > 1 and not any({name, *others} & written for name, others, _ in conflicts):
-        freedom = max(0, len(drive) - len(conflicts))  # the equations are those of the geometry: none of them is wrong
+        freedom = max(0, len(drive) - len(conflicts))  # all equations are those of the geometry: none of them is wrong
         sentences.append(say_count("equation.too_many_drives", freedom, drive=driven))
     elif conflicts:
         for name, others, gap in conflicts:
@@ -181,7 +181,7 @@ def _fault(
 
 
 def _moves(law: str, equations: VelocityEquations) -> bool:
-    """Return whether a law of [drive] is the rate of a coordinate or stands in an equation."""
+    """Return whether a law of [drive] is the rate of a coordinate or occurs in an equation."""
     parts = (part for one in equations.equations for part in (*one.coefficients.values(), one.right_side))
     return law in equations.variant.rates or any(symbol(law) in part.free_symbols for part in parts)
 
@@ -195,7 +195,7 @@ def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> 
 
 
 def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: list[int]) -> list[Sentence]:
-    """Return which equations crowd on few unknowns and which unknowns share too few equations."""
+    """Return sentences about equations that share too few unknowns and unknowns that share too few equations."""
     over, under = over_and_under(rows, owner)
     names = [equation.name for equation in equations.equations]
     told = []

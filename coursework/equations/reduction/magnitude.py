@@ -1,7 +1,7 @@
-"""The largest value a determinant can take, so that it is judged without units.
+"""An upper bound of a determinant, so that it can be judged without units.
 
-Enters: the determinant as shown, and the data.  Leaves: a positive number.  Used by `blocks.py`.
-With it sin(φ1 - φ2), not r1 r2 sin(φ1 - φ2), decides: metres or millimetres give the same verdict.
+Enters: the determinant as shown, and the data.  Leaves: a positive number, or 0 if no bound is known.  Used by `blocks.py`.
+Relative to it, sin(φ1 - φ2) decides, not r1 r2 sin(φ1 - φ2): metres and millimetres give the same result.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from coursework.variant.record.variant import Variant
 
 
 def largest(determinant: Formula, variant: Variant) -> float:
-    """Return the bound: trigonometric functions as 1, differences as sums; 0 where no bound is seen."""
+    """Return the bound: sines and cosines count as 1, differences as sums; 0 if no bound is found."""
     lengths = [given.value for given in variant.given if given.si == "m"]
     typical = max(map(abs, lengths), default=1.0)
     values = {name: abs(value) for name, value in variant.values.items()} | {"pi": math.pi}

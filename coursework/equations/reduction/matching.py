@@ -1,4 +1,4 @@
-"""Which equation determines which unknown: matching, blocks in order, and what is over- or under-determined.
+"""Which equation determines which unknown: matching, blocks in order, over- and under-determined parts.
 
 Enters: for each equation the set of unknowns in it.  Leaves: indices only.  Used by `blocks.py`.
 Source: Duff, Reid, "An implementation of Tarjan's algorithm for block triangularization", 1978; Dulmage, Mendelsohn 1958.
@@ -16,7 +16,7 @@ def match(rows: Rows, columns: int) -> list[int]:
     owner = [-1] * columns
 
     def augment(start: int) -> bool:
-        # Depth-first search with an explicit stack: a chain of eighty loops must not meet the recursion limit.
+        # Depth-first search with an explicit stack: a chain of eighty loops must not exceed the recursion limit.
         seen: set[int] = set()
         path: list[tuple[int, int]] = []
         stack = [(start, iter(sorted(rows[start])))]
@@ -76,7 +76,7 @@ def blocks(rows: Rows, owner: Sequence[int]) -> list[list[int]]:
 
 
 def over_and_under(rows: Rows, owner: Sequence[int]) -> tuple[tuple[list[int], list[int]], tuple[list[int], list[int]]]:
-    """Return (rows, columns) of the over-determined and of the under-determined part."""
+    """Return (rows, columns) of the over-determined part, and the same for the under-determined part."""
     matched = {row: column for column, row in enumerate(owner) if row >= 0}
     over = _reached((row for row in range(len(rows)) if row not in matched), rows, owner)
     holding = [frozenset(row for row in range(len(rows)) if column in rows[row]) for column in range(len(owner))]
@@ -86,9 +86,9 @@ def over_and_under(rows: Rows, owner: Sequence[int]) -> tuple[tuple[list[int], l
 
 
 def _reached(waiting: Iterable[int], beside: Rows, partners: Sequence[int]) -> tuple[list[int], list[int]]:
-    """Return what is reached from some rows by what stands beside a row and is matched to another, and what stands beside."""
+    """Return the rows reached from `waiting` by steps to an adjacent column and on to its matched row, and those columns."""
     found, near = [*waiting], set[int]()
-    for one in found:  # grows
+    for one in found:  # the list grows during the loop
         fresh = beside[one] - near
         near |= fresh
         found += {partners[other] for other in fresh if partners[other] >= 0} - {*found}

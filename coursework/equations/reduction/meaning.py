@@ -1,6 +1,6 @@
-"""What a vanishing determinant means for the mechanism, in a sentence.
+"""The meaning of a zero determinant for the mechanism, as a sentence.
 
-Enters: the determinant as shown.  Leaves: words.  Used by `blocks.py`.
+Enters: the determinant as shown.  Leaves: a sentence.  Used by `blocks.py`.
 """
 
 from __future__ import annotations
@@ -15,21 +15,21 @@ from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
-# At a singular position a factor this small beside the largest one is the factor that vanishes.
+# At a singular position, a factor smaller than this fraction of the largest factor counts as zero.
 _SMALL = 1e-3
-# Stands for an angle counted from x as the file counts it.
+# Stands for the angle itself in the text of an angle; alone it means: counted from x.
 _FROM_X = "·"
-# What a link is called, by its name and by its angle: alone, and where something of it is meant (another case in some languages).
+# Keys for a link by its name and by its angle, in the nominative, and in "of link …" (another case in some languages).
 _NAMED = ("determinant.link", "determinant.link_at")
 _OF = ("determinant.of_link", "determinant.of_link_at")
-# The sine of an angle given with all digits of pi is still this much beside zero.
+# The sine of an angle given with all digits of pi may still differ from zero by this much.
 _ROUNDING = 1e-12
 
 
 def meaning(determinant: Formula, variant: Variant, unknowns: Sequence[str], at: Mapping[str, float] | None = None) -> str:
-    """Return when the determinant of equations for some unknowns is zero, such as "links 1 and 2 lie on one line".
+    """Return when the determinant of the equations for `unknowns` is zero, such as "links 1 and 2 lie on one line".
 
-    With the coordinates of a singular position `at`: only what holds there.
+    With the coordinates of a singular position `at`, only the condition that holds there is returned.
     """
     vanishing = _vanishing(determinant, variant, at)
     if len(vanishing) == 1 and (known := _of_group(variant, unknowns)):
@@ -39,7 +39,7 @@ def meaning(determinant: Formula, variant: Variant, unknowns: Sequence[str], at:
 
 
 def _of_group(variant: Variant, unknowns: Sequence[str]) -> str:
-    """Return what a dyad says of its determinant, where the angles alone do not tell link from guide."""
+    """Return the sentence of a dyad about its determinant, "" if none; its angles alone do not tell a link from a guide."""
     rates = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
     for group in variant.groups:
         if set(unknowns) == {rates.get(name, "") for name in group.coordinates}:
@@ -49,7 +49,7 @@ def _of_group(variant: Variant, unknowns: Sequence[str]) -> str:
 
 
 def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> Formula:
-    """Return the determinant without sign and constant lengths: the part that can be zero (that is zero `at` a position)."""
+    """Return the determinant without sign and constant lengths: the part that can be zero, or that is zero `at` a position."""
     found = _vanishing(determinant, variant, at)
     return product_of(found) if found else determinant
 
@@ -62,7 +62,7 @@ def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] |
         return found
     try:
         sizes = [abs(evaluate(factor, {**variant.values, **at})) for factor in found]
-    except (FormulaFault, KeyError):  # a factor that depends on the drive
+    except (FormulaFault, KeyError):  # a factor depends on the drive
         return found
     return [factor for factor, size in zip(found, sizes, strict=True) if size <= _SMALL * max(sizes)] or found
 
@@ -103,7 +103,7 @@ def _factor(tree: Formula, variant: Variant) -> str:
 
 
 def _counted_alike(angles: list[str], argument: Formula, variant: Variant) -> bool:
-    """Return whether the angles are those of links as drawn, two of them from one axis, one alone or with a direction from x."""
+    """Return whether two angles count from one axis, or each from x; True for an argument that is no name or difference."""
     if argument.op != "name" and not _is_difference(argument):
         return True
     axes = [_axes(angle, variant) for angle in angles]
@@ -111,7 +111,7 @@ def _counted_alike(angles: list[str], argument: Formula, variant: Variant) -> bo
 
 
 def _counted_from(angle: str, variant: Variant) -> str:
-    """Return the angle of the link from which another one is counted: phi1 for L @ (phi1 + phi2); "" where it is from none."""
+    """Return the angle from which another one is counted: phi1 for L @ (phi1 + phi2); "" if there is none."""
     found = re.fullmatch(rf"(\w+) [+-] {_FROM_X}|{_FROM_X} \+ (\w+)", " or ".join(_axes(angle, variant)))
     other = found[1] or found[2] if found else ""
     return other if any(c.name == other for c in variant.coordinates) and _FROM_X in _axes(other, variant) else ""
@@ -130,9 +130,9 @@ def _axes(angle: str, variant: Variant) -> set[str]:
 
 
 def _distance(name: str, variant: Variant) -> str:
-    """Return what it means that a length is zero: that two points meet, where the file shows it to be the way between them."""
+    """Return what it means that a length is zero: two points meet, if the file shows that it is their distance."""
     for group in variant.groups:
-        if name in group.coordinates and not group_kind(group.kind).shape.guides:  # a slide along the lever itself
+        if name in group.coordinates and not group_kind(group.kind).shape.guides:  # the slide is along the lever itself
             return say("determinant.distance" if constant(group.offset) == 0 else "determinant.level", name=name)
     for point, formula in variant.points:
         parts = [*terms(formula)]
@@ -142,7 +142,7 @@ def _distance(name: str, variant: Variant) -> str:
 
 
 def _is_difference(tree: Formula) -> bool:
-    """Return whether a formula is one name less another."""
+    """Return whether a formula is the difference of two names."""
     return tree.op == "-" and all(arg.op == "name" for arg in tree.args)
 
 
@@ -154,7 +154,7 @@ def _link(angle: str, variant: Variant, keys: tuple[str, str] = _NAMED) -> str:
 
 
 def _held(angle: str, variant: Variant) -> list[str]:
-    """Return the links that hold both ends of an arm placed by an angle, A and B of B = A + L @ angle."""
+    """Return the links that hold both ends of an arm placed by an angle: A and B in B = A + L @ angle."""
     angles = {c.name for c in variant.coordinates}
     arms = [
         (len(angles.intersection(formula.args[1].args[1].names())), {formula.args[0].name, point})
@@ -166,12 +166,12 @@ def _held(angle: str, variant: Variant) -> list[str]:
 
 
 def _bodies(angle: str, variant: Variant) -> list[str]:
-    """Return what the body of a chain of groups that goes with an angle is called, where no link is listed."""
+    """Return the name of the body of a chain that goes with an angle, in a list; empty if [links] are given or none does."""
     chain = linkage(variant, dict(variant.points)) if variant.groups and not variant.links else None
     names = link_names(chain, variant) if chain else {}
     return [name for body, name in names.items() if chain and chain.coordinates[body] == angle]
 
 
 def _listed(angles: list[str], variant: Variant) -> object:
-    """Return the links of these angles as those whose something is: "of links 3 and 4"."""
+    """Return the links of these angles in the form used after "of": "of links 3 and 4"."""
     return tuple(_link(angle, variant, _OF) for angle in angles) if angles else say("determinant.of_links")

@@ -1,6 +1,6 @@
-"""Blocks -> the velocities as a textbook writes them: ω3 = V_My / (r (2 cos φ3 + sin φ3)); equations as a page shows them.
+"""Blocks -> the velocities as in a textbook: ω3 = V_My / (r (2 cos φ3 + sin φ3)); equations as a page shows them.
 
-Enters: `VelocityEquations` and their `Reduction`.  Leaves: formulas for a page.  Nothing numeric reads them.
+Enters: `VelocityEquations` and their `Reduction`.  Leaves: formulas for a page.  No computation uses them.
 Used by `way_to_motion.py` and `scene_run.py`.
 """
 
@@ -16,13 +16,13 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number, spelled
 
 Solution = tuple[tuple[str, Formula], ...]
-# Letters of the longest formula that anyone reads; a page says "solved numerically" in place of a longer one.
+# Characters of the longest formula that a reader would read; a page shows "solved numerically" instead of a longer one.
 MOST_LETTERS = 2000
 
 
 @frozen
 class ShownEquation:
-    """A velocity equation as a page shows it; `derived` from positions; not `used`: redundant, kept as a check."""
+    """A velocity equation as a page shows it; `derived` from positions, or written; if not `used`, it is kept as a check."""
 
     name: str
     because: str
@@ -42,11 +42,11 @@ def shown_equations(equations: VelocityEquations, reduction: Reduction) -> tuple
 
 
 def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
-    """Return (velocity, its formula) for every block, nothing for blocks that are solved numerically on a page.
+    """Return (velocity, its formula) for every block; empty for a block that a page calls solved numerically.
 
-    Those are blocks of three and more, and blocks with a formula of more than `MOST_LETTERS` letters.
-    Earlier velocities stay names, or are put in where the formula becomes shorter so.  No datum changes them: they are worked
-    out once for all variants of a template.
+    These are blocks of three or more unknowns, and blocks with a formula of more than `MOST_LETTERS` characters.
+    Earlier velocities stay names, or are replaced by their formulas if that is shorter.  The result does not depend on the
+    data: it is computed once for all variants of a template.
     """
     key = ("solutions", MOST_LETTERS, tuple((block.equations, block.unknowns) for block in reduction.blocks))
     return equations.once(key, lambda: _solutions(equations, reduction))
@@ -77,7 +77,7 @@ def _solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solu
 
 
 def _divisor(tree: Formula) -> Formula:
-    """Return what a shown solution is divided by."""
+    """Return the denominator of a shown solution."""
     inner = tree.args[0] if tree.op == "neg" else tree
     return inner.args[1] if inner.op == "/" else number(1)
 

@@ -1,4 +1,4 @@
-"""Blocks -> the statements that generated code is made of: velocities, and velocities times the determinant of one block.
+"""Blocks -> statements for generated code: velocities, or velocities times the determinant of one block.
 
 Enters: blocks of a `Reduction`.  Leaves: statements for `codegen`.
 Used by `motion/integration/rates.py`, `scene/model/model.py`, `motion/singular/scaled_flow.py` and `report/live/functions.py`.
@@ -18,7 +18,7 @@ from coursework.equations.reduction.symbolic import local, symbol
 
 
 def block_statements(block: Block, index: int, targets: Sequence[Expression] = ()) -> list[Statement]:
-    """Return what gives the velocities of a block, under their own names or as `targets`, and its determinant `_det{index}`."""
+    """Return statements for the velocities of a block, by name or as `targets`, and its determinant `_det{index}`."""
     determinant = local(f"_det{index}")
     unknowns = tuple(targets or map(symbol, block.unknowns))
     if block.size > 2:
@@ -28,10 +28,10 @@ def block_statements(block: Block, index: int, targets: Sequence[Expression] = (
 
 
 def clock_statements(blocks: Sequence[Block], clock: int, rates: Sequence[str], results: Sequence[str]) -> list[Statement]:
-    """Return what gives D times each of the `rates` and D itself as `results`; D is the determinant of block `clock`.
+    """Return statements for D times each of the `rates` and for D, as `results`; D is the determinant of block `clock`.
 
-    Nothing is divided by D: velocities found before it are multiplied by it, its own are adj(A) b, and those found later have
-    right sides that are multiplied by it, in which the velocities before them stand as they are, multiplied already.
+    Nothing is divided by D.  Velocities of earlier blocks are multiplied by D, its own are adj(A) b.  Later blocks are solved
+    with right sides times D, into which the earlier velocities enter already multiplied.
     """
     determinant = local(f"_det{clock}")
     scaled = {name: local(f"_scaled_{private(name)}") for block in blocks for name in block.unknowns}
@@ -52,7 +52,7 @@ def clock_statements(blocks: Sequence[Block], clock: int, rates: Sequence[str], 
 
 
 def _scaled_side(side: Expression, determinant: Expression, scaled: Mapping[str, Expression]) -> Expression:
-    """Return a right side, linear in earlier velocities, times the determinant of the clock."""
+    """Return a right side, linear in earlier velocities, times the determinant of block `clock`."""
     earlier = {symbol(name): target for name, target in scaled.items() if symbol(name) in side.free_symbols}
     rest = replaced(side, dict.fromkeys(earlier, ZERO))
     return add(determinant * rest, *(derivative(side, name) * target for name, target in earlier.items()))

@@ -1,7 +1,7 @@
-"""Variants of one template -> what they share: mechanism and velocity equations, made once for all of them.
+"""The mechanism and velocity equations that all variants of one template share, made once.
 
-Enters: a `Variant`.  Leaves: its `Mechanism` and `VelocityEquations`, which keep all that is found out about the structure.
-Used by `way_to_motion.py` and `scene/model/model.py`: a class of five hundred differs in its data only.
+Enters: a `Variant`.  Leaves: its `Mechanism` and `VelocityEquations`, which keep all facts found about the structure.
+Used by `way_to_motion.py` and `scene/model/model.py`: the variants of a class of five hundred differ only in their data.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from coursework.variant.record.variant import Coordinate, Given, Law, Time, Vari
 
 @changing
 class Structure:
-    """What variants that differ in their data have in common; what is refused is not kept, so each is told by its own lines."""
+    """What variants that differ only in their data share; errors are not kept, so each variant reports its own lines."""
 
     _mechanism: Mechanism | None = None
     _equations: VelocityEquations | None = None
@@ -33,19 +33,19 @@ class Structure:
         return replace(self._equations, variant=mechanism.variant)
 
 
-@lru_cache(maxsize=64)  # a class has one or a few, and the catalogue, run again and again, fits whole
+@lru_cache(maxsize=64)  # a class has one or a few, and the whole catalogue fits when it is run repeatedly
 def structures(_without_data: Variant) -> Structure:
-    """Return the structure of all variants that are the same without their data."""
+    """Return the structure of all variants that are equal without their data."""
     return Structure()
 
 
 def structure_of(variant: Variant) -> Structure:
-    """Return the structure of a variant: the same one for each that differs in its data only."""
+    """Return the structure of a variant, which it shares with all variants that differ only in their data."""
     return structures(without_data(variant))
 
 
 def without_data(variant: Variant) -> Variant:
-    """Return a variant without its data: what all variants of one template have in common, lines of the file included."""
+    """Return a variant without its data and lines: the part that all variants of one template have in common."""
     return replace(
         variant, name="", path=None, title="", source="", teaches="", remarks=(), quotes=(), plausibility=(), ask=(),
         given=tuple(Given(given.name, 1.0, given.si, "", "") for given in variant.given),
@@ -56,5 +56,5 @@ def without_data(variant: Variant) -> Variant:
 
 
 def _without_times(law: Law) -> Law:
-    """Return a law without the times at which its pieces begin: they are numbers of each run, as the data are."""
+    """Return a law with numbers in place of the times at which its pieces begin, because these are data of each run."""
     return replace(law, pieces=tuple((float(place), piece) for place, (_, piece) in enumerate(law.pieces)))

@@ -1,6 +1,6 @@
-"""Sums of data that an author writes as one length, (R0 + R4), (L - L/k): found in his formulas, gathered after multiplying out.
+"""Sums of data that an author writes as one length, (R0 + R4), (L - L/k): found in the formulas, restored after expansion.
 
-Enters: formulas of a file; the terms of an expression.  Leaves: sums; terms in which each is one factor, called by a name.
+Enters: formulas of a file; the terms of an expression.  Leaves: sums; terms in which each sum is one factor with a name.
 Used by `tidy.py`.
 """
 
@@ -15,7 +15,7 @@ from coursework.variant.formula.tree import Formula, signed
 
 
 def written_sums(formulas: Iterable[Formula], data: frozenset[str]) -> dict[Expression, Expression]:
-    """Return the sums of `data` alone that are factors or lengths in formulas, by a name for each."""
+    """Return the sums of `data` alone that are factors or lengths in formulas, each under a name."""
     found: dict[Expression, None] = {}
     for formula in formulas:
         for node in formula.walk():
@@ -29,7 +29,7 @@ def written_sums(formulas: Iterable[Formula], data: frozenset[str]) -> dict[Expr
 
 
 def _product(formula: Formula, data: frozenset[str]) -> Expression | None:
-    """Return a product or quotient of data and whole numbers, None for anything else."""
+    """Return a product or quotient of data and whole numbers, None for any other formula."""
     if formula.op == "name" and formula.name in data:
         return symbol(formula.name)
     if formula.op == "number" and formula.value.denominator == 1 and formula.value:
@@ -43,7 +43,7 @@ def _product(formula: Formula, data: frozenset[str]) -> Expression | None:
 
 
 def gathered(terms: list[Expression], sums: Mapping[Expression, Expression]) -> list[Expression]:
-    """Return terms in which what a sum was multiplied out to is one term again, in the place of its first.
+    """Return terms in which each expanded sum is one term again, at the place of its first part.
 
     >>> a, b, x = map(symbol, "abx")
     >>> gathered([a * x, b * x], {local("_sum0"): a + b})
@@ -65,7 +65,7 @@ def gathered(terms: list[Expression], sums: Mapping[Expression, Expression]) -> 
 
 
 def _divides(part: Expression, term: Expression) -> bool:
-    """Return whether a term has each factor and each divisor of a product."""
+    """Return whether a term contains each factor and each divisor of a product."""
     own = dict(factor.base_and_power for factor in term.factors)
     powers = (factor.base_and_power for factor in part.split()[1].factors)
     return all(own.get(base, 0) * power >= power * power for base, power in powers)

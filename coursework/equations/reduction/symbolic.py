@@ -1,7 +1,7 @@
 """Formulas -> expressions, and their exact derivatives along the motion.
 
-Enters: formulas of a `Mechanism`.  Leaves: expressions in symbols of its own; drives and functions stay names with a
-definition beside them, so that a page shows V_My and r, not what they stand for.
+Enters: formulas of a `Mechanism`.  Leaves: expressions in private symbols.  Drives and functions stay names with separate
+definitions, so that a page shows V_My and r instead of their formulas.
 Used by `equations.py`, `geometry` and `integration`.
 """
 
@@ -37,16 +37,16 @@ def local(name: str) -> Expression:
 
 
 TIME = symbol("t")
-# A row t = i*h within this part of a break stands on it and takes the new formula: 3*0.35 is less than 1.05 in a computer.
+# A row t = i*h that is closer to a break than this fraction counts as on it and uses the new formula: 3*0.35 < 1.05 here.
 _AT_BREAK = 1e-14
-# Multiplied out, (a + b + … )^8 of a few names has more terms than a computer has patience; nobody reads a hundred.
+# Expanding (a + b + … )^8 of a few names gives more terms than can be computed in reasonable time or read.
 _MOST_TERMS = 100
-# Points in points: what is so deep could not be differentiated and printed within the stack of a process.
+# Levels of points defined by points; a deeper expression would overflow the stack when differentiated or printed.
 MOST_LEVELS = 100
 
 
 def constants(variant: Variant) -> dict[str, float]:
-    """Return what is a number as soon as the data are known, by private name: given data, and the times at which laws change."""
+    """Return the numbers that the data determine, by private name: given data, and the times at which laws change."""
     known = {private(name): value for name, value in variant.values.items()}
     for law in (*variant.drive, *variant.functions):
         known |= {_break(law, place): later * (1 - _AT_BREAK) for place, (later, _) in enumerate(law.pieces[1:])}
@@ -60,7 +60,7 @@ def _break(law: Law, piece: int) -> str:
 
 @contextmanager
 def placed(variant: Variant, place: str, line: int) -> Iterator[None]:
-    """Turn a fault of a formula into an `InputError` that says where the formula stands."""
+    """Turn a fault in a formula into an `InputError` that says where the formula is."""
     try:
         yield
     except FormulaFault as fault:
@@ -69,12 +69,12 @@ def placed(variant: Variant, place: str, line: int) -> Iterator[None]:
 
 
 def expanded(expr: Expression) -> Expression:
-    """Return an expression multiplied out, or as it is where that would make too many terms."""
+    """Return an expression multiplied out, or unchanged if that would give too many terms."""
     return expand(expr) if _terms(expr) <= _MOST_TERMS else expr
 
 
 def _terms(expr: Expression) -> int:
-    """Return how many terms an expression has at most when it is multiplied out."""
+    """Return an upper bound of the number of terms of an expression after expansion."""
     if expr.op == "+":
         return sum(map(_terms, expr.args))
     if expr.op == "*":
@@ -88,10 +88,10 @@ def _terms(expr: Expression) -> int:
 
 
 class Definitions(Mapping[Expression, Expression]):
-    """What symbols stand for: the drives and functions, and their derivatives by the symbols that `Symbols.partial` gives.
+    """The definitions of symbols: drives, functions, and their derivatives by the symbols that `Symbols.partial` returns.
 
-    To go through it is to go through the drives and functions; a derivative is found by whoever holds its symbol, so nobody
-    who asks for one changes what another sees.
+    Iteration yields the drives and functions only; a derivative must be looked up by its symbol.  So a caller that asks for a
+    derivative does not change what others see.
     """
 
     def __init__(self, laws: Mapping[Expression, Expression], derived: Mapping[Expression, Expression]) -> None:
@@ -107,7 +107,7 @@ class Definitions(Mapping[Expression, Expression]):
         return len(self._laws)
 
     def behind(self, symbols: Iterable[Expression]) -> set[Expression]:
-        """Return some symbols and all that their definitions need."""
+        """Return `symbols` and all symbols that their definitions need."""
         found: set[Expression] = set()
         waiting = [*symbols]
         while waiting:
@@ -118,12 +118,12 @@ class Definitions(Mapping[Expression, Expression]):
         return found
 
     def without(self, names: set[Expression]) -> Definitions:
-        """Return the definitions of all other symbols: those left out are given as numbers."""
+        """Return the definitions without `names`, which are given as numbers instead."""
         return Definitions(*({n: v for n, v in part.items() if n not in names} for part in (self._laws, self._derived)))
 
 
 class Symbols:
-    """The symbols of one mechanism, what they stand for, and how they change."""
+    """The symbols of one mechanism, their definitions, and their derivatives."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         variant = mechanism.variant
@@ -164,7 +164,7 @@ class Symbols:
             return self.vector(tree.args[0])[0 if tree.name == "x" else 1]
         args = [self.scalar(arg) for arg in tree.args]
         if not any(arg.free_symbols for arg in args):
-            # Points written out may leave numbers only, which would be worked out exactly whatever their size.
+            # After points are replaced by their formulas only numbers may be left, which would be computed exactly at any size.
             bounded(tree, [value(arg) for arg in args])
         found = self._call(tree.name, args) if tree.op == "call" else _combine(tree, args)
         if tree.op in {"call", "^"} and POLE in found.factors:
@@ -223,7 +223,7 @@ class Symbols:
         return total
 
     def _derivative(self, name: Expression, by: Expression) -> Expression:
-        """Return the symbol of d name / d by, defining it on first use; a constant one is returned as it is."""
+        """Return the symbol of d name / d by, defined at its first use; a constant derivative is returned as a number."""
         if (name, by) not in self._derivatives:
             definition = self.definitions[name]
             if definition.op.startswith("_table_"):
@@ -240,11 +240,11 @@ class Symbols:
         return self._derivatives[name, by]
 
     def derivatives_among(self, names: Iterable[str]) -> dict[str, tuple[str, str]]:
-        """Return those of some shown names that are derivatives: name -> (of what, by what)."""
+        """Return the derivatives among some shown names: name -> (differentiated name, by which name)."""
         return {name: self._parts[name] for name in names if name in self._parts}
 
     def rate(self, expr: Expression) -> Expression:
-        """Return d expr / d t along the motion: sum of partials times rates."""
+        """Return d expr / d t along the motion: the sum of partial derivatives times rates."""
         total = self.partial(expr, TIME)
         for coordinate, rate in self.rates.items():
             slope = self.partial(expr, coordinate)

@@ -1,7 +1,7 @@
 """Velocity equations -> the numbers of A(q, t) u = b(q, t) at any time and position.
 
 Enters: `VelocityEquations`.  Leaves: `LinearSystem`: A (m, n) and b (m,) as arrays.
-Used where the equations themselves are judged: independence, residuals, dead points, closure of positions.
+Used where the equations themselves are checked: independence, residuals, dead points, closure of positions.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from coursework.system.frozen import frozen
 
 @frozen
 class LinearSystem:
-    """`matrix(t, q)` -> (A (m, n), b (m,), known rates (k,)); with arrays (r,) of rows: (r, m, n), (r, m), (r, k)."""
+    """`matrix(t, q)` returns A (m, n), b (m,), known rates (k,); `matrices` for r rows returns (r, m, n), (r, m), (r, k)."""
 
     names: tuple[str, ...]
     unknowns: tuple[str, ...]
@@ -48,13 +48,13 @@ class LinearSystem:
 
 
 def scene_program(equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[Expression] = ()) -> Program:
-    """Return the program of some statements; `given` symbols are arguments even where laws define them."""
+    """Return the program of some statements; `given` symbols are arguments, even if laws define them."""
     definitions = equations.symbols.definitions.without(set(given))
     return program(statements, definitions, constants(equations.variant), equations.tables)
 
 
 def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation]) -> LinearSystem:
-    """Return the linear system of some velocity equations."""
+    """Return the linear system of the velocity equations `rows`."""
     known = equations.variant.known_rates
     entries = tuple((row, equations.unknowns.index(name)) for row, equation in enumerate(rows) for name in equation.coefficients)
     wanted = [slope for equation in rows for slope in equation.coefficients.values()]
@@ -73,7 +73,7 @@ def compile_values(equations: VelocityEquations, wanted: Sequence[Expression]) -
 def bound_values(
     equations: VelocityEquations, wanted: Sequence[Expression], given: Sequence[Expression] = ()
 ) -> tuple[Bound, list[str]]:
-    """Return a program of some values with the data of the variant, and the names of its results; `given` as above."""
+    """Return a program for the values `wanted` with the data of the variant, and its results; `given` as in `scene_program`."""
     results = [f"_out{place}" for place in range(len(wanted))]
 
     def written() -> Program:

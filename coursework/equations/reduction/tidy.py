@@ -1,7 +1,7 @@
-"""Expression -> formula in the author's order and the textbook's compact form.
+"""Expression -> formula in the author's order and in the compact form of a textbook.
 
-Enters: expressions of a small block.  Leaves: `Formula` for a page.  Nothing numeric reads it.
-A rewrite of our own: common factors out, and angles together by `addition_theorems.py`.
+Enters: expressions of a small block.  Leaves: `Formula` for a page.  No computation uses it.
+The rewriting takes out common factors and joins angles by `addition_theorems.py`.
 Used by `conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
 """
 
@@ -23,15 +23,15 @@ from coursework.variant.formula.tree import Formula, named, product_of
 from coursework.variant.formula.tree import number as in_digits
 from coursework.variant.record.variant import Variant
 
-# A formula of more parts, some 400 operations, is shown as it is: nobody reads it, and expanding it costs.
+# A formula with more parts (some 400 operations) is shown as it is: nobody reads it, and expanding it is slow.
 MOST_PARTS = 1000
 _ONE = Fraction(1)
 
 
 class Order:
-    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one.
+    """The author's order of names and functions, as they first appear in the equations; `sums` that the author writes as one.
 
-    `has_decimals`: lengths stand in his formulas as 0.02, so a factor is written so too, and not as 1/50; 0.5 is any half.
+    `has_decimals`: the author writes lengths as 0.02, so factors are shown this way too, not as 1/50; 0.5 alone does not count.
     """
 
     def __init__(self, formulas: list[Formula], variant: Variant) -> None:
@@ -47,7 +47,7 @@ class Order:
         self.sums = written_sums(formulas, frozenset(g.name for g in variant.given))
 
     def rank(self, atom: Expression) -> tuple[int, ...]:
-        """Return the place of a symbol, function or power: names before functions."""
+        """Return the sort key of a symbol, function or power: names come before functions."""
         if atom in self.sums:
             return min(self.rank(name) for name in self.sums[atom].free_symbols)
         if atom.op == "symbol":
@@ -58,17 +58,17 @@ class Order:
         return (1, self._calls.get(atom.op, 99), *inner)
 
     def public(self, symbol: Expression) -> str:
-        """Return what a symbol is called in text: the declared name, or "∂r/∂phi" for a derivative."""
+        """Return the name of a symbol in text: the declared name, or "∂r/∂phi" for a derivative."""
         return public(symbol.name, self._declared)
 
     def term(self, term: Expression) -> tuple[tuple[int, ...], ...]:
-        """Return the place of a term in a sum."""
+        """Return the sort key of a term in a sum."""
         return tuple(sorted(self.rank(base) for base, _ in _powers(term)))
 
 
 @frozen
 class Product:
-    """factor * product of `common` factors * sum of terms (empty for 1), tidied."""
+    """factor * product of `common` factors * sum of `terms` (1 if empty), tidied."""
 
     factor: Fraction
     common: Expression
@@ -76,7 +76,7 @@ class Product:
 
 
 def product(expr: Expression, order: Order) -> Product:
-    """Return an expression as one product; a sum that cannot be taken apart becomes its terms."""
+    """Return an expression as one product; a sum that cannot be factored becomes its `terms`."""
     if expr.size > MOST_PARTS:
         return Product(_ONE, expr, ())
     terms = pair_angles(_terms(expr, order), order.rank)
@@ -109,31 +109,31 @@ def quotient(above: Expression, bottom: Product, order: Order) -> Formula:
 
 
 def _as_given(factor: Fraction, terms: tuple[Expression, ...], order: Order) -> tuple[Fraction, tuple[Expression, ...]]:
-    """Return a factor put back into a sum of different ones where lengths are decimals: 0.02 and 0.25, not 0.01, 2 and 25."""
+    """Return factor and terms; with decimal lengths, multiply unequal terms by the factor: 0.02 and 0.25, not 0.01, 2, 25."""
     if not order.has_decimals or all(abs(term.split()[0]) == 1 for term in terms):
         return factor, terms
     return Fraction(1 if factor > 0 else -1), _times(abs(factor), terms)
 
 
 def as_formula(expr: Expression, order: Order) -> Formula:
-    """Return an expression as a formula, tidied."""
+    """Return an expression as a tidied formula."""
     if expr.size > MOST_PARTS:
         return _plain(expr, order)
-    # Bringing to one denominator costs more than all the rest; most expressions have none.
+    # Finding a common denominator costs more than everything else; most expressions need none.
     divided = any(part.op == "^" and part.args[1].is_negative for part in expr.walk())
     above, below = together(expr) if divided else (expr, ONE)
     return quotient(above, product(below, order), order)
 
 
 def as_sum(expr: Expression, order: Order) -> Formula:
-    """Return an expression as the plain sum of its terms, as a velocity equation is written."""
+    """Return an expression as the plain sum of its terms, the form of a velocity equation."""
     if expr.size > MOST_PARTS:
         return _plain(expr, order)
     return _sum(sorted(_terms(expr, order), key=order.term), order)
 
 
 def _powers(term: Expression) -> list[tuple[Expression, Fraction]]:
-    """Return bases and powers in a product, its number apart; a root is a base of its own."""
+    """Return bases and powers of a product without its number; a root counts as a base."""
     rest = term.split()[1]
     found = [(part, _ONE) if part.op == "^" and part.base_and_power[1].denominator > 1 else part.base_and_power
              for part in rest.factors]  # fmt: skip
@@ -160,7 +160,7 @@ def _integers(value: Fraction) -> tuple[Formula, Formula]:
 
 
 def _numerals(factor: Fraction, by: Fraction) -> tuple[Formula, Formula]:
-    """Return a factor above and one below as decimals, the quotient of the two where it is one: 0.4; 0.08 and 0.27."""
+    """Return decimals for numerator and denominator, or their quotient if that is a decimal: 0.4, or 0.08 and 0.27."""
     for above, below in ((factor / by, _ONE), (factor, by)):
         if all(in_digits(part).op == "number" for part in (above, below)):
             return in_digits(above), in_digits(below)
@@ -180,7 +180,7 @@ def _sum(terms: Sequence[Expression], order: Order) -> Formula:
 
 
 def _plain(expr: Expression, order: Order) -> Formula:
-    """Return one atom as a formula without rewriting inside."""
+    """Return one atom as a formula, not rewritten inside."""
     match expr.op:
         case "symbol" if expr in order.sums:
             return _argument(order.sums[expr], order)
@@ -201,7 +201,7 @@ def _plain(expr: Expression, order: Order) -> Formula:
 
 
 def _argument(expr: Expression, order: Order) -> Formula:
-    """Return what stands inside a function: a positive term first, so that φ1 - φ2 is not written -φ2 + φ1."""
+    """Return the argument of a function with a positive term first, so that φ1 - φ2 is not written -φ2 + φ1."""
     return _sum(sorted(expr.terms, key=lambda term: (term.split()[0] < 0, order.term(term))), order)
 
 

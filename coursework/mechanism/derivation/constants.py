@@ -1,6 +1,6 @@
-"""Constant angles get a name: arccos((b^2 + d^2 - e^2)/(2 b d)) is written once, and is beta from there on.
+"""Names for constant angles: arccos((b^2 + d^2 - e^2)/(2 b d)) is written out once, and called beta from there on.
 
-Enters: formulas, the names that move, the names that are taken.  Leaves: formulas with names in place, and what those mean.
+Enters: formulas, the moving names, the names already taken.  Leaves: formulas that contain the new names, and their meanings.
 Used by the pages.
 """
 
@@ -12,18 +12,18 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, named, spelled
 
 INVERSE = {"asin", "acos", "atan", "atan2"}
-ROUND_OFF = 1e-12  # rad: two forms of one angle differ by less
+ROUND_OFF = 1e-12  # rad: largest difference between two forms of the same angle
 
 
 @frozen
 class NamedAngles:
-    """The constant angles of some formulas, (name, formula) each in the order met; `alike` are other forms of them."""
+    """The constant angles of some formulas as (name, formula), in order of appearance; `alike` lists other forms of them."""
 
     angles: tuple[tuple[str, Formula], ...]
     alike: tuple[tuple[str, Formula], ...] = ()
 
     def put_in(self, formula: Formula) -> Formula:
-        """Return the formula with names in the place of the angles."""
+        """Return the formula with each constant angle replaced by its name."""
         for name, angle in (*self.angles, *self.alike):
             if formula == angle:
                 return named(name)
@@ -33,9 +33,10 @@ class NamedAngles:
 def named_angles(
     formulas: Iterable[Formula], moving: Collection[str], taken: Collection[str], values: Mapping[str, float] | None = None
 ) -> NamedAngles:
-    """Return names for every angle that is an inverse function of data alone: beta, or beta_1, beta_2 … where there are several.
+    """Return names for the angles that are inverse functions of data alone: beta, or beta1, beta2 … if there are several.
 
-    With the `values` of the data (SI) two forms of one angle get one name, and the shorter form is kept.
+    If beta or one of these is in `taken`, the names are beta_1, beta_2 ….  With the `values` of the data (SI), two forms of one
+    angle get the same name; the shorter form is kept.
 
     >>> from coursework.variant.formula.reader import parse
     >>> found = named_angles([parse("cos(phi + acos(b/(2*d)))")], {"phi"}, {"phi", "b", "d"})
@@ -55,7 +56,7 @@ def named_angles(
 
 
 def _is_same(one: Formula, other: Formula, values: Mapping[str, float]) -> bool:
-    """Return whether two formulas have one value for the data, and for data a little beside them."""
+    """Return whether two formulas have the same value, for the data and for slightly changed data."""
     if set(one.names()) != set(other.names()) or not set(one.names()) - {"pi"} <= set(values):
         return False
     for part in (0.0, 0.003, -0.005):

@@ -1,7 +1,7 @@
-"""A closed contour of a chain: its vector equation, and the two projections of that.
+"""A closed contour of a chain: its vector equation and its two projections.
 
 Enters: a `Mechanism` whose constraints are closures.  Leaves: `Contour`, in formulas.  Used by `motion_equations.py`.
-Source: [library] writes a group so: one closed vector contour, two projections, their derivatives.
+Source: [library] writes a group in this way: one closed vector contour, two projections, their derivatives.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from coursework.variant.formula.tree import Formula, constant, evaluate
 from coursework.variant.record.entries import reached
 
 Pair = tuple[Formula, Formula]
-RIGHT = 1e-12  # of a right angle
+RIGHT = 1e-12  # tolerance for a multiple of a right angle, in right angles
 
 
 @frozen
 class Contour:
-    """One closure: `name` of its constraint, both sides as vectors, and as (x, y)."""
+    """One closure: the `name` of its constraint, and both sides, as vectors and as (x, y)."""
 
     name: str
     left: Formula
@@ -32,7 +32,7 @@ class Contour:
 
 
 def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
-    """Return the vector closures in the order of the chain; points that no coordinate moves are written out.
+    """Return the vector closures in the order of the chain; points that no coordinate moves are replaced by their formulas.
 
     >>> import coursework
     >>> [one.name for one in contours_of(coursework.solve("example-3", quantities=["table"]).scene.mechanism)]
@@ -53,7 +53,7 @@ def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
 
 
 def _without_zeros(formula: Formula) -> Formula:
-    """Return a formula without the zeros that stand in its sums: a guide along x has the angle 0, across it 0 + pi/2."""
+    """Return a formula without zero terms in its sums: a guide along x has the angle 0, a normal to it 0 + pi/2."""
     args = tuple(map(_without_zeros, formula.args))
     if formula.op in {"+", "-"}:
         return _sum(formula.op, *(ZERO if constant(arg) == 0 else arg for arg in args))
@@ -61,7 +61,7 @@ def _without_zeros(formula: Formula) -> Formula:
 
 
 def _quarters(angle: Formula) -> int | None:
-    """Return how many right angles a fixed angle is, None for any other angle."""
+    """Return a fixed angle as a number of right angles (0 to 3), None if it is no multiple of a right angle or not fixed."""
     if set(angle.names()) - {"pi"}:
         return None
     turned = evaluate(angle, {}) / (math.pi / 2)
@@ -69,7 +69,7 @@ def _quarters(angle: Formula) -> int | None:
 
 
 def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> Pair | None:
-    """Return the components of a vector, None for a formula that is none."""
+    """Return the components of a vector, None if the formula is no vector."""
     if formula.op == "name" and formula.name in points:
         if formula.name not in moved:
             return _parts(points[formula.name], points, moved)

@@ -1,8 +1,8 @@
-"""Which equations the points give, how many of them are independent, and whether the written ones are combinations of them.
+"""Which equations the points give, how many are independent, and whether the written equations are combinations of them.
 
 Enters: a `Mechanism` and some rows of its motion.  Leaves: `Derivation`.  Used by `motion_equations.py`.
-All equations are linear in the velocities, so each is a row of numbers at every configuration; a combination with the same
-coefficients at every row of the motion is one for good.
+All equations are linear in the velocities, so at each configuration every equation is a row of numbers.  If an equation is a
+combination of others at every row of the motion, it is taken to be one in general.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any
 
-SAME = 1e-8  # of the length of a row: far above round-off, far below a wrong sign
+SAME = 1e-8  # relative to the length of a row: far above round-off, far below the effect of a wrong sign
 SIMPLE = (-1.0, 0.0, 1.0)
-MOST_ROWS = 8  # of the motion that are looked at
+MOST_ROWS = 8  # about as many rows of the motion are used, fewer than twice as many
 ROW_RANK = 1e-9
 
 
 @frozen
 class Numbered:
-    """A projection with the name it has among the equations."""
+    """A projection with its name among the equations."""
 
     name: str
     projection: Projection
@@ -35,7 +35,7 @@ class Numbered:
 
 @frozen
 class Combination:
-    """An equation as a sum of others: (coefficient, name) each; no terms: it says nothing that they do not, in other numbers."""
+    """An equation as a sum of others, as (coefficient, name); without terms, it follows from them with factors other than ±1."""
 
     name: str
     terms: tuple[tuple[int, str], ...]
@@ -45,8 +45,8 @@ class Combination:
 class Derivation:
     """The equations that follow from the points alone.
 
-    `rank`: how many of `projections` are independent; `dependent` ones as combinations of the written equations; `followed`
-    written equations that are combinations of projections; `beyond` those that are not: they say what no path says.
+    `rank` is the number of independent `projections`; `dependent` projections are given as combinations of the written equations.
+    `followed` names the written equations that are combinations of projections, `beyond` those that are not.
     """
 
     graph: PointGraph
@@ -59,9 +59,9 @@ class Derivation:
 
 
 def derive(mechanism: Mechanism, rows: Sequence[Mapping[str, float]]) -> Derivation | None:
-    """Return what the points give; None where there is no path between known velocities, or no row to look at.
+    """Return the equations that the points give; None if there is no path between points of known velocity, or no row.
 
-    `rows` hold the coordinates of some rows of the motion by name (rad, m).
+    Each of `rows` maps the coordinates to their values (rad, m) in one row of the motion.
 
     >>> import coursework
     >>> run = coursework.solve("31", quantities=["table"])
@@ -81,7 +81,7 @@ def derive(mechanism: Mechanism, rows: Sequence[Mapping[str, float]]) -> Derivat
     try:
         written = {one.name: table.written(one.left, one.right) for one in mechanism.constraints if not one.is_closure}
         found = _chosen(graph, paths, table, written)
-    except (FormulaFault, KeyError):  # a law of the configuration stands in a length: the rows alone do not give its value
+    except (FormulaFault, KeyError):  # a length contains a law of the configuration, whose value the rows do not give
         return None
     if not found:
         return None
@@ -106,7 +106,10 @@ def derive(mechanism: Mechanism, rows: Sequence[Mapping[str, float]]) -> Derivat
 def _chosen(
     graph: PointGraph, paths: tuple[Path, ...], table: _Table, written: Mapping[str, Array]
 ) -> list[tuple[Projection, Array]]:
-    """Return the projections that say something, of the paths from the first known point and of those that a written one is."""
+    """Return the projections that are not zero in all rows, each with its rows of numbers.
+
+    Taken are paths from the first known point, and paths of which a projection is a multiple of a written equation.
+    """
     found: list[tuple[Projection, Array]] = []
     for path in paths:
         rows = [(one, row) for one in projections_of(graph, (path,)) if np.any(np.abs(row := table.projection(one)) > SAME)]
@@ -118,7 +121,7 @@ def _chosen(
 
 @frozen
 class _Table:
-    """Makes equations rows of numbers, (configurations, velocities and drives); `resting` drives are nought."""
+    """Evaluates equations as arrays (configurations, velocities and drives); `resting` drives are zero."""
 
     columns: tuple[str, ...]
     resting: tuple[str, ...]
@@ -126,7 +129,7 @@ class _Table:
     rows: Sequence[Mapping[str, float]]
 
     def projection(self, one: Projection) -> Array:
-        """Return start + terms - end."""
+        """Return the coefficients of start + terms - end."""
         found = self._linear(one.start) - self._linear(one.end)
         for place, row in enumerate(self.rows):
             known = {"pi": math.pi, **self.values, **row}
@@ -140,7 +143,7 @@ class _Table:
         return found
 
     def written(self, left: Formula, right: Formula) -> Array:
-        """Return left - right."""
+        """Return the coefficients of left - right."""
         return self._linear(left) - self._linear(right)
 
     def _linear(self, formula: Formula) -> Array:
@@ -155,19 +158,19 @@ class _Table:
 
 
 def _solved(rows: Array, wanted: Array) -> Array | None:
-    """Return constant coefficients with which rows add up to one, None where there are none."""
+    """Return the coefficients with which the `rows` add up to `wanted`, None if there are none."""
     found: Array = np.linalg.lstsq(rows.T, wanted, rcond=None)[0].astype(np.float64)
     gap = np.linalg.norm(rows.T @ found - wanted)
     return found if gap <= SAME * max(float(np.linalg.norm(wanted)), 1e-300) else None
 
 
 def _follows(rows: Array, wanted: Array) -> bool:
-    """Return whether an equation is a combination of others (equations, configurations, columns) at every configuration."""
+    """Return whether `wanted` is a combination of `rows` (equations, configurations, columns) at every configuration."""
     return all(_solved(rows[:, place], wanted[place]) is not None for place in range(len(wanted)))
 
 
 def _combination(name: str, row: Array, written: Mapping[str, Array]) -> Combination | None:
-    """Return an equation as a sum of the written ones, None where it is none."""
+    """Return an equation as a combination of the written ones, None if it is none."""
     if not written:
         return None
     found = _solved(np.array(list(written.values())), row)
@@ -180,7 +183,7 @@ def _combination(name: str, row: Array, written: Mapping[str, Array]) -> Combina
 
 
 def _names(rows: Sequence[Array], written: Mapping[str, Array], taken: set[str]) -> list[str]:
-    """Return a name for each projection: that of the written equation it is, and numbers that continue those."""
+    """Return a name for each projection: that of the equal written equation, else a number that continues those, or a letter."""
     places = {
         name: [place for place, row in enumerate(rows) if _is_multiple(row.ravel(), other.ravel())]
         for name, other in written.items()

@@ -1,8 +1,8 @@
-"""The paths between points whose velocity is known, and their projections: the equations (6) to (18) of the guide.
+"""The paths between points of known velocity, and their projections: the equations (6) to (18) of the guide.
 
 Enters: a `PointGraph`.  Leaves: `Path`, `Projection`.  Used by `derive.py`.
-V_B = V_A + V_BA, where V_BA = (-w L sin f, w L cos f) turns with the segment from A to B, of length L at the angle f, and a
-length that changes adds (u cos f, u sin f).
+V_B = V_A + V_BA.  For a segment AB of length L at the angle f, V_BA = (-w L sin f, w L cos f), where w is the rate of the
+segment; a length that changes at the rate u adds (u cos f, u sin f).
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ AXES = ("x", "y")
 
 @frozen
 class Path:
-    """The way from a point with known velocity to another: V_end = V_start + the relative velocities of its segments."""
+    """The way from one point of known velocity to another: V_end = V_start + the relative velocities of its segments."""
 
     segments: tuple[Segment, ...]
 
     @property
     def points(self) -> tuple[str, ...]:
-        """Return the points in order."""
+        """Return the points along the path, in order."""
         return (self.segments[0].start, *(segment.end for segment in self.segments))
 
 
 @frozen
 class Term:
-    """One term of a projection: sign * length * rate * function(angle); `length` is None for a length that changes itself."""
+    """One term of a projection: sign * length * rate * function(angle); `length` is None if `rate` is that of a length."""
 
     sign: int
     rate: str
@@ -42,7 +42,7 @@ class Term:
 
 @frozen
 class Projection:
-    """A vector equation along an axis: known part of the end = known part of the start + terms."""
+    """A vector equation along one axis: known component of the end = known component of the start + terms."""
 
     path: Path
     axis: str
@@ -52,9 +52,9 @@ class Projection:
 
 
 def paths_of(graph: PointGraph) -> tuple[Path, ...]:
-    """Return the paths between known points, those from the first (the driven) before the rest, the nearest end first.
+    """Return at most `MOST_PATHS` paths between known points: first those from the driven (first) point, nearest end first.
 
-    A path goes through no other point whose velocity is wholly known: it would say nothing that its parts do not.
+    A path passes through no other point whose whole velocity is known: it would add nothing to its two parts.
     """
     if not graph.known:
         return ()
@@ -71,7 +71,7 @@ def paths_of(graph: PointGraph) -> tuple[Path, ...]:
 
 
 def _nearest_first(graph: PointGraph) -> list[str]:
-    """Return the known points as met from the first: along each branch, the branch with the nearest known point first."""
+    """Return the known points as reached from the first one, branch by branch, the branch with the nearest known point first."""
     start = graph.known[0].point
     ways = {known.point: min(_between(graph, start, known.point), key=lambda path: len(path.segments), default=None)
             for known in graph.known[1:]}  # fmt: skip
@@ -107,7 +107,7 @@ def _between(graph: PointGraph, start: str, end: str) -> list[Path]:
 
 
 def projections_of(graph: PointGraph, paths: tuple[Path, ...]) -> Iterator[Projection]:
-    """Yield the projections of each path on the axes along which both its ends are known."""
+    """Yield the projections of each path onto the axes along which the velocities of both its ends are known."""
     for path in paths:
         start, end = graph.of(path.points[0]), graph.of(path.points[-1])
         for axis in AXES:

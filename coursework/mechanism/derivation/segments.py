@@ -1,4 +1,4 @@
-"""The points of a mechanism -> what is known of their velocities, and the segments of links between them.
+"""The points of a mechanism -> the known components of their velocities, and the segments of links between them.
 
 Enters: a `Mechanism`.  Leaves: `PointGraph`, in formulas.  Used by `paths.py` and `derive.py`.
 """
@@ -16,8 +16,8 @@ from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Link, Variant
 
 ZERO = number(0)
-TURN = Fraction(2)  # in parts of pi
-EXACT = 1e-12  # a right angle written in degrees, read as radians
+TURN = Fraction(2)  # a full turn in units of pi
+EXACT = 1e-12  # right angles: tolerance for a right angle written in degrees and read as radians
 
 
 @frozen
@@ -28,15 +28,15 @@ class Angle:
     offset: Fraction
 
     def turned(self, by: Fraction) -> Angle:
-        """Return the angle turned by a part of pi."""
+        """Return the angle increased by `by` times pi."""
         return Angle(self.base, (self.offset + by) % TURN)
 
 
 @frozen
 class Segment:
-    """A straight piece from one point to another: `length` at `angle`, turning with `rate` ("" where it does not turn).
+    """A straight segment from `start` to `end`: its `length` at `angle`, turning at `rate` ("" if it does not turn).
 
-    `slide` is the rate of a length that changes, "" where it does not.
+    `slide` is the rate of a changing length, "" if the length is constant.
     """
 
     start: str
@@ -53,7 +53,7 @@ class Segment:
 
 @frozen
 class Known:
-    """What is known of the velocity of a point: a formula for each component, None where it is not known."""
+    """The known velocity of a point: a formula for each component, None for an unknown component."""
 
     point: str
     x: Formula | None
@@ -71,13 +71,13 @@ class Known:
 
 @frozen
 class PointGraph:
-    """Points with what is known of their velocities, the driven one first, and the segments between points."""
+    """Points with the known components of their velocities, the driven point first, and the segments between points."""
 
     known: tuple[Known, ...]
     segments: tuple[Segment, ...]
 
     def of(self, point: str) -> Known:
-        """Return what is known of a point."""
+        """Return the known velocity of a point."""
         return next((known for known in self.known if known.point == point), Known(point, None, None))
 
 
@@ -106,7 +106,7 @@ def point_graph(mechanism: Mechanism) -> PointGraph:
 
 
 def _drawn(mechanism: Mechanism, fixed: set[str]) -> Iterator[tuple[str, str, Formula]]:
-    """Yield (start, end, vector from start to end) of points, of closures written as a vector, and of what is held."""
+    """Yield (start, end, vector from start to end) for points, for closures written as a vector, and for held expressions."""
     for name, formula in mechanism.points:
         if name not in fixed and formula.op in {"+", "-"} and formula.args[0].op == "name":
             vector = formula.args[1]
@@ -128,7 +128,7 @@ def _drawn(mechanism: Mechanism, fixed: set[str]) -> Iterator[tuple[str, str, Fo
 
 
 def _segment(start: str, end: str, vector: Formula, variant: Variant, rates: Mapping[str, str]) -> Segment | None:
-    """Return the segment of one vector, None for a vector that is no length at an angle."""
+    """Return the segment of a vector, None if the vector is not a length at an angle."""
     polar = _polar(vector)
     if polar is None:
         return None
@@ -146,14 +146,14 @@ def _held(link: Link) -> set[str]:
 
 
 def _is_material(segment: Segment, variant: Variant) -> bool:
-    """Return whether both ends move as the segment does: a contact is a point of its wheel and of nothing else."""
+    """Return whether both ends move with the segment: a contact belongs to its wheel only."""
     ends = {segment.start, segment.end}
     wheels = [link for link in variant.links if link.contact in ends]
     return all(ends <= _held(link) for link in wheels)
 
 
 def _polar(vector: Formula) -> tuple[Formula, Angle] | None:
-    """Return length and angle of "L @ a", "-(L @ a)", "(0, h)" or "(l, 0)"."""
+    """Return length and angle of "L @ a", "-(L @ a)", "(0, h)" or "(l, 0)", None for any other vector."""
     if vector.op == "neg":
         inner = _polar(vector.args[0])
         return None if inner is None else (inner[0], inner[1].turned(Fraction(1)))
@@ -169,7 +169,7 @@ def _polar(vector: Formula) -> tuple[Formula, Angle] | None:
 
 
 def _angle(formula: Formula) -> Angle:
-    """Return an angle with its parts of pi taken apart: phi3 + pi/2 -> (phi3, 1/2)."""
+    """Return an angle with its multiples of pi split off: phi3 + pi/2 -> (phi3, 1/2)."""
     if formula.op in {"+", "-"}:
         part = _part_of_pi(formula.args[1])
         if part is not None:
@@ -180,7 +180,7 @@ def _angle(formula: Formula) -> Angle:
 
 
 def _part_of_pi(formula: Formula) -> Fraction | None:
-    """Return q where a formula is q pi, None for any other."""
+    """Return q if a formula is q pi, None if it is not."""
     if formula == named("pi"):
         return Fraction(1)
     if formula.op == "number":  # "90 deg" is read as 1.5707963267948966
@@ -199,7 +199,7 @@ def _part_of_pi(formula: Formula) -> Fraction | None:
 
 
 def _known(variant: Variant, points: Mapping[str, Formula], fixed: set[str]) -> list[Known]:
-    """Return the points whose velocity is wholly or partly known: driven, fixed, guided, in contact with the frame."""
+    """Return the points whose velocity is wholly or partly known: driven, fixed, guided, or in contact with the frame."""
     found: dict[str, Known] = {}
     laws = {law.name: ZERO if law.formula == ZERO else named(law.name) for law in variant.drive}
     for name in points:
@@ -231,7 +231,7 @@ _AXES = (Fraction(0), Fraction(1, 2))
 
 
 def _speed_along(point: str, guide: Formula, variant: Variant) -> tuple[Formula, Formula] | None:
-    """Return the unknown that the file says is the speed of a point along its guide, and the direction it says."""
+    """Return the unknown that the file declares as the speed of a point along its guide, and its declared direction."""
     line = _angle(guide)
     for binding in variant.bindings:
         if binding.point == point and not binding.relative and binding.along is not None:
@@ -242,7 +242,7 @@ def _speed_along(point: str, guide: Formula, variant: Variant) -> tuple[Formula,
 
 
 def _along(speed: Formula, angle: Formula) -> tuple[Formula, Formula]:
-    """Return the components of a speed along a guide; along an axis one of them is nought."""
+    """Return the components of a speed along a guide; one of them is zero if the guide is parallel to an axis."""
     place = _angle(angle)
     if place.base is None and place.offset % 1 in _AXES:
         signed = speed if place.offset < 1 else Formula("neg", (speed,))
@@ -251,7 +251,7 @@ def _along(speed: Formula, angle: Formula) -> tuple[Formula, Formula]:
 
 
 def _touches_frame(contact: str, variant: Variant) -> bool:
-    """Return whether the contact of a wheel rests: it lies on a rail or circle of the frame and on no other link."""
+    """Return whether the contact of a wheel is at rest: it lies on a rail or circle of the frame and on no other link."""
     others = sum(contact in link.points for link in variant.links)
     on_rail = any(through == named(contact) for through, _ in variant.frame.rails)
     return not others and (on_rail or bool(variant.frame.circles))

@@ -1,1 +1,1 @@
-"""A chain of groups that nobody has drawn yet: names, dimensions in which it closes, and the file that says so."""
+"""Drafts of chains of groups that nobody has drawn yet: names, dimensions with which the chain closes, and the file."""

@@ -1,10 +1,10 @@
-"""Dimensions for one group: what may be tried, what comes of it, and which of it is taken.
+"""Dimensions for one group: the choices to try, the motion that each gives, and the one that is taken.
 
-Enters: a kind, the points it hangs on along a whole turn, the body that may carry a guide.  Leaves: `Placement`, rounded as a
-file writes it.  Used by `chain.py`.
+Enters: a kind, the paths over a whole turn of the points it hangs on, the body that may carry a guide.  Leaves: `Placement`,
+rounded as it is written in a file.  Used by `chain.py`.
 
-Nothing here knows a kind by its name: its shape says how many pivots, lengths and guides are free, and its own `solve` whether
-a choice closes.  The choices are gone through in a fixed order, so that the same kinds always give the same file.
+Nothing here knows a kind by its name: its shape says how many pivots, lengths and guides are free, and its `solve` whether a
+choice closes.  The choices are tried in a fixed order, so that the same kinds always give the same file.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.vocabulary import GROUP_KINDS
 
-ROWS, COARSE = 720, 30  # rows of a turn that a choice must close in, and every which of them it is first tried at
+ROWS, COARSE = 720, 30  # rows of a turn in which a choice must close; first it is tried in every 30th row only
 _DIRECTIONS = range(0, 360, 15)  # degrees
-_HALF = range(0, 180, 15)  # a guide points both ways
-# Sizes in parts of the amplitude of the point a group hangs on: pivots, lengths, guides beside its middle.
+_HALF = range(0, 180, 15)  # degrees; half a turn is enough, because a guide points both ways
+# Sizes in units of the amplitude of the point a group hangs on: pivots, lengths, distances of guides from its middle.
 _PIVOTS, _LENGTHS, _BESIDE = (2.5, 3.0, 4.0), (2.0, 2.5, 3.0, 4.0), (1.0, 2.0, 0.0)
-_SOUND, _AMPLE = 0.3, 0.6  # a determinant (-1 to 1) that is too near to a dead point below, and good enough from here on
-_STILL = 0.1  # of the amplitude, or rad: a coordinate that moves less stands still
-_LIKE, _ROUND, _CLEAR = 0.3, 0.02, 0.3  # what another amplitude, an odd angle, and crowding or standing still take from a score
+_SOUND, _AMPLE = 0.3, 0.6  # absolute scaled determinants (0 to 1): smaller is too near a dead point; larger scores no better
+_STILL = 0.1  # of the amplitude, or rad: a coordinate that moves less counts as still
+_LIKE, _ROUND, _CLEAR = 0.3, 0.02, 0.3  # subtracted from a score: for another amplitude, per odd angle, per crowded or still item
 
 
 @frozen
 class End:
-    """A point that a group may hang on: its `name` and `path` (rows,) m along the motion.
+    """A point that a group may hang on: its `name` and its `path` (rows,) m during the motion.
 
-    The body it belongs to turns as the coordinate `turns` does, through `angle` (rows,) rad; "" where it only travels.
+    Its body turns with the coordinate `turns` through `angle` (rows,) rad; `turns` is "" if the body only translates.
     """
 
     name: str
@@ -46,20 +46,21 @@ class End:
 
     @property
     def middle(self) -> complex:
-        """Return the middle of the box about the path (m)."""
+        """Return the middle of the bounding box of the path (m)."""
         x, y = self.path.real, self.path.imag
         return complex(x.min() + x.max(), y.min() + y.max()) / 2
 
     @property
     def amplitude(self) -> float:
-        """Return how far the path goes from its middle (m)."""
+        """Return the largest distance of the path from its middle (m)."""
         return float(np.abs(self.path - self.middle).max())
 
 
 @frozen
 class Placement:
-    """`pivots` and points of `fixed` guides (m) with their angles (degrees), `lengths` (m), the angle (degrees) of a guide on
-    the body that carries it, None without one.
+    """`pivots` (m), `fixed` guides as a point (m) and an angle (degrees), `lengths` (m), and the angle `carried` (degrees).
+
+    `carried` is the angle of a guide on the body that carries it, None without such a guide.
     """
 
     pivots: tuple[complex, ...]
@@ -71,9 +72,9 @@ class Placement:
 def place(
     kind: GroupKind, ends: Sequence[End], carrier: End | None, taken: Sequence[complex]
 ) -> tuple[Placement, GroupMotion] | None:
-    """Return the best placement of a group on `ends` and how it moves in all rows, None where it closes in none.
+    """Return the best placement of a group on `ends` and its motion in all rows, None if no choice closes.
 
-    `taken` (m) are places with something.
+    `taken` (m) are positions already occupied.
     """
     rated = [
         (_score(kind, found, trial, ends, carrier, taken), -number, trial)
@@ -116,7 +117,7 @@ def _rounded(value: float, unit: float) -> float:
 
 
 def _solved(kind: GroupKind, trial: Placement, ends: Sequence[End], carrier: End | None, every: int) -> GroupMotion | None:
-    """Return the group in every so many rows, None where it does not close or comes near a dead point."""
+    """Return the motion of the group in every `every`-th row, None if it does not close or comes near a dead point."""
     points = [_pair(end.path[::every]) for end in ends] + [_pair(np.array([pivot])) for pivot in trial.pivots]
     guides = [Guide(_pair(np.array([through])), math.radians(angle)) for through, angle in trial.fixed]
     if carrier is not None and trial.carried is not None:
@@ -137,7 +138,7 @@ def _pair(path: Vectors) -> Pair:
 def _score(
     kind: GroupKind, found: GroupMotion, trial: Placement, ends: Sequence[End], carrier: End | None, taken: Sequence[complex]
 ) -> float:
-    """Return how good a choice is: far from dead points, all moves, the next point as far as this one, nothing crowded."""
+    """Return how good a choice is: far from dead points, nothing still, the next point moves as far as this one, no crowding."""
     hung = ends[0] if ends else carrier
     assert hung is not None
     met = End("", vectors(found.meets.position), "", np.zeros(1))

@@ -1,10 +1,10 @@
-"""A chain of groups of the kinds asked for: who hangs on whom, what everything is called, and sizes that close.
+"""A chain of groups of the kinds asked for: which group hangs on which, all names, and dimensions with which it closes.
 
 Enters: names of kinds, cranks and dyads, the first a crank.  Leaves: `Draft`.  Used by `text.py`, `commands/new.py` and the desk.
 
-A dyad hangs on the points that wait longest: pins of cranks, and points where dyads before it meet.  What it needs beside them
-is a pivot or a guide on the frame.  A dyad without a point of its own rides on the body of such a point: that carries its last
-guide.  On a crank such a guide would stand parallel to a fixed one twice a turn, so that a crank with one swings.
+A dyad hangs on the points that have waited longest: pins of cranks, and meeting points of earlier dyads.  Any further support
+it needs is a pivot or a guide on the frame.  A dyad without an external point rides on the body of a waiting point, which
+carries its last guide.  On a turning crank such a guide would be parallel to a fixed one twice a turn, so this crank swings.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from coursework.system.frozen import frozen
 from coursework.variant.record.entries import Coordinate
 from coursework.variant.record.vocabulary import GROUP_KINDS
 
-CRANK, TURNED = 0.1, (30, 120, 75, 165)  # m; where cranks stand at the start, degrees
-SWING = 0.6  # rad: how far a crank that carries a guide swings to each side
-_APART = 4 * CRANK  # between the pivot of a further crank and the point before it
+CRANK, TURNED = 0.1, (30, 120, 75, 165)  # m; degrees: the angles of the cranks at the start, one after the other
+SWING = 0.6  # rad: amplitude of a swinging crank, which carries a guide
+_APART = 4 * CRANK  # m, in x: from the last waiting point to the pivot of a further crank
 
 
 @frozen
 class GuideOf:
-    """A guide of a group: the point it goes through, the name of its angle, the coordinate it turns with, "" for none."""
+    """A guide of a group: the point it passes `through`, the name of its `angle`, the coordinate it `turns` with ("" if none)."""
 
     through: str
     angle: str
@@ -39,8 +39,9 @@ class GuideOf:
 
 @frozen
 class GroupDraft:
-    """One group: names of its points, lengths, guides and coordinates; a crank also with the number of its drive, and whether
-    it swings.
+    """One group: its kind, and the names of its points, guides, lengths, meeting point and coordinates.
+
+    A crank also has the number of its drive (`crank`), and `swings` if it does not turn all the way.
     """
 
     kind: GroupKind
@@ -54,13 +55,13 @@ class GroupDraft:
 
     @property
     def letters(self) -> dict[str, str]:
-        """Return what stands in the gaps of the sentences about its kind."""
+        """Return the letters to insert into the sentences about its kind."""
         return self.kind.shape.named((*self.points, *(guide.through for guide in self.guides), self.meets))
 
 
 @dataclass(slots=True)
 class Draft:
-    """The groups, the points of the frame (m), and the numbers: lengths (m) and angles (degrees) by name."""
+    """The groups, the points of the frame (m), and the numbers by name: lengths (m) and angles (degrees)."""
 
     groups: list[GroupDraft] = field(default_factory=list)
     places: dict[str, complex] = field(default_factory=dict)
@@ -74,7 +75,7 @@ class Draft:
 
     @property
     def turns_one_crank(self) -> bool:
-        """Return whether everything goes by the angle of one crank that turns all the way."""
+        """Return whether the whole motion follows the angle of one crank that turns all the way."""
         return len(self.cranks) == 1 and not self.cranks[0].swings
 
     @property
@@ -84,17 +85,17 @@ class Draft:
 
     @property
     def hinges(self) -> list[str]:
-        """Return the points of the frame that links turn about."""
+        """Return the points of the frame about which links turn."""
         return [point for point in self.places if point not in {guide.through for guide in self.rails}]
 
     @property
     def slides(self) -> bool:
-        """Return whether a coordinate is a length."""
+        """Return whether any coordinate is a length."""
         return any(own.unit == "m" for group in self.groups for own in group.coordinates)
 
 
 class DoesNotClose(ValueError):
-    """No dimensions were found in which the group of this number (from 1) closes for the whole turn."""
+    """No dimensions were found with which group `number` (from 1) closes during the whole turn."""
 
     def __init__(self, number: int) -> None:
         super().__init__(number)
@@ -121,27 +122,27 @@ def draft_of(names: Sequence[str]) -> Draft:
 
 
 def draft_on(name: str, ends: Sequence[End], taken: Collection[str], body: int) -> Draft:
-    """Return one group of a kind that hangs on points of a chain there is, and no more.  Raises `DoesNotClose`.
+    """Return a draft of one group `name` that hangs on points (`ends`) of an existing chain.  Raises `DoesNotClose`.
 
-    `taken` are the points that there are, `body` the number of its first coordinate.
+    `taken` are the names of the existing points, `body` is the number of its first coordinate.
     """
     drafting = _Drafting(set(), ends, taken, body)
     try:
         drafting.add(group_kind(name))
-    except (_MustSwing, IndexError):  # a guide on a crank that turns all the way; no point to ride on
+    except (_MustSwing, IndexError):  # a guide would be on a crank that turns all the way; there is no point to ride on
         raise DoesNotClose(1) from None
     return drafting.draft
 
 
 class _MustSwing(Exception):
-    """The chain is drafted again, with this crank swinging."""
+    """The chain must be drafted again, with this crank swinging."""
 
     def __init__(self, crank: int) -> None:
         self.crank = crank
 
 
 class _Drafting:
-    """The chain as far as it has been drafted; `waiting` are the points that nothing hangs on yet."""
+    """The chain drafted so far; `waiting` are the points on which nothing hangs yet."""
 
     def __init__(self, swinging: set[int], ends: Sequence[End] = (), taken: Collection[str] = (), body: int = 1) -> None:
         self.draft = Draft()
@@ -149,7 +150,7 @@ class _Drafting:
         self._swinging = swinging
         self._letters = (letter for letter in letters() if letter not in taken)
         self._bodies, self._first_crank = itertools.count(body), body
-        self._turning: dict[str, int] = {}  # pins of cranks that turn all the way round
+        self._turning: dict[str, int] = {}  # pins of cranks that turn all the way, and the crank of each
 
     def add(self, kind: GroupKind) -> None:
         """Add a group of a kind."""
@@ -185,7 +186,7 @@ class _Drafting:
         ends = self.waiting[: kind.shape.points]
         taken = [*self.draft.places.values(), *(end.middle for end in self.waiting)]
         placed = place(kind, ends, carrier, taken)
-        if placed is None and len(ends) > 1:  # two moving points may come too near to each other
+        if placed is None and len(ends) > 1:  # two moving points may come too close to each other
             ends = ends[:1]
             placed = place(kind, ends, carrier, taken)
         if placed is None:
@@ -197,7 +198,7 @@ class _Drafting:
         self.waiting.append(self._end(group, placed[1]))
 
     def _carrier(self) -> End:
-        """Return the point whose body is to carry a guide, taken from those that wait."""
+        """Return the first waiting point whose body can carry a guide.  Raises `_MustSwing` if all bodies are turning cranks."""
         for end in self.waiting:
             if end.name not in self._turning:
                 return end
@@ -207,7 +208,7 @@ class _Drafting:
         self, kind: GroupKind, bodies: list[int], coordinates: tuple[Coordinate, ...], hung: list[str], found: Placement,
         carrier: End | None,
     ) -> GroupDraft:  # fmt: skip
-        """Return the group with names for all that is new; their numbers are kept."""
+        """Return the group with names for everything new; record the numbers in the draft."""
         points = [*hung, *(self._new_point(pivot) for pivot in found.pivots)]
         slides = [coordinate.name[1:] for coordinate in coordinates if coordinate.unit == "m"]
         guides = []
@@ -222,7 +223,7 @@ class _Drafting:
         return GroupDraft(kind, tuple(points), tuple(guides), tuple(lengths), next(self._letters), coordinates)
 
     def _end(self, group: GroupDraft, motion: GroupMotion) -> End:
-        """Return the point where a group meets, with the body that goes with it: the last that turns, if one does."""
+        """Return the meeting point of a group, with the body that goes with it: the last one that turns, if there is one."""
         path: Vectors = vectors(motion.meets.position)
         angles = [place for place, coordinate in enumerate(group.coordinates) if coordinate.unit == "rad"]
         if not angles:

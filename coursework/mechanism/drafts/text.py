@@ -1,7 +1,7 @@
-"""The file of a draft: every key that a chain has, a comment on each, in the language asked.
+"""The file of a draft: every key of a chain, each with a comment in the language asked for.
 
-Enters: a `Draft`, the name of the file, what puts a sentence into a language.  Leaves: the text.
-Used by `commands/new.py` and the desk.  What the file says stands in `reports/new-groups.toml.j2`.
+Enters: a `Draft`, the name of the file, a function that translates a sentence.  Leaves: the text.
+Used by `commands/new.py` and the desk.  The template is `reports/new-groups.toml.j2`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _COMMENT = 46  # the column where comments begin
 
 
 def text_of(draft: Draft, name: str, said: Callable[[str], str], asked: Sequence[str], first: int = 1) -> str:
-    """Return the file, which asks for some quantities; `said` returns a sentence in the language of the comments.
+    """Return the text of a file that asks for the quantities `asked`; `said` puts a sentence into the language of the comments.
 
     `first` is the number of its first group.
     """
@@ -38,17 +38,17 @@ def text_of(draft: Draft, name: str, said: Callable[[str], str], asked: Sequence
 
 
 def commented(text: str) -> str:
-    """Return a filled template with what stands behind each tab as a comment, all in one column."""
+    """Return a filled template with the text after each tab turned into a comment, all comments in one column."""
     return "".join(f"{_written(*line.partition(chr(9))[::2])}\n" for line in text.rstrip("\n").split("\n"))
 
 
 def additions(draft: Draft, number: int, said: Callable[[str], str]) -> dict[str, list[str]]:
-    """Return the lines that a file gets for the groups of a draft, by section; the first of them is its group `number`."""
+    """Return by section the lines to add to a file for the groups of a draft; the first of them is group `number` of the file."""
     found: dict[str, list[str]] = {section: [] for section in ("given", "drive", "coordinates", "points", "group")}
     for block in text_of(draft, "", said, (), number).split("\n\n"):
         head, *lines = block.split("\n")
         section = head.partition("]")[0].strip("[")
-        if section in found:  # a group brings its own head, and a blank line before it
+        if section in found:  # a group keeps its header and has a blank line before it
             found[section] += ["", head, *lines] if section == "group" else lines
     return found
 

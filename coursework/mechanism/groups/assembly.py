@@ -1,6 +1,6 @@
-"""What can go wrong when a group is put together, and the sentences that say so.
+"""Errors in assembling a group, and the sentences that report them.
 
-Enters: margins, lengths and modes as the groups meet them.  Leaves: nothing, or an error with its rows.
+Enters: margins, lengths and modes, as the groups compute them.  Leaves: nothing, or an error with its rows.
 Used by every group and by `kinematics`; knows numpy only.
 """
 
@@ -17,26 +17,26 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
-# A constant length, or (value, rate, second rate) of one that varies in time; each a number or one a row.
+# A constant length, or (value, rate, second rate) of one that varies in time; each one number, or one per row.
 Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
 
-# Rounding of the few sums between the data and a margin stays below 8 units in the last place; what lies
-# farther outside is a mechanism that really cannot be put together (hard case H05).
+# The few sums between the data and a margin have a rounding error below 8 units in the last place; a larger
+# shortage means that the mechanism really cannot be assembled (hard case H05).
 ULPS = 8.0
 
-# What four decimals of a metre do not show.
+# m: differences that four decimals do not show.
 HIDDEN = 1e-4
 
-# The letters of a group's points in sentences, where no file gives its own.
+# The letters of a group's points in sentences, used where a file gives no names.
 TEXTBOOK = {letter: letter for letter in "BCD"}
 
 
 class _InRows(InputError):
-    """What is wrong in some `rows` (from 0), `row` the first of them; `reason` is the sentence without the row."""
+    """An error in some `rows` (from 0), the first of which is `row`; `reason` is the sentence without the row."""
 
     def __init__(self, sentence: str, rows: tuple[int, ...], *more: Any) -> None:
         super().__init__((Fault(say("fault.D031", sentence=sentence)),))
-        self.args = (sentence, rows, *more)  # all of them, so that it travels through a process pool
+        self.args = (sentence, rows, *more)  # all of them, so that the error can be pickled for a process pool
         self.rows, self.row, self.reason = rows, rows[0], more[-1] or sentence
 
     def __str__(self) -> str:
@@ -46,7 +46,7 @@ class _InRows(InputError):
 class CannotAssemble(_InRows):
     """The links of a group do not meet.
 
-    `row` is the first failing row and `rows` all of them, counted from 0; `shortage` (m) says by how much a
+    `row` is the first failing row and `rows` are all of them, counted from 0; `shortage` (m) says by how much a
     length is too short or too long in that first row; `reason` is the sentence without the row.
 
     >>> from coursework.procedures import CannotAssemble, Pair, rrr
@@ -63,7 +63,7 @@ class CannotAssemble(_InRows):
 
 
 class AtDeadPoint(_InRows):
-    """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0, `reason` why.
+    """The determinant is zero and velocities are not defined; `row` is the first row, `rows` are all (from 0), `reason` says why.
 
     >>> from coursework.procedures import AtDeadPoint, Pair, rrr
     >>> try:
@@ -78,11 +78,11 @@ class AtDeadPoint(_InRows):
 
 
 def tolerance(*data: NDArray[np.inexact]) -> Array:
-    """Return (n,) m: how far from zero a margin may lie by rounding alone.
+    """Return (n,) m: how far from zero a margin may be because of rounding alone.
 
-    `data` the vectors and lengths (m) the margin was computed from: `ULPS` units in the last place of the
-    largest of them in each row.  Below it the sign of a margin means nothing, and the row counts as standing
-    exactly at the limit: so the verdict is the same in metres and in millimetres.
+    `data` are the vectors and lengths (m) from which the margin was computed; the result is `ULPS` units in the last
+    place of the largest of them in each row.  Below it the sign of a margin means nothing, and the row counts as exactly
+    at the limit, so that the result is the same in metres and in millimetres.
     """
     scale = np.abs(data[0])
     for part in data[1:]:
@@ -91,25 +91,28 @@ def tolerance(*data: NDArray[np.inexact]) -> Array:
 
 
 def rows_where(failing: Flags, n: int) -> tuple[int, ...]:
-    """Return the indices of the failing rows out of `n`; one flag for all rows means every row."""
+    """Return the indices of the failing rows out of `n`; a single flag applies to every row."""
     return tuple(int(row) for row in np.flatnonzero(np.broadcast_to(failing, (n,))))
 
 
 def at(value: ArrayLike, row: int) -> float:
-    """Return the entry of `value`, a number or one a row, that belongs to `row`."""
+    """Return the entry of `value`, one number or one per row, that belongs to `row`."""
     entries = np.atleast_1d(np.asarray(value, dtype=np.float64))
     return float(entries[row if len(entries) > 1 else 0])
 
 
 def metres(value: float, beside: float = 1.0) -> Sentence:
-    """Return a length for a sentence; a small one is never rounded to a false zero, nor two alike that differ by `beside` (m)."""
+    """Return a length (m) for a sentence, in full if it is to be told from one that differs by a tiny `beside` (m).
+
+    A small length is never rounded to zero.
+    """
     if abs(beside) < HIDDEN:
         return say("group.exact", metres=value)
     return say("group.metres" if abs(value) >= 0.001 or value == 0.0 else "group.small", metres=value)
 
 
 def refuse(group: str, rows: tuple[int, ...], reason: Sentence, shortage: float) -> CannotAssemble:
-    """Return the error for a group that does not close; `reason` says what the first failing row shows, and the verdict."""
+    """Return the error for a group that does not close; `reason` describes the first failing row."""
     told = say("group.refused", group=group, row=rows[0], reason=reason)
     if more := len(rows) - 1:
         told = joined([told, say_count("group.more", more)])
@@ -117,17 +120,17 @@ def refuse(group: str, rows: tuple[int, ...], reason: Sentence, shortage: float)
 
 
 def dead(group: str, rows: tuple[int, ...], found: Sentence, *, placed: bool = True) -> AtDeadPoint:
-    """Return the error for a dead point; `placed` says whether the positions at least are defined there."""
+    """Return the error for a dead point; `placed` says whether at least the positions are defined there."""
     tail = say("group.dead.placed") if placed else say("group.dead.nowhere")
     return AtDeadPoint(say("group.dead.point", group=group, row=rows[0], found=found, tail=tail), rows, found)
 
 
 def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Complex, Complex], lines: str) -> None:
-    """Raise unless two slides cross in every row: one position, one velocity.
+    """Raise unless two slides cross in every row, which gives one position and one velocity.
 
-    `sine` (n,) of the angle between them, `turned` (rad) the larger angle it came from; `gap` (m) between the
-    lines that `lines` names, computed from `data`.  Raises `CannotAssemble` where parallel lines lie apart,
-    else `AtDeadPoint` where they coincide.
+    `sine` (n,) is that of the angle between them, `turned` (rad) the larger angle from which it was computed; `gap` (m) is
+    the distance between the lines that `lines` names, computed from `data`.  Raises `CannotAssemble` if parallel lines are
+    apart, else `AtDeadPoint` if they coincide.
     """
     parallel = np.abs(sine) <= ULPS * np.spacing(np.maximum(turned, 1.0))
     if not parallel.any():
@@ -142,19 +145,19 @@ def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: t
 
 
 def require_mode(group: str, mode: int, modes: Mapping[int, str]) -> None:
-    """Raise `ValueError` unless `mode` is one of `modes` (number to the key of its meaning)."""
+    """Raise `ValueError` unless `mode` is one of `modes` (number -> key of its meaning)."""
     if mode not in modes:
         known = ", ".join(f"{number:+d} ({say(meaning, **TEXTBOOK)})" for number, meaning in modes.items())
         raise ValueError(say("group.no_mode", group=group, mode=repr(mode), known=known))
 
 
 def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
-    """Return `value` as a fresh array (n,) or (1,).  Raises `ValueError` for what is not a finite number."""
+    """Return `value` as a new array (n,) or (1,).  Raises `ValueError` for entries that are not finite numbers."""
     try:
         raw = np.array(value, ndmin=1)
     except ValueError:  # rows of different lengths
         raise ValueError(f"{what}: one number, or one number a row, was expected, found {value!r}.") from None
-    if raw.dtype.kind not in "iuf":  # text that looks like a number is refused too: it has not been read yet
+    if raw.dtype.kind not in "iuf":  # text that looks like a number is refused too: nobody has parsed it yet
         entries = list(value) if isinstance(value, (list, tuple)) else raw.tolist()
         row = next((row for row, entry in enumerate(entries) if not isinstance(entry, (int, float))), 0)
         place = f" at row {row}" if len(entries) > 1 else ""
@@ -172,9 +175,9 @@ def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
 
 
 def length(what: str, given: Length) -> tuple[Array, Array | None, Array | None]:
-    """Return value (m), rate (m/s), second rate (m/s^2) of a length; the rates are None when it is constant.
+    """Return value (m), rate (m/s), second rate (m/s^2) of a length; both rates are None if it is constant.
 
-    A *tuple* of three is a length that varies; rows of a constant length come as a list or an array.
+    A varying length is a *tuple* of three; the rows of a constant length come as a list or an array.
     """
     if isinstance(given, tuple):
         if len(given) != 3:
@@ -184,6 +187,6 @@ def length(what: str, given: Length) -> tuple[Array, Array | None, Array | None]
         sizes = {len(part) for part in (value, rate, second)} - {1}
         if len(sizes) > 1:
             raise ValueError(f"{what}: value, rate and second rate have different numbers of rows, {sorted(sizes)}.")
-        whole = np.ones(max(sizes, default=1))  # so that the length alone tells how many rows there are
+        whole = np.ones(max(sizes, default=1))  # so that each array alone tells how many rows there are
         return value * whole, rate * whole, second * whole
     return numbers(what, given, positive=True), None, None

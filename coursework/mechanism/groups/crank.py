@@ -1,4 +1,4 @@
-"""The crank: a link on a known pivot, with its angle given.
+"""The crank: a link on a known pivot, with a given angle.
 
 Enters: the pivot A, length, angle, angular velocity and acceleration.  Leaves: the motion of the pin B.
 Source: [deck], crank; a length that varies in time as in [Pasika].
@@ -26,8 +26,8 @@ def crank(a: At, *, length: Length, angle: ArrayLike, rate: ArrayLike, accelerat
     """Return the motion of the pin, B = A + r e(angle).
 
     `length` r (m) or (r, r', r'') in m, m/s, m/s^2; `angle` (rad), `rate` (rad/s), `acceleration` (rad/s^2):
-    a number or one a row.  The coordinate is the angle as given, not reduced to one turn.  Nothing is solved
-    for, so the determinant is 1.  With rate 1, acceleration 0 and r', r'' taken along the angle the result is
+    one number or one per row.  The coordinate is the angle as given, not reduced to one turn.  Nothing is solved,
+    so the determinant is 1.  With rate 1, acceleration 0 and r', r'' differentiated by the angle, the result is
     in analogs.
     Raises `ValueError` for a length that is not finite and above zero.
 
@@ -44,7 +44,7 @@ def crank(a: At, *, length: Length, angle: ArrayLike, rate: ArrayLike, accelerat
     n = count_rows("crank", A=a.rows, length=len(r), angle=len(turn), rate=len(w), acceleration=len(al))
     velocity, gain = a.motion("crank, pivot A")
     e = direction(turn)
-    # d/dt and d2/dt2 of r e(angle), the factors of e: real part along the crank, imaginary part across it
+    # d/dt and d2/dt2 of r e(angle), divided by e: real part along the crank, imaginary part across it
     first = 1j * (r * w)
     second = 1j * (r * al) - r * w * w
     if dr is not None and ddr is not None:

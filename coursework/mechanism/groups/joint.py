@@ -1,7 +1,7 @@
-"""What joins two bodies of a mechanism: one record holds all that the house knows of its kind.
+"""The joints between two bodies of a mechanism; one record holds everything the program knows about a kind of joint.
 
-Enters: two bodies, the point where they meet, the angle of what slides.  Leaves: `Joint` and the kinds, `JointKind`.
-Used by the files of the groups and by `joints.py`, which make joints; all others ask a joint for what its kind is.
+Enters: two bodies, the point where they meet, the angle of a slide.  Leaves: `Joint` and the kinds, `JointKind`.
+Used by the files of the groups and by `joints.py`, which make joints; all other code asks the kind of a joint.
 
 To add a kind: write its record here, and make it in a group or from a link; mobility, drawing and plans ask the record.
 """
@@ -18,11 +18,11 @@ from coursework.variant.formula.tree import Formula
 class JointKind:
     """A kind of joint.
 
-    `takes` says how many of the three freedoms that one body has beside another it takes: 2 a lower pair, 1 a higher;
-    `holders` how many of the two bodies hold its point all the time, the first before the second: 2 a pin, that is drawn as
-    a hinge on the frame, 1 a pin or a block in a guide, 0 a contact that wanders on both; `slides` whether the first moves
-    along a straight guide of the second, which is drawn as a block.  `key` finds its word in the words files, `letter` stands
-    for it in the name of a group, "" where no such name is made of it.
+    `takes`: how many of the three relative freedoms of two bodies it removes: 2 for a lower pair, 1 for a higher one.
+    `holders`: how many of the two bodies, counted from the first, always hold its point: 2 for a pin, drawn as a hinge on the
+    frame; 1 for a pin or block in a guide; 0 for a contact that moves along both.  `slides`: whether the first body moves along a
+    straight guide of the second, drawn as a block.  `key` is its word in the words files; `letter` stands for it in the name of a
+    group, "" if it occurs in no such name.
     """
 
     name: str
@@ -37,7 +37,7 @@ class JointKind:
 
     @property
     def pins(self) -> bool:
-        """Return whether both bodies hold its point, so that one only turns about it on the other."""
+        """Return whether both bodies hold its point, so that one only turns about it relative to the other."""
         return self.holders == 2
 
 
@@ -45,7 +45,7 @@ REVOLUTE = JointKind("revolute", takes=2, holders=2, key="turning", letter="R")
 PRISMATIC = JointKind("prismatic", takes=2, holders=1, slides=True, key="sliding", letter="P")
 PIN_IN_GUIDE = JointKind("pin in guide", takes=1, holders=1, slides=True)
 ROLLING = JointKind("rolling without slip", takes=2, holders=0, key="rolling")
-# Of a wheel whose centre other joints hold: gear and rack, two gears.
+# For a wheel whose centre other joints hold: gear and rack, two gears.
 MESHING = JointKind("wheels without slip", takes=1, holders=0, key="meshing")
 
 
@@ -53,7 +53,7 @@ MESHING = JointKind("wheels without slip", takes=1, holders=0, key="meshing")
 class Joint:
     """A joint between two `bodies`; the frame is "0".
 
-    `where` is its point, None where a formula carries the body and names none; `along` the angle of what slides.
+    `where` is its point, None if the formula that carries the body names none; `along` is the angle of a slide.
     """
 
     kind: JointKind
@@ -63,10 +63,10 @@ class Joint:
 
     @property
     def holders(self) -> tuple[str, ...]:
-        """Return the bodies that hold its point."""
+        """Return the bodies that always hold its point."""
         return self.bodies[: self.kind.holders]
 
     @property
     def pins(self) -> bool:
-        """Return whether one body only turns about the point on the other."""
+        """Return whether one body only turns about the point relative to the other."""
         return self.kind.pins

@@ -1,7 +1,7 @@
-"""What a group of a chain is: one record holds all that the house knows of its kind.
+"""The kinds of groups in a chain; one record holds everything the program knows about a kind.
 
-Enters: a group as a file writes it, in formulas, or its known side in numbers.  Leaves: `GroupKind`.
-Used by the files of the kinds and `motion/geometry/chain.py`; others meet it as the kind of a group.
+Enters: a group as a file writes it, in formulas, or its known data in numbers.  Leaves: `GroupKind`.
+Used by the files of the kinds and `motion/geometry/chain.py`; other code meets it as the kind of a group.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import Shape
 
-# The two ways round a loop as vectors, none where nothing closes, and the point the next group may hang on.
+# Both sides of the closure as vectors (empty if nothing closes), and the point the next group may hang on.
 Closed = tuple[tuple[Formula, ...], Formula]
 QUARTER = Formula("/", (named("pi"), number(2)))
 
 
 @frozen
 class Known:
-    """What stands before a group is put together, in all rows: pairs, `lengths` (m), guides, `offset` (m), `angle` (rad)."""
+    """What is known before a group is assembled, in all rows: pairs, `lengths` (m), guides, `offset` (m), `angle` (rad)."""
 
     points: Sequence[Pair]
     lengths: Sequence[Array]
@@ -33,7 +33,7 @@ class Known:
     angle: Array | None
 
 
-# The names of the bodies that carry external points and guides, and of the group's own, to the joints between them.
+# Makes the joints of a group from the bodies that carry its external points, those that carry its guides, and its own.
 Joints = Callable[["Group", Sequence[str], Sequence[str], Sequence[str]], tuple[Joint, ...]]
 
 
@@ -41,9 +41,9 @@ Joints = Callable[["Group", Sequence[str], Sequence[str], Sequence[str]], tuple[
 class GroupKind:
     """A kind of group.
 
-    `shape` is what a file says of it; `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive
-    gives its coordinate; `meaning` is the key of the sentence about a dead point that its determinant alone does not show;
-    `joints` joins its bodies, of which `carries` says which one each coordinate moves.
+    `shape` describes what a file says about it; `closure` writes it as formulas; `solve` assembles it in a mode, None if a drive
+    gives its coordinate; `meaning` is the key of a sentence about its dead point, "" if the determinant alone shows it;
+    `joints` makes the joints of its bodies; `carries` gives for each coordinate the index of the body it moves.
 
     >>> from coursework.mechanism.groups import group_kind
     >>> group_kind("PRP").shape.guides, group_kind("PRP").driven, group_kind("crank").driven
@@ -62,18 +62,18 @@ class GroupKind:
         return self.name
 
     def __reduce__(self) -> tuple[Callable[[str], GroupKind], tuple[str]]:
-        from coursework.mechanism.groups import group_kind  # a kind travels between processes by its name
+        from coursework.mechanism.groups import group_kind  # a kind is pickled by its name
 
         return group_kind, (self.name,)
 
     @property
     def modes(self) -> Mapping[int, str]:
-        """Return the assembly modes, and the key of what each means."""
+        """Return the assembly modes, each with the key of its meaning."""
         return self.shape.modes
 
     @property
     def driven(self) -> bool:
-        """Return whether a drive turns it: a crank."""
+        """Return whether a drive turns it, as it does a crank."""
         return self.shape.driven
 
 
@@ -88,7 +88,7 @@ def plus(*terms: Formula) -> Formula:
 
 
 def summed(terms: Iterable[tuple[Formula, int]]) -> Formula:
-    """Return the sum of terms with their signs, 0 for none.
+    """Return the sum of terms with their signs, 0 for no terms.
 
     >>> summed([(named("a"), -1), (named("b"), 1)]) == Formula("+", (Formula("neg", (named("a"),)), named("b")))
     True
@@ -108,7 +108,7 @@ def along(length: Formula, angle: Formula) -> Formula:
 
 
 def across(offset: Formula, angle: Formula) -> tuple[Formula, ...]:
-    """Return the vector `offset` at right angles to `angle`, or nothing where the offset is zero.
+    """Return the vector `offset` at right angles to `angle` in a tuple, empty if the offset is zero.
 
     >>> from coursework.variant.formula.tree import spelled
     >>> spelled(across(named("e"), named("alpha"))[0]), across(number(0), named("alpha"))

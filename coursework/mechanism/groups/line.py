@@ -1,9 +1,9 @@
-"""The line along which a block slides: a guide with its offset folded in.
+"""The line along which a block slides: a guide shifted by its offset.
 
 Enters: a `Guide`.  Leaves: points of the line and the motion of its material points.  Used by RRP, RPP, PRP.
 
-The pin of a block runs on the line through K + h n.  Because h is constant this point belongs to the guide,
-so K + h n with its own velocity and acceleration may stand for K everywhere, and the formulas need no h.
+The pin of a block moves on the line through K + h n.  Because h is constant, this point belongs to the guide.
+So K + h n, with its own velocity and acceleration, can replace K everywhere, and the formulas need no h.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Line:
         self.k: Vectors = vectors(guide.through.position) + 1j * guide.offset * self.e
 
     def point(self, s: Array) -> Vectors:
-        """Return k + s e, the place of a block at `s` (m)."""
+        """Return k + s e, the position of a block at `s` (m)."""
         return self.k + s * self.e
 
     def carried(self, s: Array) -> Vectors:
@@ -35,7 +35,7 @@ class Line:
         return velocity + (1j * self.guide.rate) * reach * self.e
 
     def carried_acceleration(self, s: Array, ds: Array) -> Vectors:
-        """Return the acceleration (m/s^2) of that point and the Coriolis term of a block with `ds` (m/s)."""
+        """Return the acceleration (m/s^2) of that point plus the Coriolis term of a block with the speed `ds` (m/s)."""
         _, acceleration = self.guide.through.motion(self.owner)
         turn = self.guide.rate
         reach = s + 1j * self.guide.offset

@@ -1,7 +1,7 @@
-"""What a group is given and what it returns: pairs, guides, and the motion of a group.
+"""The input and output of a group: pairs, guides, and the motion of a group.
 
 Enters: positions, velocities, accelerations of external pairs.  Leaves: frozen records, read-only arrays.
-Used by every group and by whoever calls one.
+Used by every group and by all code that calls one.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ STILL = (0.0, 0.0)
 
 
 def _plane_rows(what: str, value: ArrayLike) -> Array:
-    """Return a private, read-only copy of `value`, (n, 2) or (2,); raise `ValueError` for anything else."""
+    """Return a private, read-only copy of `value`, (n, 2) or (2,); raise `ValueError` for any other value."""
     try:
         raw = np.array(value)
     except ValueError:  # rows of different lengths
@@ -39,7 +39,7 @@ def _plane_rows(what: str, value: ArrayLike) -> Array:
 
 
 def count_rows(owner: str, **sizes: int) -> int:
-    """Return the common number of rows; 1 goes with any.  Raises `ValueError` naming parts that disagree."""
+    """Return the common number of rows; 1 agrees with any.  Raises `ValueError` with the names of parts that disagree."""
     several = {name: size for name, size in sizes.items() if size != 1}
     if len(set(several.values())) > 1:
         found = ", ".join(f"{name} {size}" for name, size in several.items())
@@ -51,8 +51,8 @@ def count_rows(owner: str, **sizes: int) -> int:
 class Pair:
     """A joint, or any point, whose motion is known: the external pair of the textbook.
 
-    `position` (n, 2) or (2,) m, `velocity` m/s, `acceleration` m/s^2; a pair that stands still needs its
-    position only.  None means *not known*: a group computed with `positions_only` says so of its point.
+    `position` (n, 2) or (2,) m, `velocity` m/s, `acceleration` m/s^2; a fixed pair needs only its position.  None means
+    *not known*, as for the meeting point of a group computed with `positions_only`.
     Raises `ValueError` for a wrong shape and for numbers that are not finite.
 
     >>> from coursework.procedures import Pair
@@ -89,9 +89,9 @@ class Pair:
 class Guide:
     """A straight guide that may travel and turn.
 
-    `through` a pair K on it, a group that meets there, or a place; `angle` (rad) of its positive direction,
-    `rate` (rad/s), `acceleration` (rad/s^2): a number or one a row; `offset` (m) of the pin's own line from the
-    line through K, to the left of the direction.
+    `through`: a pair K on it, a group that meets there, or a fixed place; `angle` (rad) of its positive direction,
+    `rate` (rad/s), `acceleration` (rad/s^2): one number or one per row; `offset` (m) of the pin's own line from the
+    line through K, positive to the left of the direction.
 
     >>> from coursework.procedures import Guide, Pair
     >>> Guide(Pair([0.0, 0.4]), angle=[0.0, 0.1, 0.2], rate=5.0, offset=0.02).rows
@@ -129,12 +129,12 @@ class Guide:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GroupMotion:
-    """The motion of one group, a row for every row that entered.
+    """The motion of one group, with as many rows as the input.
 
-    `coordinates` (n, 2) in the order of the group's unknowns (crank: (n, 1)), angles in (-pi, pi] rad, slides
-    in m; `rates` and `accelerations` their time derivatives, None when only positions were asked for; `meets`
-    the point the next group hangs on; `determinant` (n,) of the 2x2 matrix that velocities and accelerations
-    share, `scaled_determinant` (n,) the same without a unit, from -1 to 1; `mode` the assembly mode.
+    `coordinates` (n, 2) in the order of the group's unknowns, angles in (-pi, pi] rad, slides in m (crank: (n, 1), the angle
+    as given); `rates` and `accelerations` are their time derivatives, None if only positions were asked for; `meets` is the
+    point the next group hangs on; `determinant` (n,) is that of the 2x2 matrix that velocities and accelerations share,
+    `scaled_determinant` (n,) the same without a unit, from -1 to 1; `mode` is the assembly mode.
 
     >>> from coursework.procedures import Pair, rrr
     >>> found = rrr(Pair([0.0, 0.0]), Pair([[0.5, 0.0], [0.6, 0.0]]), lengths=(0.4, 0.3), mode=1)
@@ -151,7 +151,7 @@ class GroupMotion:
     mode: int
 
 
-# Where a group hangs: a pair, the group before it (its meeting pair), or a place that stands still, (2,) or (n, 2) m.
+# Where a group hangs: a pair, the group before it (its meeting pair), or a fixed place, (2,) or (n, 2) m.
 At: TypeAlias = Pair | GroupMotion | ArrayLike
 
 
@@ -182,7 +182,7 @@ def group_motion(
 ) -> GroupMotion:
     """Return the record of a solved group, every array with `n` rows.
 
-    Raises `ValueError` when a number has outgrown the doubles: neither NaN nor infinity leaves a group.
+    Raises `ValueError` if a number overflows: neither NaN nor infinity leaves a group.
     """
     determinants = _side_by_side(group, n, (determinant, scaled))
     return GroupMotion(

@@ -1,7 +1,7 @@
-"""Vectors of the plane as complex numbers: e(f) = exp(i f), and n(f) = i e(f) is e turned by a quarter.
+"""Vectors of the plane as complex numbers: e(f) = exp(i f), and n(f) = i e(f) is e turned by a quarter turn.
 
-Enters: rows of x, y.  Leaves: one complex number a row, and back.  Used inside `groups` only: one
-multiplication then does what the textbook writes as two lines, and a 2x2 matrix is two vectors, its columns.
+Enters: rows of x, y.  Leaves: one complex number per row, and back.  Used inside `groups` only: one multiplication
+then replaces two lines of the textbook, and a 2x2 matrix is two vectors, its columns.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def direction(angle: Array) -> Vectors:
 
 
 def angle_of(z: Vectors) -> Array:
-    """Return the angle of `z` in (-pi, pi], rad; a negative zero must not turn pi into -pi."""
+    """Return the angle of `z` in (-pi, pi], rad; adding 0.0 removes a negative zero, which would turn pi into -pi."""
     return np.asarray(np.arctan2(z.imag + 0.0, z.real))
 
 

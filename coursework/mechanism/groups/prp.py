@@ -1,8 +1,8 @@
-"""The dyad PRP: a hinge C between two blocks, each on a guide of its own.
+"""The dyad PRP: a hinge C between two blocks, each on its own guide.
 
 Enters: two guides with their offsets.  Leaves: both slides and the motion of the hinge C.
-Dead when the guides are parallel, and then without a position too.  Source: [deck], PRP, with b5 put back;
-[library] 2PG4V.
+At a dead point the guides are parallel, and the position is not defined either.  Source: [deck], PRP, with the missing
+b5 restored; [library] 2PG4V.
 Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
@@ -28,8 +28,8 @@ def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> Grou
 
     The offsets r_i, r_j (m) are those of the guides.  Coordinates s_i, s_j (m); meets C.
     determinant = scaled = sin(t_i - t_j).  There is one assembly mode.
-    Raises `CannotAssemble` where the guides are parallel with the lines of the pin apart; `AtDeadPoint` where
-    these lines coincide, whatever `positions_only`: the hinge may then stand anywhere.
+    Raises `CannotAssemble` where the guides are parallel and the lines of the pin are apart; `AtDeadPoint` where
+    these lines coincide, even with `positions_only`: the hinge may then be anywhere on them.
 
     >>> import numpy as np
     >>> from coursework.procedures import Guide, Pair, prp

@@ -1,8 +1,8 @@
 """The dyad RPP: block i, hinged at B, slides on block j, which slides on a guide.
 
 Enters: pair B, the guide, the angle between the slides.  Leaves: both slides, and the motion of D on block j.
-Dead when the slides are parallel, and then without a position too.  Source: [deck] 5-5 with the sign of b put
-right, [library] 2PG5V.
+At a dead point the slides are parallel, and the position is not defined either.  Source: [deck] 5-5 with the sign of b
+corrected, [library] 2PG5V.
 Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
@@ -32,7 +32,7 @@ def rpp(b: At, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = F
     the guide to the slide of block i.  Coordinates s_i, s_j (m), in this order; meets D of block j.
     determinant = scaled = -sin(t_i).  There is one assembly mode.
     Raises `CannotAssemble` where the slides are parallel and B is off the line of D; `AtDeadPoint` where they
-    are parallel and B is on it, whatever `positions_only`: block j may then stand anywhere.
+    are parallel and B is on it, even with `positions_only`: block j may then be anywhere on the line.
 
     >>> import numpy as np
     >>> from coursework.procedures import Guide, Pair, rpp
@@ -54,7 +54,7 @@ def rpp(b: At, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = F
     if positions_only:
         return solved(meets=(at_d, None, None))
 
-    # a [s_i'; s_j'] = right side; the columns of a are f and e; block i rides on j, both turn with the guide
+    # a [s_i'; s_j'] = right side; the columns of a are f and e; block i slides on j, and both turn with the guide
     v_b, a_b = b.motion("RPP, pair B")
     turn, gain = guide.rate, guide.acceleration
     carried = line.carried(s_j)

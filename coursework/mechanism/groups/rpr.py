@@ -1,7 +1,7 @@
 """The dyad RPR: a block hinged at B slides along a rod that turns about D.
 
 Enters: pairs B, D, the offset of the hinge, the rod.  Leaves: angle of the rod, slide, motion of its end E.
-Dead when the block is level with the pivot, s = 0.  Source: [deck] 5-4, [library] 2PG3V with its offset.
+At a dead point the block is level with the pivot, s = 0.  Source: [deck] 5-4, [library] 2PG3V with its offset.
 Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
@@ -38,8 +38,8 @@ def rpr(
     """Return the motion of the group B = D + s e(theta) + e0 n(theta).
 
     `offset` e0 (m) of the hinge to the left of the rod's line; `end_length` (m) from D along the rod to its
-    end E; `mode` +1: s > 0, -1: s < 0.  Coordinates theta (rad), s (m); meets E, or B when no end is given.
-    determinant = -s (m); scaled = -s / L, L the largest BD of all rows, or the end length where larger.
+    end E; `mode` +1: s > 0, -1: s < 0.  Coordinates theta (rad), s (m); meets E, or B if no end is given.
+    determinant = -s (m); scaled = -s / L, where L is the largest BD of all rows, or the end length if that is larger.
     Raises `CannotAssemble` where BD < |e0|; `AtDeadPoint` where s = 0, unless `positions_only`, and always
     where B lies on D, because the rod may then point anywhere; `ValueError` for a wrong mode or length.
 

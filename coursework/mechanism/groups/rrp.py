@@ -1,7 +1,7 @@
 """The dyad RRP: a rod from B to a block on a guide.
 
 Enters: pair B, the guide, the rod, assembly mode.  Leaves: angle of the rod, slide, and motion of the pin C.
-Dead when the rod stands perpendicular to the guide.  Source: [deck] 5-3, [library] 2PG2V with its offset.
+At a dead point the rod is perpendicular to the guide.  Source: [deck] 5-3, [library] 2PG2V with its offset.
 Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 

@@ -1,7 +1,7 @@
 """The dyad RRR: two links with three revolute joints; B and D known, C unknown.
 
 Enters: pairs B, D, lengths, assembly mode.  Leaves: angles of both links and the motion of C.
-Dead when the two links lie on one line.  Source: [deck] 5-2, [library] 2PG1V with equation (1).
+At a dead point both links lie on one line.  Source: [deck] 5-2, [library] 2PG1V with equation (1).
 Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
@@ -33,7 +33,7 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
     `mode` +1: C to the left of the ray from B to D, -1: right.  Coordinates theta_i, theta_j (rad); meets C.
     determinant = r_i r_j sin(theta_i - theta_j) (m^2), scaled = sin(theta_i - theta_j).
     Raises `CannotAssemble` unless |r_i - r_j| <= BD <= r_i + r_j; `AtDeadPoint` where the links lie on one
-    line, unless `positions_only`; `ValueError` for a mode or a length that does not exist, or where there are not two.
+    line, unless `positions_only`; `ValueError` for a wrong mode or length, or a number of lengths other than two.
 
     >>> import numpy as np
     >>> from coursework.procedures import Pair, rrr
@@ -57,13 +57,13 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
     v = at_d - at_b
     apart = np.abs(v)
 
-    stretched = r_i + r_j - apart  # what is left before the links are stretched, and before they are folded
+    stretched = r_i + r_j - apart  # distances (m) left until the links are stretched, and until they are folded
     folded = apart - np.abs(r_i - r_j)
     spare = np.minimum(stretched, folded)
     rounding = assembly.tolerance(at_b, at_d, r_i + r_j)
     if (spare < -rounding).any():
         raise _out_of_reach(rows_where(spare < -rounding, n), apart, r_i, r_j)
-    if (apart <= rounding).any():  # only equal links pass the line above: they may point anywhere
+    if (apart <= rounding).any():  # only links of equal length get here: they may point anywhere
         raise dead("RRR", rows_where(apart <= rounding, n), say("group.dead.equal", **TEXTBOOK), placed=False)
     limit = spare <= rounding
 
@@ -91,7 +91,7 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
     grow_i, grow_j = _growth(u_i, r_i, dr_i), _growth(u_j, r_j, dr_j)
     right = v_d + grow_j - v_b - grow_i
     w_i, w_j = -dot(u_j, right) / determinant, -dot(u_i, right) / determinant
-    # what each pin does without angular acceleration: centripetal, and Coriolis of a varying length
+    # acceleration of each end without angular acceleration: centripetal, and Coriolis of a varying length
     free_i = _growth(u_i, r_i, ddr_i) + 2j * w_i * grow_i - w_i * w_i * u_i
     free_j = _growth(u_j, r_j, ddr_j) + 2j * w_j * grow_j - w_j * w_j * u_j
     right = a_d + free_j - a_b - free_i
@@ -104,7 +104,7 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
 
 
 def _growth(u: Vectors, r: Array, rate: Array | None) -> Vectors:
-    """Return what a varying length adds along its link: rate * u / r, and zero for a constant length."""
+    """Return the velocity that a varying length adds along its link: rate * u / r, zero for a constant length."""
     return np.zeros(1, dtype=np.complex128) if rate is None else u * (rate / r)
 
 

@@ -1,1 +1,1 @@
-"""What each part of a formula measures, as exponents of length and time: `System`, `Measurer`, `Clash`."""
+"""The dimension of each part of a formula, as exponents of length, time and mass: `System`, `Measurer`, `Clash`."""

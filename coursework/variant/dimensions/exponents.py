@@ -1,6 +1,6 @@
-"""Exponents of length, time and mass as unknowns: linear forms, their elimination with fractions, and what they are called.
+"""Exponents of length, time and mass as unknowns: linear forms, exact elimination with fractions, names of dimensions.
 
-Enters: linear forms that must vanish.  Leaves: whether they can, and what each unknown then is.
+Enters: linear forms that must vanish.  Leaves: whether they can vanish, and the value of each unknown.
 Used by `formulas.py` and where a variant file is read.
 """
 
@@ -14,9 +14,9 @@ from coursework.variant.formula.units import advised_unit, kind_of, measured
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# A dimension is a sum of terms: exponent times key.  The keys LENGTH and TIME are known, every other key is an unknown
-# dimension (a name of the file, or a number counted from 0).  {} is an angle or a plain number; {"phi": 1, TIME: -1} is
-# whatever phi is, a second.
+# A dimension is a sum of terms: exponent times key.  The keys LENGTH, TIME and MASS are known, every other key is an unknown
+# dimension (a name of the file, or a number counted from 0).  {} is an angle or a plain number; {"phi": 1, TIME: -1} is the
+# unknown dimension of phi, divided by time.
 Exponent = int | Fraction
 Dimension = Mapping[Hashable, Exponent]
 LENGTH, TIME, MASS = -1, -2, -3
@@ -42,20 +42,20 @@ def added(first: Dimension, second: Dimension, times: Exponent = 1) -> Dimension
 
 
 class System:
-    """Equations between dimensions, solved as they come."""
+    """Equations between dimensions, solved one by one as they are added."""
 
     def __init__(self) -> None:
         self.solved: dict[Hashable, Dimension] = {}
 
     def reduced(self, dimension: Dimension) -> Dimension:
-        """Return a dimension with every unknown that is known by now replaced."""
+        """Return a dimension with every unknown replaced that has been solved so far."""
         while (known := next((key for key in dimension if key in self.solved), None)) is not None:
             others = {key: exponent for key, exponent in dimension.items() if key != known}
             dimension = added(others, self.solved[known], dimension[known])
         return dimension
 
     def equal(self, first: Dimension, second: Dimension) -> bool:
-        """Require two dimensions to be the same; return False, and require nothing, where they cannot be."""
+        """Require two dimensions to be equal; if they cannot be, add no equation and return False."""
         if first == second:
             return True
         rest = self.reduced(added(first, second, -1))
@@ -75,12 +75,12 @@ def _quotient(above: Exponent, below: Exponent) -> Exponent:
 
 
 def is_known(dimension: Dimension) -> bool:
-    """Return whether a reduced dimension holds no unknown."""
+    """Return whether a reduced dimension contains no unknown."""
     return dimension.keys() <= _KNOWN
 
 
 def si_unit(dimension: Dimension) -> str:
-    """Return the SI unit of a known dimension, "" where no unit of the tool measures it; angles are "rad"."""
+    """Return the SI unit of a known dimension, "" if the tool has no unit for it; angles are "rad"."""
     length, time, mass = (dimension.get(key, 0) for key in (LENGTH, TIME, MASS))
     plain = "" if mass else next((si for si, (its, _) in KINDS.items() if its == (length, time)), "")
     if plain or not mass:
@@ -91,7 +91,7 @@ def si_unit(dimension: Dimension) -> str:
 
 
 def what(dimension: Dimension, number: str = "quantity.angle_or_number") -> Sentence:
-    """Return what a known dimension is called; `number` is the key of the words for one of no length, time and mass."""
+    """Return the name of a known dimension; `number` is the key of the words for a dimensionless one."""
     if not dimension:
         return say(number)
     si = si_unit(dimension)
@@ -99,13 +99,13 @@ def what(dimension: Dimension, number: str = "quantity.angle_or_number") -> Sent
 
 
 def units_shown(dimension: Dimension) -> str:
-    """Return the units that advice shows for a known dimension, or its SI symbols."""
+    """Return the units that advice shows for a known dimension, or else its SI symbols."""
     si = si_unit(dimension)
     return kind_of(si)[1] if si else symbols(dimension)
 
 
 def unit_like(unit: str, dimension: Dimension) -> str:
-    """Return the unit of a known dimension nearest to `unit`, which measures another one: m/s for m, mm for mm/s; "" for none.
+    """Return the unit of a known dimension that is closest to `unit` of another one: m/s for m, mm for mm/s; "" if none.
 
     >>> unit_like("mm", dimension_of("m/s"))
     'mm/s'

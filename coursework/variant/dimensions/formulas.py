@@ -1,6 +1,6 @@
-"""What a formula measures, from what its names measure.
+"""The dimension of a formula, from the dimensions of its names.
 
-Enters: checked formulas.  Leaves: dimensions; raises `Clash` at the first place where two cannot be the same.
+Enters: checked formulas.  Leaves: dimensions; raises `Clash` at the first place where two dimensions cannot be equal.
 Used where a variant file is read.
 """
 
@@ -20,17 +20,17 @@ _PRODUCTS = {"*", "/"}
 
 @frozen
 class Term:
-    """A part of a formula and what it measures; None where it is only numbers, which fit everything."""
+    """A part of a formula and its dimension, None for a part of numbers only, which fits any dimension."""
 
     tree: Formula
     dimension: Dimension | None
 
 
 class Clash(Exception):
-    """Two dimensions that cannot be the same.
+    """Two dimensions that cannot be equal.
 
-    `kind` is "terms" (added, compared or taken together), "argument" (of a function, or the angle behind @) or "place" (what
-    stands there must be something else).  `first` and `second` are the two; of an argument `first` is the whole call.
+    `kind` is "terms" (added, compared or paired), "argument" (of a function, or the angle after @) or "place" (its place in the
+    file requires another dimension).  `first` and `second` are the two parts; for "argument", `first` is the whole call.
     """
 
     def __init__(self, kind: str, first: Term, second: Term) -> None:
@@ -42,7 +42,7 @@ class Clash(Exception):
 
 @frozen
 class Factor:
-    """A number that multiplies, with the unknown that says what it had to measure."""
+    """A number that multiplies a `term`; `key` is the unknown for the dimension that the number must have."""
 
     key: Hashable
     tree: Formula
@@ -50,10 +50,10 @@ class Factor:
 
 
 class Measurer:
-    """Measures formulas one after the other; what one says about a name holds for the next.
+    """Measures formulas one after the other; what one formula reveals about a name holds for the next ones.
 
-    `names` gives the dimension of every name; `measured` are the data that carry a unit: beside one of them a number is a
-    plain number, elsewhere it takes the dimension that is needed.
+    `names` maps every name to its dimension; `measured` are the data with a unit.  In a product with one of these, a number is a
+    plain number; in other products it takes the dimension that is needed.
     """
 
     def __init__(self, names: dict[str, Dimension], measured: frozenset[str]) -> None:
@@ -66,24 +66,24 @@ class Measurer:
         self._fresh = itertools.count()
 
     def measure(self, tree: Formula) -> Term:
-        """Return what a formula measures.  Raises `Clash`."""
+        """Return the dimension of a formula.  Raises `Clash`."""
         self.lenient = _is_of_time_alone(tree)
         found = Term(tree, self._measure(tree)[0])
         return Term(tree, None) if self.lenient else found
 
     def compare(self, kind: str, first: Term, second: Term) -> None:
-        """Require two parts to measure the same.  Raises `Clash`."""
+        """Require two parts to have the same dimension.  Raises `Clash`."""
         if first.dimension is None or second.dimension is None or self.lenient:
             return
         if not self.system.equal(first.dimension, second.dimension):
             raise Clash(kind, first, second)
 
     def fresh(self) -> Hashable:
-        """Return a new unknown."""
+        """Return the key of a new unknown."""
         return next(self._fresh)
 
     def _measure(self, tree: Formula) -> tuple[Dimension | None, bool]:
-        """Return the dimension, and whether a datum with a unit stands in it (arguments of sin and the like apart)."""
+        """Return the dimension, and whether a datum with a unit occurs (outside the arguments of sin and the like)."""
         op = tree.op
         if op == "name":
             return self._name(tree.name), tree.name in self.measured
@@ -102,7 +102,7 @@ class Measurer:
         return self._call(tree) if op == "call" else self._measure(tree.args[0])
 
     def _name(self, name: str) -> Dimension:
-        if name not in self.names:  # not declared: told as such
+        if name not in self.names:  # not declared: reported elsewhere
             self.names[name] = {self.fresh(): 1}
         return self.names[name]
 
@@ -151,7 +151,7 @@ class Measurer:
         return (NUMBER if self._require_angle(tree, tree.args[0]) else None), False
 
     def _require_angle(self, whole: Formula, argument: Formula) -> bool:
-        """Return False where the argument is a number; it fits."""
+        """Require the `argument` of `whole` to be an angle; return False if it is a bare number, which fits.  Raises `Clash`."""
         outer, self.lenient = self.lenient, _is_of_time_alone(argument)
         dimension, _ = self._measure(argument)
         lenient, self.lenient = self.lenient, outer
@@ -170,5 +170,5 @@ _HALF = Fraction(1, 2)
 
 
 def _is_of_time_alone(tree: Formula) -> bool:
-    # In "1 + t + t^2/2" every term has a factor with a unit, of which 1 is not written.
+    # In "1 + t + t^2/2" each term has a factor with a unit, and factors of 1 are not written.
     return {*tree.names()} <= {"t", "pi"} and not any(node.si for node in tree.walk())

@@ -1,1 +1,1 @@
-"""Text -> checked formulas and values with units: names, numbers, trees; nothing here evaluates text."""
+"""Text -> checked formulas and values with units: names, numbers, trees; nothing here executes text."""

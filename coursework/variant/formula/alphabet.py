@@ -1,6 +1,6 @@
-"""How names are spelt: Greek letters written out, subscripts as digits, letters of other alphabets found.
+"""The spelling of names: Greek letters written out, subscripts as digits, letters of other alphabets found.
 
-Enters: a name as an author wrote it.  Leaves: the tool's own spelling.  Used while files and formulas are read.
+Enters: a name as an author wrote it.  Leaves: its spelling in the tool.  Used while files and formulas are read.
 """
 
 from __future__ import annotations
@@ -19,33 +19,33 @@ _GREEK = {
     "Θ": "Theta", "Γ": "Gamma", "κ": "kappa", "ϵ": "eps", "ϱ": "rho", "µ": "mu", "Λ": "Lam", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma",
 }  # fmt: skip
 _LETTERS = {word: letter for letter, word in reversed(_GREEK.items())}
-# Letters that a keyboard left in another alphabet types and no eye can tell from the Latin ones.
+# Letters typed on a keyboard with another alphabet that look exactly like Latin ones.
 LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
-# What a hand on a Cyrillic keyboard writes for a function.
+# Functions as they are typed on a Cyrillic keyboard.
 CYRILLIC_FUNCTIONS = {"син": "sin", "сін": "sin", "кос": "cos", "тан": "tan", "тг": "tan", "корень": "sqrt", "корінь": "sqrt"}
-SCRIPTS = ("cyrillic", "greek")  # alphabets that the words files have a word for
+SCRIPTS = ("cyrillic", "greek")  # alphabets for which the words files have a word
 _SUBSCRIPTS = {ord("₀") + digit: str(digit) for digit in range(10)}
 
 
 @lru_cache(maxsize=10_000)
 def spell(name: str) -> str:
-    """Return a name in the tool's own spelling: Greek letters written out, subscripts as digits."""
+    """Return a name in the tool's spelling: Greek letters written out, subscripts as digits."""
     plain = "".join(_GREEK.get(letter, letter) for letter in unicodedata.normalize("NFC", name))
     return plain.translate(_SUBSCRIPTS)
 
 
 def spell_path(path: Iterable[str | int]) -> tuple[str | int, ...]:
-    """Return where a key stands with each name in the tool's own spelling."""
+    """Return the path of a key with each name in the tool's spelling."""
     return tuple(spell(part) if isinstance(part, str) else part for part in path)
 
 
 def greek(word: str) -> str:
-    """Return the Greek letter that a word spells, "phi": φ; any other word as it is."""
+    """Return the Greek letter that a word spells ("phi": φ); any other word unchanged."""
     return _LETTERS.get(word, word)
 
 
 def foreign_letter(name: str) -> tuple[int, Sentence] | None:
-    """Return position and description of a letter from another alphabet, or None."""
+    """Return the position (from 0) and description of the first letter from another alphabet, None if there is none."""
     for position, letter in enumerate(name):
         if letter.isalpha() and not letter.isascii() and letter not in _GREEK:
             name = unicodedata.name(letter, "unknown letter").capitalize()

@@ -1,15 +1,15 @@
-"""Units that hold a mass: of forces, torques, inertias, stiffnesses; read only in a file that names masses or forces.
+"""Units that contain a mass: of forces, torques, inertias, stiffnesses; used only for files with masses or forces.
 
-Enters: nothing.  Leaves: `UNITS` and `KINDS`, as those of `motion_units.py`.
-Used by `units.py` and `exponents.py`, which import it when they meet one.
+Enters: nothing.  Leaves: `UNITS` and `KINDS`, in the same form as in `motion_units.py`.
+Used by `units.py` and `exponents.py`, which import it when they need such a unit.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
 
-# SI unit -> (length, time, mass) exponents, and the units that advice shows, the SI unit first.  What measures alike stands
-# with the usual one first: a moment is written in N*m, an energy in J.
+# SI unit -> (length, time, mass) exponents, and the units that advice shows, the SI unit first.  If two units have the same
+# exponents, the usual one comes first: a moment is written in N*m, an energy in J.
 KINDS: dict[str, tuple[tuple[int, int, int], str]] = {
     "kg": ((0, 0, 1), "kg, g, t"),
     "N": ((1, -2, 1), "N, kN"),

@@ -1,7 +1,7 @@
-"""Units of motion: of lengths, angles, times, and what is made of them.
+"""Units of motion: lengths, angles, times, and their quotients.
 
-Enters: nothing.  Leaves: `UNITS` and `KINDS`.  Units that hold a mass stand in `mass_units.py`.
-Used by `units.py` and whoever asks which units there are.
+Enters: nothing.  Leaves: `UNITS` and `KINDS`.  Units that contain a mass are in `mass_units.py`.
+Used by `units.py` and by all code that needs the list of units.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-_TURN = Fraction(math.pi)  # the double nearest to pi, as every later computation uses it
+_TURN = Fraction(math.pi)  # the double nearest to pi, as in every later computation
 
 # Unit -> its size in SI.  Sizes are exact, so that "953 mm" and "0.953 m" give the same double.
 _LATIN = {
@@ -39,7 +39,7 @@ def _all_units() -> dict[str, tuple[Fraction, str]]:
             units |= {f"{unit}/{time}": (size / seconds, "1/s") for unit, size in turning.items()}
         second, _, *minutes = times
         units |= {f"{unit}/{second}^2": (size, "1/s^2") for unit, size in turning.items()}
-        # Machines count turns a minute; 1/s is the angular velocity of a task sheet.
+        # Machines count turns per minute; 1/s on a task sheet is an angular velocity.
         units |= {f"1/{minute}": (_TURN / 30, "1/s") for minute in minutes}
     return units
 

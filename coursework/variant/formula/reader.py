@@ -1,4 +1,4 @@
-"""Text of a formula -> a checked tree; never evaluated, never handed to anything that evaluates text.
+"""Text of a formula -> a checked tree; the text is never evaluated or passed to anything that evaluates text.
 
 Enters: one formula as text.  Leaves: a `Formula` tree, or a `FormulaFault` with its column.
 Used where variant files are read.
@@ -19,7 +19,7 @@ from coursework.variant.formula.units import MAX_NUMBER
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
-# Sizes are bounded before any work (see also `variant.MAX_BYTES`): formulas of coursework stay far below.
+# Sizes are bounded before any work (see also `MAX_BYTES` of `toml/source.py`): formulas of coursework stay far below.
 MAX_CHARACTERS = 2000
 MAX_NODES = 500
 MAX_DEPTH = 60
@@ -29,7 +29,7 @@ _FUNCTION_ALIASES = {
     "tg": "tan", "arctg": "atan", "arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log",
 }  # fmt: skip
 _COTANGENT = {"ctg", "cot"}
-# Words that mean a function wherever they stand, so that nothing can be called so.
+# Words that always mean a function, so that they cannot be names.
 FUNCTION_WORDS = frozenset({*FUNCTIONS, *_FUNCTION_ALIASES, *_COTANGENT})
 _SIGNS = {"·": "*", "⋅": "*", "∙": "*", "×": "*", "−": "-", "–": "-", "÷": "/", "∕": "/", "²": "^2", "³": "^3"}
 _ADVICE = dict.fromkeys("[]{}", "round") | {"√": "sqrt", "|": "abs", "°": "degrees"}  # sign -> the advice about it
@@ -42,8 +42,8 @@ _TOKEN = re.compile(
 def parse(text: str, *, vectors: bool = False) -> Formula:
     """Read one formula.
 
-    Parameters: `text`; `vectors` allows `L @ angle`, `(x, y)` and `.x`/`.y`.
-    Raises `FormulaFault` naming the column, for anything outside the grammar or the size limits.
+    `vectors` allows `L @ angle`, `(x, y)` and `.x`/`.y`.
+    Raises `FormulaFault` with the column for text outside the grammar or the size limits.
     """
     reader = _Reader(text, vectors)
     tree = reader.expression()
@@ -53,7 +53,7 @@ def parse(text: str, *, vectors: bool = False) -> Formula:
 
 @lru_cache(maxsize=4096)
 def parse_equation(text: str, *, vectors: bool = False) -> tuple[Formula, Formula]:
-    """Read `left = right`; raises `FormulaFault` where the sign of equality is missing or doubled."""
+    """Read `left = right`; raises `FormulaFault` if the equals sign is missing or occurs twice."""
     if text.count("=") != 1:
         second = text.find("=", text.find("=") + 1) + 1
         raise FormulaFault(max(second, 1), say("fault.V112", count=text.count("=")))
@@ -87,7 +87,7 @@ def _tokens(text: str) -> list[_Token]:
             start = position + len(plain[position:]) - len(plain[position:].lstrip())
             before = tokens[-1].text if tokens and tokens[-1].kind == "number" else "30"
             advice = say(f"fault.sign.{_ADVICE.get(plain[start], 'other')}", number=before)
-            # Kept for later: what stands before it may be the greater fault.
+            # Reported later: an earlier part of the text may contain the more important fault.
             return [
                 *tokens,
                 _Token("fault", plain[start], columns[start] + 1, say("fault.V101", sign=plain[start], advice=advice)),
@@ -114,7 +114,7 @@ def _shown(token: _Token) -> str:
 
 
 class _Reader:
-    """Precedence climbing over the tokens; every node counted, every level bounded."""
+    """Precedence climbing over the tokens; the numbers of nodes and of nested levels are bounded."""
 
     def __init__(self, text: str, vectors: bool) -> None:
         self.tokens = _tokens(text)
@@ -123,7 +123,7 @@ class _Reader:
         self.position = 0
         self.nodes = 0
         self.depth = 0
-        self.numbers: dict[int, tuple[Formula, float]] = {}  # by identity: the parts made of numbers only, and their values
+        self.numbers: dict[int, tuple[Formula, float]] = {}  # by identity: parts of numbers only, and their values
 
     def peek(self) -> _Token:
         token = self.tokens[self.position] if self.position < len(self.tokens) else _Token("end", "", self.end)
@@ -166,7 +166,7 @@ class _Reader:
             raise FormulaFault(token.column, say("fault.V119", text=token.text))
 
     def misplaced(self, token: _Token) -> None:
-        """Raise for what stands where an operator was expected, where the reason can be told."""
+        """Raise `FormulaFault` for a token in place of an operator, if a specific reason can be given."""
         if token.kind in {"name", "number"} or token.text == "(":
             before = self.tokens[self.position - 1] if self.position else token
             if before.kind == "number" and UNITS.get(token.text, (0, "1"))[1] != "1":
@@ -187,7 +187,7 @@ class _Reader:
         return self.joined({"*", "/", "@"}, self.factor)
 
     def joined(self, signs: Collection[str], part: Callable[[], Formula]) -> Formula:
-        """Return parts with signs between them, from left to right."""
+        """Return parts joined by operators, from left to right."""
         left = part()
         while self.peek().text in signs:
             sign = self.peek()
@@ -260,7 +260,7 @@ class _Reader:
             raise FormulaFault(token.column, say("fault.V126", text=token.text, known=known, hint=hint))
         arguments = self.arguments()
         if name in _COTANGENT and len(arguments) == 1:
-            # Not cos/sin: with the argument twice, one inside the other, sixty letters would make a formula without end.
+            # Not cos/sin: that doubles the argument, so that sixty letters of nested calls would give an enormous formula.
             one = self.node("number", (), token.column, "1")
             return self.node("/", (one, self.node("call", arguments, token.column, "tan")), token.column)
         wanted = FUNCTIONS.get(name, 1)

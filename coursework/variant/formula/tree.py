@@ -1,7 +1,7 @@
 """A formula as a checked tree: its names, its value from given data, its text.
 
-Enters: nodes from `reader.py` (or made by this program).  Leaves: `Formula`.  Any floor may read a tree; what
-depends on the motion becomes numbers only by way of `codegen`.
+Enters: nodes from `reader.py` (or made by this program).  Leaves: `Formula`.  Every floor may read a tree, but formulas
+that depend on the motion are turned into numbers only by `codegen`.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# A part of a formula made of numbers only lies between 1/LARGEST and LARGEST, or is 0: exp(exp(99)) or ((9^8)^8)^8 would
-# keep exact arithmetic busy for ever.
+# A part of numbers only must be 0 or between 1/LARGEST and LARGEST in size: the exact arithmetic of exp(exp(99)) or
+# ((9^8)^8)^8 would never finish.
 LARGEST = 1e100
 FUNCTIONS = dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs"), 1) | {"atan2": 2}
 
@@ -38,7 +38,7 @@ class FormulaFault(ValueError):
 class Formula:
     """One node: `op` is number, name, neg, + - * / ^, call, @ (polar vector), pair (x, y) or part (.x, .y).
 
-    `si` is the SI unit of a number that was written with a unit ("120 rpm"), "" for any other.
+    `si` is the SI unit of a number that was written with a unit ("120 rpm"), "" for any other node.
     """
 
     op: str
@@ -48,7 +48,7 @@ class Formula:
     si: str = field(default="", compare=False)
 
     def walk(self) -> Iterator[Formula]:
-        """Yield this node and all below it, in the author's order."""
+        """Yield this node and all nodes below it, in the author's order."""
         waiting = [self]
         while waiting:
             node = waiting.pop()
@@ -66,7 +66,7 @@ class Formula:
 
 
 def number(value: Fraction | int) -> Formula:
-    """Return the node of an exact number: a decimal where a double has that very one, else a quotient."""
+    """Return the node of an exact number: a decimal if it has one that a double prints, else a quotient."""
     value = Fraction(value)
     if value < 0:
         return Formula("neg", (number(-value),))
@@ -84,18 +84,18 @@ def named(name: str) -> Formula:
 
 
 def mapped(tree: Formula, change: Callable[[Formula], Formula]) -> Formula:
-    """Return a node with its arguments changed, the very node where none of them is."""
+    """Return a node with `change` applied to its arguments; the same object if no argument changes."""
     args = tuple([change(arg) for arg in tree.args])
     return tree if all(map(operator.is_, args, tree.args)) else _with(tree, args)
 
 
 def with_names(tree: Formula, change: Callable[[Formula], Formula]) -> Formula:
-    """Return a tree with something else in the place of each name."""
+    """Return a tree with `change` applied to each name."""
     return change(tree) if tree.op == "name" else mapped(tree, lambda arg: with_names(arg, change))
 
 
 def replaced(tree: Formula, path: Sequence[int], by: Formula) -> Formula:
-    """Return a formula with another node in the place that a path leads to, argument by argument."""
+    """Return a formula in which the node at `path`, a list of argument indices, is replaced."""
     if not path:
         return by
     place, *rest = path
@@ -103,12 +103,12 @@ def replaced(tree: Formula, path: Sequence[int], by: Formula) -> Formula:
 
 
 def _with(tree: Formula, args: tuple[Formula, ...]) -> Formula:
-    """Return a node with other arguments: a third of the time of `dataclasses.replace`, over every node of every tree."""
+    """Return a node with other arguments; takes a third of the time of `dataclasses.replace`, and runs over all nodes."""
     return Formula(tree.op, args, tree.name, tree.column, tree.si)
 
 
 def factors(tree: Formula, within: Collection[str] = "*", power: int = 1) -> Iterator[tuple[Formula, int]]:
-    """Yield the factors of a product and their powers, 1 or -1; `within` names the operations that are taken apart."""
+    """Yield the factors of a product with their powers, 1 or -1; only operations in `within` are taken apart."""
     if tree.op not in within:
         yield tree, power
         return
@@ -117,12 +117,12 @@ def factors(tree: Formula, within: Collection[str] = "*", power: int = 1) -> Ite
 
 
 def product_of(parts: Sequence[Formula]) -> Formula:
-    """Return the product of formulas, 1 where there are none."""
+    """Return the product of formulas, 1 if there are none."""
     return reduce(lambda first, second: Formula("*", (first, second)), parts) if parts else number(1)
 
 
 def part_of_pi(part: Fraction) -> Formula:
-    """Return pi, 3*pi/2 … for a part of pi that is not negative.
+    """Return pi, 3*pi/2 … for a nonnegative multiple of pi.
 
     >>> spelled(part_of_pi(Fraction(3, 2)))
     '3*pi/2'
@@ -135,7 +135,7 @@ def part_of_pi(part: Fraction) -> Formula:
 
 
 def terms(formula: Formula) -> Iterator[Formula]:
-    """Return the terms of a sum, whatever their signs."""
+    """Return the terms of a sum without their signs."""
     return (term for term, _ in signed(formula))
 
 
@@ -167,9 +167,10 @@ def constant(tree: Formula) -> Fraction | None:
 
 
 def on_axes(tree: Formula) -> Formula:
-    """Return a scalar formula with each part of a sum as a sum of parts: (E - A - r @ phi).x as E.x - A.x - r*cos(phi).
+    """Return a scalar formula in which the component of a sum becomes a sum of components.
 
-    A minus before the first factor stands before the product: -C.x*sin(beta), not (-C.x)*sin(beta).
+    So (E - A - r @ phi).x becomes E.x - A.x - r*cos(phi).  A minus of the first factor moves before the product:
+    -C.x*sin(beta), not (-C.x)*sin(beta).
     """
     if tree.op == "part":
         return _component(tree.args[0], tree)
@@ -194,9 +195,9 @@ _LEVELS = {"+": 1, "-": 1, "neg": 2, "*": 3, "/": 3, "@": 3, "^": 5}
 
 
 def spelled(tree: Formula) -> str:
-    """Return the formula as text that `parse` reads back to the same meaning."""
+    """Return the formula as text that `parse` reads back with the same meaning."""
     text = _spelled(tree, spare=False)
-    # Parentheses for the eye, and spaces, are spared where the reader's bounds on depth and length are near.
+    # Optional parentheses and spaces are left out if the text comes near the reader's limits of depth and length.
     return text if len(text) < _READABLE and text.count("(") < _CLEAR else _spelled(tree, spare=True)
 
 
@@ -215,7 +216,7 @@ def _spelled(tree: Formula, *, spare: bool) -> str:
         return f"-{_enclosed(tree.args[0], level + (not spare), spare)}"
     first, second = tree.args
     sign = f" {tree.op} " if (level == 1 or tree.op == "@") and not spare else tree.op
-    # A minus in front of a product binds to its first factor, with or without parentheses.
+    # A minus before a product binds to its first factor, with or without parentheses.
     before = level - spare if level == 3 else level + (tree.op == "^")
     return f"{_enclosed(first, before, spare)}{sign}{_enclosed(second, level + 1, spare)}"
 
@@ -226,18 +227,18 @@ def _enclosed(tree: Formula, least: int, spare: bool) -> str:
 
 
 def evaluate(tree: Formula, values: Mapping[str, float]) -> float:
-    """Return the float value of a scalar formula whose names all stand in `values` (and pi).
+    """Return the float value of a scalar formula whose names are all in `values` (or pi).
 
     Used for data such as the period "2*pi/p"; everything that depends on the motion goes through `codegen`.
-    Raises `FormulaFault` where the value is not a finite number.
+    Raises `FormulaFault` if the value is not a finite number.
     """
     return evaluate_any(tree, {"pi": math.pi, **values}).real
 
 
 def evaluate_any(tree: Formula, values: Mapping[str, complex]) -> complex:
-    """Return the value of a formula, of a vector x + iy; names of points stand in `values` as such.
+    """Return the value of a formula, a vector as x + iy; `values` holds points in this form too.
 
-    Raises `FormulaFault` where the value is not finite.
+    Raises `FormulaFault` if the value is not finite.
     """
     value: complex = _evaluate(tree, values)
     if not cmath.isfinite(value):
@@ -280,9 +281,9 @@ def no_number(tree: Formula) -> FormulaFault:
 
 
 def bounded(tree: Formula, args: Sequence[float]) -> float:
-    """Return the value of one node from the values of its arguments, all of them numbers of the text itself.
+    """Return the value of one node of numbers only, from the values of its arguments.
 
-    Raises `FormulaFault` where it is no number, or too large or too small to be worked with exactly.
+    Raises `FormulaFault` if it is no number, or too large or too small for exact computation.
     """
     value: float = _applied(tree, args)
     vanished = tree.op in {"^", "*", "/"} and all(args) and abs(value) < 1 / LARGEST

@@ -1,4 +1,4 @@
-"""Text such as "0.953 m" -> a number in SI and its kind, or what is said of a unit that is none.
+"""Text such as "0.953 m" -> a number in SI and its kind, or a message about an unknown unit.
 
 Enters: a value with its unit.  Leaves: `Quantity` (SI value, unit as written, SI unit).
 Used where a variant file is read and where numbers are written for a reader.
@@ -17,7 +17,7 @@ from coursework.variant.formula.motion_units import KINDS, UNITS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
-MAX_NUMBER = 1e12  # far beyond anything a task sheet says in SI
+MAX_NUMBER = 1e12  # in SI, far beyond any number on a task sheet
 VALUE = re.compile(
     r"\s*(?P<number>[-+−]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*"
     r"(?P<unit>[^\d\s].*?|1\s*/\s*[^\W\d_].*?)?\s*$"
@@ -32,7 +32,8 @@ _HERTZ = {"hz", "гц", "khz", "кгц"}
 class UnitFault(ValueError):
     """A value with a unit could not be read.
 
-    `advised` makes the message from the SI unit that its place turns out to want; None where that changes nothing.
+    `advised` makes the message from the SI unit that is needed, for a place where this becomes known later; None if the message
+    does not depend on it.
     """
 
     def __init__(self, message: Sentence, advised: Callable[[str], Sentence] | None = None) -> None:
@@ -43,7 +44,7 @@ class UnitFault(ValueError):
 
 @frozen
 class Quantity:
-    """A number in SI; `unit` as the author wrote it ("" for a bare number), `si` the SI unit ("" if bare)."""
+    """A number in SI; `text` and `unit` as the author wrote them (`unit` "" for a bare number), `si` the SI unit ("" if bare)."""
 
     value: float
     unit: str
@@ -52,7 +53,7 @@ class Quantity:
 
     @property
     def quarters(self) -> Fraction | None:
-        """Return how many right angles an angle in degrees is, where they are whole; None for all else."""
+        """Return an angle in degrees as a whole number of right angles; None for any other quantity."""
         if self.si != "rad" or UNITS[self.unit][0] == 1:
             return None
         right = Fraction(self.text.replace("−", "-")) / 90
@@ -62,7 +63,7 @@ class Quantity:
 def read(text: str | int | float, wanted: str = "") -> Quantity:
     """Read "value unit" or a bare number.
 
-    `wanted` is the SI unit that the place demands, "" for any; it guides the advice only.
+    `wanted` is the SI unit that the place requires, "" for any; it only guides the advice.
     Raises `UnitFault` with advice.
 
     >>> read("120 об/мин").si
@@ -83,7 +84,7 @@ def read(text: str | int | float, wanted: str = "") -> Quantity:
 
 
 def read_mass(text: str | int | float, wanted: str = "") -> Quantity:
-    """Read "value unit" or a bare number as `read` does, with units that hold a mass too.  Raises `UnitFault` with advice.
+    """Read "value unit" or a bare number as `read` does, also with units that contain a mass.  Raises `UnitFault` with advice.
 
     >>> read_mass("2.5 kN").value, read_mass("0.833 kg·m²").si
     (2500.0, 'kg*m^2')
@@ -109,7 +110,7 @@ def read_mass(text: str | int | float, wanted: str = "") -> Quantity:
 
 
 def plain_mass_unit(unit: str) -> str:
-    """Return a unit as the tables write it, where it is one: "N·m" and "Nm" are N*m."""
+    """Return a unit in the spelling of the tables, if it is one of theirs: "N·m" and "Nm" become N*m."""
     from coursework.variant.formula.mass_units import WITHOUT_SIGN
 
     plain = plain_unit(unit).replace("·", "*").replace("⋅", "*").replace("×", "*")
@@ -117,7 +118,7 @@ def plain_mass_unit(unit: str) -> str:
 
 
 def is_mass_quantity(text: str) -> bool:
-    """Return whether `text` looks like "value unit", the unit one that holds a mass too."""
+    """Return whether `text` looks like "value unit", with units that contain a mass allowed."""
     from coursework.variant.formula.mass_units import REFUSED
     from coursework.variant.formula.mass_units import UNITS as WITH_MASS
 
@@ -126,7 +127,7 @@ def is_mass_quantity(text: str) -> bool:
 
 
 def quantity(written: str, size: tuple[Fraction, str], unit: str, text: str) -> Quantity:
-    """Return a number as written with its unit, which is so large in so much of SI.  Raises `UnitFault`."""
+    """Return the quantity of a number as written; `size` is its unit as (factor, SI unit).  Raises `UnitFault`."""
     (factor, si), number = size, written.replace("−", "-")
     value = _finite(float(number), text)
     if value == 0 and re.search("[1-9]", re.split("[eE]", number)[0]):
@@ -136,16 +137,16 @@ def quantity(written: str, size: tuple[Fraction, str], unit: str, text: str) -> 
 
 @lru_cache(maxsize=1000)
 def plain_unit(unit: str) -> str:
-    """Return a unit as `UNITS` writes it, where it is one: powers with ^2, divisions with a slash ("м·с⁻²" is м/с^2)."""
+    """Return a unit in the spelling of `UNITS`: powers with ^2, divisions with a slash ("м·с⁻²" becomes м/с^2)."""
     plain = "".join(unit.split()).translate(_SIGNS).replace("**", "^").replace("^-^", "^-")
     if plain not in UNITS and not re.search("[A-Za-z]", cyrillic := plain.translate(_LOOK_ALIKE)):
-        plain = cyrillic  # the second of a keyboard left in Latin letters: 1/c
+        plain = cyrillic  # a second in Latin letters on a Cyrillic keyboard: 1/c
     per = _PER.match(plain)
     return f"{per[1] or 1}/{per[2]}{'^2' if per[3] == '2' else ''}" if per else plain
 
 
 def is_quantity(text: str) -> bool:
-    """Return whether `text` looks like "value unit" and not like a formula."""
+    """Return whether `text` looks like "value unit" rather than a formula."""
     match = VALUE.match(text)
     if match is None:
         return False
@@ -154,7 +155,7 @@ def is_quantity(text: str) -> bool:
 
 
 def advised_unit(si: str) -> str:
-    """Return an SI unit as advice writes it.
+    """Return an SI unit in the form used in advice.
 
     >>> advised_unit("1/s"), advised_unit("m")
     ('rad/s', 'm')
@@ -163,12 +164,12 @@ def advised_unit(si: str) -> str:
 
 
 def size_of(unit: str) -> float:
-    """Return a unit in SI, 0 where it is none."""
+    """Return the size of a unit in SI, 0 for an unknown unit."""
     return float(UNITS[unit][0]) if unit in UNITS else 0.0
 
 
 def exact_size(unit: str) -> Fraction:
-    """Return a unit in SI, one of mass too; 1 where it is none."""
+    """Return the exact size of a unit in SI, units with a mass included; 1 for an unknown unit."""
     if unit in UNITS or not unit:
         return UNITS[unit][0] if unit else Fraction(1)
     from coursework.variant.formula import mass_units
@@ -187,12 +188,12 @@ def kind_of(si: str) -> tuple[tuple[int, int, int], str]:
 
 
 def measures(quantity: Quantity, si: str) -> bool:
-    """Return whether a quantity may stand where `si` is wanted: of its kind, a bare number, or where all may stand ("")."""
+    """Return whether a quantity is allowed where `si` is required: same kind or bare number, or any if `si` is ""."""
     return not quantity.si or not si or kind_of(quantity.si)[0] == kind_of(si)[0]
 
 
 def read_as(text: str | int | float, si: str) -> Quantity:
-    """Read as `read` does what must measure what `si` does.  Raises `UnitFault` with advice."""
+    """Read a quantity of the same kind as `si`, as `read` does.  Raises `UnitFault` with advice."""
     found = read(text, si)
     if not measures(found, si):
         raise UnitFault(unlike(si, text))
@@ -200,20 +201,20 @@ def read_as(text: str | int | float, si: str) -> Quantity:
 
 
 def measured(si: str) -> Sentence:
-    """Return what has an SI unit: a length, an angle."""
+    """Return the name of the quantity that has an SI unit: a length, an angle."""
     return say(f"quantity.{si}")
 
 
 def unlike(si: str, found: object) -> Sentence:
-    """Return what is said about a value that measures something else than `si` does."""
+    """Return the message about a value that is not of the same kind as `si`."""
     return say("fault.V105", what=measured(si), units=kind_of(si)[1], found=str(found))
 
 
 def unknown(text: str, unit: str, wanted: str = "", *, of_mass: bool = False) -> Sentence:
-    """Return what is said about "value unit" whose unit is not known.
+    """Return the message about "value unit" with an unknown unit.
 
-    Only units of what is `wanted` (an SI unit, "" for any) are offered, with a slash where one is written; those that hold
-    a mass too where the file may have them, `of_mass`.
+    It offers only units of the kind `wanted` (an SI unit, "" for any), and only with a slash if the unit has one.  With
+    `of_mass`, units that contain a mass are offered too, because the file may have them.
     """
     found = text[:40]
     if re.match(r"\s*[-+−]?\d+,\d", text):
@@ -231,7 +232,7 @@ def unknown(text: str, unit: str, wanted: str = "", *, of_mass: bool = False) ->
 
 
 def unknown_unit(unit: str, wanted: str = "") -> Sentence:
-    """Return what is said about a unit alone that is not known, in [unknowns]; `wanted` as in `unknown`."""
+    """Return the message about an unknown unit alone, in [unknowns]; `wanted` as in `unknown`."""
     if unit.lower() in _HERTZ:
         return say("fault.V110", found=unit[:40])
     advice = _nearest(unit, (wanted,) if wanted else ("1/s", "m/s"))
@@ -240,7 +241,7 @@ def unknown_unit(unit: str, wanted: str = "") -> Sentence:
 
 
 def known_units(*, of_mass: bool = False) -> str:
-    """Return the units that advice shows, by what they measure; those that hold a mass too where these are read."""
+    """Return the units that advice shows, grouped by kind; with `of_mass`, also those that contain a mass."""
     listed = [shown for _, shown in KINDS.values() if shown != "1"]
     if of_mass:
         from coursework.variant.formula import mass_units
@@ -251,24 +252,24 @@ def known_units(*, of_mass: bool = False) -> str:
 
 @lru_cache(maxsize=1000)
 def _nearest(unit: str, wanted: tuple[str, ...]) -> str:
-    # "km" is not "m" written wrongly: only a word that is nearly a unit is taken for it.
+    # "km" is not a misspelt "m": only a word that is nearly a unit is taken for it.
     if f"1{unit}" in UNITS:
         return say("hint.closest", name=f"1{unit}")
-    if unit.partition("/")[0] in {"o", "о"}:  # a turn in some language, 360 times the degree that it looks like
+    if unit.partition("/")[0] in {"o", "о"}:  # a turn in some language; it looks like a degree but is 360 times larger
         return ""
     candidates = [known for known, (_, si) in UNITS.items() if ("/" in known) == ("/" in unit) and si in wanted]
     return closest(unit[:40], candidates, 0.7)
 
 
 def _finite(value: float, text: str | int | float) -> float:
-    # Compared before it becomes a double: a TOML integer may have thousands of digits.
+    # Compared before conversion to float: a TOML integer may have thousands of digits.
     if value != value or abs(value) > MAX_NUMBER:
         raise UnitFault(say("fault.V136", shown=shown(text)))
     return float(value)
 
 
 def shown(value: str | int | float) -> str:
-    """Return a value as it stands in a message, shortened; the thousands of digits of a whole number are counted only."""
+    """Return a value for a message, shortened; for a very long whole number only the number of its digits."""
     if isinstance(value, int) and abs(value) >= 10**40:
         return say("fault.part.digits", number=int(value.bit_length() * math.log10(2)) + 1)
     return f'"{f"{value}"[:40]}"'

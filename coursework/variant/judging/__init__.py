@@ -1,1 +1,1 @@
-"""What is wrong with a file that can be read: dimensions, values at the start, sizes; what looks like a slip of the pen."""
+"""Faults of a file that could be read: dimensions, values at the start, sizes; and remarks on probable slips."""

@@ -1,4 +1,4 @@
-"""Whether the formulas of a file have values at t = 0, before anything is differentiated.
+"""Check that the formulas of a file have values at t = 0, before anything is differentiated.
 
 Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `reader.py` only.
 """
@@ -18,11 +18,10 @@ from coursework.words.sentences import say
 
 
 def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fault]:
-    """Return a fault for each law that needs itself, and for each law, force or velocity equation without a value at t = 0.
+    """Return faults for laws, forces and velocity equations without a value at t = 0, or for laws that need themselves.
 
-    What is `broken` has no value, nor has what needs it.
-
-    Formulas with points, tables or coordinates that a chain will give are left to the computation itself.
+    If a law needs itself, directly or through others, only such laws are reported.  Anything `broken` has no value, and neither
+    has a formula that needs it.  Formulas with points, tables or coordinates that a chain will give are not checked here.
     """
     laws = {law.name: law for law in (*variant.functions, *variant.drive)}
     sections = dict.fromkeys((law.name for law in variant.functions), "functions")
@@ -43,7 +42,7 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
         for path, formula, _ in forces.measured():
             if not broken.has(*path[:2]):
                 _value(formula, at_once, path, source, faults)
-    # Any velocities do: an equation is linear in them, and says so itself where it is not.
+    # Any velocities will do: an equation is linear in them; if it is not, this is reported elsewhere.
     values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
     for index, constraint in enumerate(variant.constraints):
         for side in () if constraint.is_closure or broken.has("constraint", index) else constraint.sides:
@@ -52,7 +51,7 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
 
 
 def _value(formula: Formula, values: Mapping[str, float], path: KeyPath, source: Source, faults: list[Fault]) -> float | None:
-    """Return a value, or None where it needs what is not known yet, or after a fault."""
+    """Return the value of a formula; None if it needs a name not known yet, or after a fault."""
     if not {*formula.names()} <= {*values, "pi"}:
         return None
     try:
@@ -63,7 +62,7 @@ def _value(formula: Formula, values: Mapping[str, float], path: KeyPath, source:
 
 
 def _circle(name: str, laws: Mapping[str, Law]) -> tuple[str, ...]:
-    """Return the way from a law back to itself, or nothing."""
+    """Return the chain of names from a law back to itself, empty if there is none."""
     ways: list[tuple[str, ...]] = [(name,)]
     seen: set[str] = set()
     while ways:

@@ -1,7 +1,7 @@
-"""What one run may cost: numbers in its table, periods, and a period of less than a step; another step and end for it.
+"""Limits of the cost of one run (numbers in its table, periods, a period shorter than a step), and other times for it.
 
-Enters: a `Variant`, a step and an end.  Leaves: what is too much, the variant with these times; raises `InputError`.
-Used where a file is read, and before a motion is marched, because step and end may come from the command line.
+Enters: a `Variant`, a step and an end.  Leaves: the limits exceeded, the variant with these times; raises `InputError`.
+Used where a file is read, and before a motion is integrated, because step and end may come from the command line.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _CLOSE = 1e-9
 
 
 def exceeded(variant: Variant) -> Iterator[tuple[str, Sentence]]:
-    """Yield the key of [time] and a sentence for everything that is too much."""
+    """Yield the key of [time] and a sentence for every limit that is exceeded."""
     time = variant.time
     rows, columns = time.steps + 1, len(variant.columns)
     if rows * columns > MAX_NUMBERS:
@@ -31,14 +31,14 @@ def exceeded(variant: Variant) -> Iterator[tuple[str, Sentence]]:
 
 
 def refuse_unbounded(variant: Variant) -> None:
-    """Raise `InputError` where a run would cost too much."""
+    """Raise `InputError` if a run would cost too much."""
     faults = [Fault(text, variant.file, variant.nearest_line("time", key), 0, f"time.{key}") for key, text in exceeded(variant)]
     if faults:
         raise InputError(faults)
 
 
 def timed(variant: Variant, step: float | None, end: float | str | None) -> Variant:
-    """Return the variant with another step and end (s).  Raises `InputError` for times that make no table."""
+    """Return the variant with another step and end (s).  Raises `InputError` for times that give no table."""
     h = _number(step, "step") if step is not None else variant.time.step
     last = _number(end, "end") if end is not None else variant.time.end
     if not (math.isfinite(h) and h > 0):
@@ -53,7 +53,7 @@ def timed(variant: Variant, step: float | None, end: float | str | None) -> Vari
 
 
 def _number(value: object, name: str) -> float:
-    """Return a number of seconds.  Raises `InputError` for anything else."""
+    """Return a number of seconds.  Raises `InputError` for any other value."""
     with suppress(TypeError, ValueError):
         if not isinstance(value, bool):
             return float(value)  # type: ignore[arg-type]

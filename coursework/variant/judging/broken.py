@@ -1,4 +1,4 @@
-"""What of a file has a fault already, so that nothing is said of what only follows from it.
+"""The parts of a file that already have a fault, so that consequences of this fault are not reported.
 
 Enters: paths with faults.  Leaves: `Broken`.
 Used by `reader.py`, `whole_file.py` and `at_start.py`.
@@ -15,22 +15,22 @@ from coursework.variant.toml.positions import KeyPath
 
 
 class Broken:
-    """Places of a file with a fault of their own."""
+    """The places of a file that have a fault of their own."""
 
     def __init__(self, paths: Iterable[KeyPath] = ()) -> None:
         self._paths = {spell_path(path) for path in paths}
         self._around = {path[:length] for path in self._paths for length in range(len(path) + 1)}
 
     def has(self, *path: str | int) -> bool:
-        """Return whether something at a path, in it, or around it has a fault."""
+        """Return whether there is a fault at a path, inside it, or around it."""
         return path in self._around or any(path[:length] in self._paths for length in range(len(path)))
 
     def sound(self, variant: Variant) -> Variant:
-        """Return the variant without the data that stand in for faulty ones: what needs them has no value."""
+        """Return the variant without the stand-ins of faulty data, so that formulas with such data have no value."""
         return replace(variant, given=tuple(given for given in variant.given if not self.has("given", given.name)))
 
     def without_groups(self, variant: Variant) -> Variant:
-        """Return the variant with nothing in the place of a faulty group: of what kind it is, is not sure."""
+        """Return the variant with each faulty group emptied, because its kind is uncertain."""
         groups = tuple(
             replace(group, start_points=(), lengths=(), guides=(), coordinates=(), angle=None)
             if self.has("group", index)

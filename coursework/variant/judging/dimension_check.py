@@ -1,4 +1,4 @@
-"""Whether everything in a file measures what it must: each cause is one fault, the datum named where it is known.
+"""The check of all dimensions in a file: one fault for each cause, naming the datum to blame if it is known.
 
 Enters: a `Variant` as read, its `Source`, the formulas of its times.  Leaves: `Dimensions`.  Used by `reader.py` only.
 """
@@ -22,19 +22,19 @@ from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 
-# Names and parts of formulas gone through while a culprit is looked for: half a second; a file of coursework has some hundreds.
+# Names and nodes visited in the search for one culprit: half a second; a file of coursework has some hundreds of them.
 _MOST_PARTS = 300_000
-# Independent faults told at once; who has more mends these first.
+# Independent faults reported at once; an author with more corrects these first.
 MOST_FAULTS = 6
 
 
 @frozen
 class Dimensions:
-    """What was found: `places` that were judged, and what each name is `known` to measure.
+    """The result: the `places` that were checked, and the dimension of each name if `known`.
 
-    `faults`, of which none follows from another, or in a file whose data carry no units the `disagreement` (path, label, two
-    formulas); `numbers`: terms of velocity equations whose number had to measure something (SI unit); `times_as_angles`:
-    calls such as sin(t).
+    Either `faults`, none of which follows from another, or, in a file whose data have no units, one `disagreement` (path and
+    sentence).  `numbers` are terms of velocity equations whose number must have a dimension (path, term, SI unit);
+    `times_as_angles` are calls such as sin(t).
     """
 
     places: tuple[Place, ...]
@@ -45,13 +45,13 @@ class Dimensions:
     times_as_angles: tuple[tuple[KeyPath, Formula], ...]
 
     def si_of(self, name: str) -> str:
-        """Return the SI unit of what a name measures, "" where the file does not tell."""
+        """Return the SI unit of a name, "" if the file does not determine it."""
         return si_unit(self.known[name]) if name in self.known else ""
 
 
 @changing
 class _Outcome:
-    """One pass over a file: `clashes` by the number of the place that cannot hold, the first alone where it ends there."""
+    """One pass over a file: `clashes` by the number of the place; only the first one if the pass ended there."""
 
     measurer: Measurer
     clashes: dict[int, tuple[Clash, Place]] = field(default_factory=dict)
@@ -64,7 +64,7 @@ class _Outcome:
 
 
 def check_dimensions(variant: Variant, source: Source, times: Mapping[KeyPath, Formula]) -> Dimensions:
-    """Return whether every +, =, argument and place of a file can hold, exponents of length and time being unknowns."""
+    """Return the check of every sum, equation, argument and place of a file, with the exponents of dimensions as unknowns."""
     names = measures(variant)
     listed = tuple(places(variant, names, times))
     outcome = _pass(variant, names, listed)
@@ -91,7 +91,7 @@ def _pass(variant: Variant, names: dict[str, Dimension], listed: Iterable[Place]
             outcome.clashes[number] = clash, place
             if not whole:
                 break
-            measurer.system.solved = solved  # what cannot hold tells nothing about the others
+            measurer.system.solved = solved  # a place with a clash tells nothing about the others
             continue
         outcome.times_as_angles += [(place.path, whole) for whole in measurer.times_as_angles[angles:]]
         if place.velocity:
@@ -109,19 +109,19 @@ def _judge(place: Place, measurer: Measurer) -> None:
         measurer.compare("place", found, Term(tree, place.wanted))
 
 
-# A fault, the numbers of the places that cannot hold for other reasons, and the file in which they alone are left.
+# A fault, the numbers of places wrong for other reasons, and the variant and the freed paths with only these left.
 _Found = tuple[Fault, frozenset[int], Variant, frozenset[KeyPath]]
 
 
 @frozen
 class _Search:
-    """Looks for what is to blame for places that cannot hold, one cause after the other."""
+    """Searches for the causes of clashes, one after the other."""
 
     source: Source
     times: Mapping[KeyPath, Formula]
 
     def faults(self, variant: Variant) -> Iterator[Fault]:
-        """Yield a fault for each cause; a place that one cause may explain together with an earlier one is not told."""
+        """Yield a fault for each cause; a place that an earlier cause may explain is not reported again."""
         freed: frozenset[KeyPath] = frozenset()
         wanted: frozenset[int] | None = None
         for _ in range(MOST_FAULTS):
@@ -134,12 +134,12 @@ class _Search:
             wanted = others if wanted is None else wanted & others
 
     def _pass(self, variant: Variant, freed: frozenset[KeyPath]) -> _Outcome:
-        """Return a pass over the whole file in which the data at the paths `freed` may measure anything."""
+        """Return a pass over the whole file in which the data at the paths `freed` may have any dimension."""
         names = measures(variant, freed)
         return _pass(variant, names, places(variant, names, self.times), whole=True)
 
     def _found(self, number: int, outcome: _Outcome, variant: Variant, freed: frozenset[KeyPath]) -> _Found:
-        """Return what is to blame for the place of a number, the first that cannot hold."""
+        """Return the cause of the clash at place `number`, the first one."""
         clash, place = outcome.clashes[number]
         before = outcome.clashes.keys()
         for turned, fault in _turned(variant, self.source):
@@ -164,8 +164,8 @@ class _Search:
         others, now_freed = frozenset(after.clashes), freed | {datum.path}
         blame = replace(datum, must=must)
         line = source.positions.find(source.path_of(blame.path))[0]
-        # The unit of an unknown is read off the equations; and a name left out of a drive, or too many in it, looks like a
-        # datum with a strange unit.
+        # The unit of an unknown follows from the equations; and a name missing from a drive, or one too many, looks like a
+        # datum with a wrong unit.
         of_formula = place.path[0] in {"drive", "functions"} and (
             after.times_as_angles or self._mends_itself(number, outcome, variant, freed, passes)
         )
@@ -176,7 +176,7 @@ class _Search:
         return fault, others, variant, now_freed
 
     def _mends_itself(self, number: int, outcome: _Outcome, variant: Variant, freed: frozenset[KeyPath], passes: int) -> bool:
-        """Return whether the formula holds as soon as one name is taken out of a product, or one term put into a bracket."""
+        """Return whether the formula becomes right by dropping one name from a product or moving one term into a bracket."""
         place = outcome.clashes[number][1]
         for shorter in islice(chain(_shortened(place.formulas[0]), _bracketed(place.formulas[0])), passes):
             drive, functions = (
@@ -190,10 +190,10 @@ class _Search:
 
 
 def _is_independent(outcome: _Outcome, number: int, other: int) -> bool:
-    """Return whether two places are wrong in other parts, and share no name of which the file does not say what it measures."""
+    """Return whether two places are wrong in different parts, and share no name whose dimension the file leaves open."""
     (first, place), (second, another) = outcome.clashes[number], outcome.clashes[other]
     if (first.first.tree, first.second.tree) == (second.first.tree, second.second.tree):
-        return False  # the same place, or the same slip once more
+        return False  # the same place, or the same slip again
     shared = {*_names(place)} & {*_names(another)}
     return all(is_known(outcome.measurer.names[name]) for name in shared)
 
@@ -201,11 +201,11 @@ def _is_independent(outcome: _Outcome, number: int, other: int) -> bool:
 def _names(place: Place) -> Iterator[str]:
     yield from (name for formula in place.formulas for name in formula.names())
     if place.path[0] in {"drive", "functions"}:
-        yield str(place.path[1])  # what the formula gives
+        yield str(place.path[1])  # the name that the formula defines
 
 
 def _turned(variant: Variant, source: Source) -> Iterator[tuple[Variant, Fault]]:
-    """Yield the file with the coordinates of one group in the other order, and the fault that this would be."""
+    """Yield the variant with the coordinates of one group swapped, and the fault that this would mean."""
     for index, group in enumerate(variant.groups):
         if is_angle_first(group):
             turned = replace(group, coordinates=group.coordinates[::-1])
@@ -214,7 +214,7 @@ def _turned(variant: Variant, source: Source) -> Iterator[tuple[Variant, Fault]]
 
 
 def _data(variant: Variant) -> Iterator[Blame]:
-    """Yield everything of a file that carries a unit."""
+    """Yield everything in a file that has a unit."""
     for given in variant.given:
         if given.si:
             yield Blame(("given", given.name), given.name, given.text, given.unit, given.si)
@@ -232,7 +232,7 @@ def _data(variant: Variant) -> Iterator[Blame]:
 
 
 def _shortened(tree: Formula) -> Iterator[Formula]:
-    """Yield the formula without one of the factors in it that are a name or depend on t alone."""
+    """Yield the formula without one factor that is a name or depends on t alone, for each such factor."""
     for index, arg in enumerate(tree.args):
         if arg.op == "name" or {*arg.names()} == {"t"}:
             if tree.op == "*":
@@ -243,7 +243,7 @@ def _shortened(tree: Formula) -> Iterator[Formula]:
 
 
 def _bracketed(tree: Formula) -> Iterator[Formula]:
-    """Yield the formula with a term that stands beside a call inside the call: sin(p*t) + alpha as sin(p*t + alpha)."""
+    """Yield the formula with a term moved into a neighbouring call: sin(p*t) + alpha becomes sin(p*t + alpha)."""
     if tree.op in {"+", "-"} and len(tree.args) == 2:
         for whole, term in (tree.args, tree.args[::-1]):
             yield from _with_term(whole, term)

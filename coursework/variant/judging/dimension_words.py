@@ -1,4 +1,4 @@
-"""What is said about two things that cannot measure the same, and about the datum that makes it so.
+"""The sentences about two things of different dimensions, and about the datum that causes this.
 
 Enters: a `Place`, its `Clash`.  Leaves: sentences.  Used by `dimension_check.py` only.
 """
@@ -23,7 +23,7 @@ _MOST_LETTERS = 80
 
 @frozen
 class Blame:
-    """A datum with a unit: where it stands, its number and unit as written; `must` is what it would have to measure."""
+    """A datum with a unit: its path, its number and unit as written; `must` is the dimension it would need."""
 
     path: KeyPath
     name: str
@@ -39,13 +39,13 @@ class Blame:
 
     @property
     def needed(self) -> Sentence:
-        """Return what it must be."""
+        """Return the name of the dimension it needs."""
         assert self.must is not None
         return what(self.must, "quantity.rad")
 
     @property
     def advice(self) -> Sentence:
-        """Return how that is written."""
+        """Return how to write it with that dimension."""
         assert self.must is not None
         unit = unit_like(self.unit, self.must)
         if unit:
@@ -54,7 +54,7 @@ class Blame:
 
 
 def contrast(place: Place, clash: Clash, solved: Solved) -> Sentence:
-    """Return what the two sides of a clash are."""
+    """Return a sentence about the dimensions of the two sides of a clash."""
     first, second = _named(clash.first, solved), _named(clash.second, solved)
     tree = text_of(clash.first.tree)
     if clash.kind == "argument":
@@ -74,7 +74,7 @@ def contrast(place: Place, clash: Clash, solved: Solved) -> Sentence:
 
 
 def disagreement_of(place: Place, clash: Clash) -> Sentence:
-    """Return what is remarked on a formula that cannot hold in a file whose data carry no units."""
+    """Return the remark on a formula with a clash in a file whose data have no units."""
     tree = text_of(clash.first.tree)
     if clash.kind == "place" and place.wanted is not None:
         return say("remark.disagreement_place", place=place.label, tree=tree, wanted=what(place.wanted))
@@ -82,7 +82,7 @@ def disagreement_of(place: Place, clash: Clash) -> Sentence:
 
 
 def fault_of_terms(place: Place, clash: Clash, solved: Solved) -> Sentence:
-    """Return what is said where no datum is to blame; a value of the wrong kind needs no further word."""
+    """Return the sentence for a clash without a datum to blame."""
     told = contrast(place, clash, solved)
     if clash.kind == "terms":
         return say("fault.V201", contrast=told)
@@ -90,13 +90,13 @@ def fault_of_terms(place: Place, clash: Clash, solved: Solved) -> Sentence:
 
 
 def fault_of_either(blame: Blame, line: int, place: Place, clash: Clash, solved: Solved) -> Sentence:
-    """Return what is said where the formula is as likely to be wrong as the datum."""
+    """Return the sentence for a clash in which the formula may be wrong as well as the datum."""
     told = contrast(place, clash, solved)
     return say("fault.V204", contrast=told, datum=blame.written, line=line, needed=blame.needed)
 
 
 def fault_of_datum(blame: Blame, place: Place, clash: Clash, solved: Solved) -> Sentence:
-    """Return the sentence that names the datum; `solved` tells what things measure once the datum is free."""
+    """Return the sentence that names the datum; `solved` gives dimensions when the datum may have any."""
     found = what(dimension_of(blame.si), "quantity.rad")
     reason = _reason(blame, place, clash, solved)
     return say(
@@ -124,7 +124,7 @@ def _named(term: Term, solved: Solved) -> Sentence | None:
 
 
 def text_of(tree: Formula) -> str:
-    """Return a term as messages show it: without its sign, shortened."""
+    """Return a term for a message: without its sign, shortened."""
     text = spelled(_unsigned(tree))
     return text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…"
 

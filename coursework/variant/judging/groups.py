@@ -1,6 +1,6 @@
-"""What is wrong with the groups of a chain, each by itself and as a chain: all of it, before anything is put together.
+"""All faults of the groups of a chain, each group alone and all as a chain, before anything is assembled.
 
-Enters: a `Variant`, the shapes of the kinds, which sections have faults already.  Leaves: faults.
+Enters: a `Variant`, the shapes of the kinds, the sections that have faults already.  Leaves: faults.
 Used by `whole_file.py`, and by `mechanism/mechanism.py` for kinds that only the mechanism knows.
 """
 
@@ -23,9 +23,9 @@ _KEYS = {"from": "points", "lengths": "lengths", "guides": "guides", "coordinate
 
 
 def faults_of_groups(variant: Variant, shapes: Mapping[str, Shape], broken: Broken) -> list[Fault]:
-    """Return every fault of the groups: what one lacks, a mode that is missing, an order that cannot be, points in a circle.
+    """Return every fault of the groups: missing entries, a missing mode, an impossible order, points defined in a circle.
 
-    Of a group, or a coordinate, that is `broken` nothing more is said.
+    Nothing more is reported about a group, or a coordinate, that is `broken`.
     """
     own = [
         fault
@@ -60,7 +60,7 @@ def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Brok
 
 
 def _shared(variant: Variant, broken: Broken) -> Iterator[Fault]:
-    """Yield the coordinates that stand in two groups: each turns or slides one link, on which others may have points."""
+    """Yield a fault for each coordinate in two groups: each coordinate moves one link, on which other groups may hang."""
     first: dict[str, int] = {}
     for number, group in enumerate(variant.groups, start=1):
         for name in () if broken.has("group", number - 1, "coordinates") else group.coordinates:
@@ -71,18 +71,18 @@ def _shared(variant: Variant, broken: Broken) -> Iterator[Fault]:
 
 
 def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:
-    """Return what the entries of a list stand for, those that are missing, or all of them where there are too many."""
+    """Return the roles of the missing entries of a list, or of all its entries if there are too many."""
     most = shape.counts[key][-1]
     if not most:
         return say("fault.shape.take_out", key=key)
-    # A length is named by letters: that of the kind where the point has no name of its own.
+    # A length is named by letters; if a point has no name, by the letter of the kind.
     letters = letters_of(shape, replace(group, meets=group.meets or shape.letters[-1]))
     told = entries(shape, key, letters, count + 1 if count < most else 1)
     return say("fault.shape.missing" if count < most else "fault.shape.all", roles=told)
 
 
 def _order(variant: Variant) -> Iterator[Fault]:
-    """Yield a fault for each group that uses what only a later one gives."""
+    """Yield a fault for each group that uses something only a later group gives."""
     coordinates = {c.name for c in variant.coordinates}
     known = coordinates - {name for group in variant.groups for name in group.coordinates}
     met: set[str] = set()
@@ -96,16 +96,16 @@ def _order(variant: Variant) -> Iterator[Fault]:
 
 
 def _later(group: Group, met: set[str], known: set[str], variant: Variant) -> str:
-    """Return the point or coordinate a group needs before the chain has it, or an empty string."""
+    """Return the point or coordinate that a group needs before the chain has it, "" if there is none."""
     coordinates, points = {c.name for c in variant.coordinates}, dict(variant.points)
     later = {other.meets for other in variant.groups}
     needed = reached([name for formula in group.formulas for name in formula.names()], points)
-    late = (name for name in needed if name not in points and name not in met and name != group.meets)  # that is a circle
+    late = (name for name in needed if name not in points and name not in met and name != group.meets)  # see `_circles`
     return next((name for name in late if (name in coordinates and name not in known) or name in later), "")
 
 
 def _circles(variant: Variant) -> Iterator[Fault]:
-    """Yield a fault for the points that are defined in a circle, if some are."""
+    """Yield a fault for points that are defined in a circle, if there are any."""
     needs = {name: {*formula.names()} for name, formula in variant.points}
     for group in variant.groups:
         if group.meets:

@@ -1,7 +1,7 @@
-"""Links without length, whose angular velocities mean nothing, and with a negative one: refused before anything is computed.
+"""Links of zero length, whose angular velocity has no meaning, or of negative length: refused before any computation.
 
 Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `whole_file.py`; the sentence about a length that becomes negative
-during the motion is told by `motion/geometry/chain.py`.  Source: hard case H16.
+during the motion comes from `motion/geometry/chain.py`.  Source: hard case H16.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-_RIGHT = 1e-9  # of a quarter turn: a right angle in degrees, read as radians
+_RIGHT = 1e-9  # tolerance, in quarter turns, for a right angle in degrees read as radians
 
 
 def faults_of_lengths(variant: Variant, source: Source) -> list[Fault]:
-    """Return a fault for each length behind @, of a group or a wheel that is zero, for each that a datum makes negative, and for
-    each velocity that only zeros multiply.
+    """Return a fault for each zero length (before @, of a group, wheel or circle) and for each datum that makes one negative.
 
-    -r @ phi turns a length round, (a - b) @ phi may count from either side: what a formula says of data above zero is meant.
-    e @ (phi + pi/2), (x, y) and the offset of a guide are offsets with a sign.
+    If there are none, return a fault for each velocity that has only zero factors.  A length that is negative for positive data
+    is meant so: -r @ phi turns it round, (a - b) @ phi may count from either side.  The lengths in e @ (phi + pi/2), (x, y) and
+    the offset of a guide are offsets with a sign.
     """
     found = dict.fromkeys((path, spelled(length)) for path, length, _ in _lengths(variant) if _value(length, variant) == 0)
     faults = [source.fault(source.path_of(path), say("fault.V087", text=text)) for path, text in found]
@@ -34,8 +34,9 @@ def faults_of_lengths(variant: Variant, source: Source) -> list[Fault]:
 
 
 def _lengths(variant: Variant) -> Iterator[tuple[KeyPath, Formula, bool]]:
-    """Yield every length of a link, and whether it may have a sign: before @, of a group, of a wheel from its centre to its
-    contact, of a circle of the frame.
+    """Yield the path of every length, its formula, and whether it may be negative.
+
+    These are lengths before @, of groups, from the centre of a wheel to its contact, and radii of circles of the frame.
     """
     for path, formula in variant.formulas():
         yield from ((path, node.args[0], _is_across(node.args[1], variant)) for node in formula.walk() if node.op == "@")
@@ -53,19 +54,19 @@ def _lengths(variant: Variant) -> Iterator[tuple[KeyPath, Formula, bool]]:
         ):
             zeros = [_value(part, variant) == 0 for part in arm.args[1].args]
             for part, other_is_zero in zip(arm.args[1].args, reversed(zeros), strict=True):
-                if other_is_zero:  # the wheel stands on a guide along an axis
+                if other_is_zero:  # the wheel is on a guide along an axis
                     yield ("points", str(link.contact)), part, False
     for i, (_, radius) in enumerate(variant.frame.circles):
         yield ("frame", "circles", i, "radius"), radius, False
 
 
 def refused_length(reason: str) -> Sentence:
-    """Return what is told of a group with a length that no rod can have."""
+    """Return the sentence about a group with a length that no rod can have."""
     return say("fault.V308", reason=reason)
 
 
 def _negative(variant: Variant, source: Source) -> list[Fault]:
-    """Return a fault for each datum that makes a length negative, at its plainest use, and for other such lengths of a group."""
+    """Return a fault for each datum that makes a length negative, at its simplest use, and for other such lengths of a group."""
     below = {name for name, value in variant.values.items() if value < 0}
     worst: dict[str, tuple[int, KeyPath, Formula, float]] = {}
     for path, length, is_signed in _lengths(variant):
@@ -84,13 +85,13 @@ def _negative(variant: Variant, source: Source) -> list[Fault]:
 
 
 def _typed(length: Formula, value: float, variant: Variant) -> str:
-    """Return a length as it was typed, with its unit; one that a formula makes in metres."""
+    """Return a length as it was typed, with its unit; a length from a formula in metres."""
     texts = {given.name: f"{given.text} {given.unit}".strip() for given in variant.given if given.value == value}
     return texts.get(spelled(length)) or say("group.exact", metres=value)
 
 
 def _is_across(angle: Formula, variant: Variant) -> bool:
-    """Return whether an angle is that of an offset to one side, phi + pi/2, or of an axis."""
+    """Return whether an angle is that of a sideways offset, phi + pi/2, or of an axis."""
     turn = _value(angle.args[1] if angle.op in {"+", "-"} else angle, variant)
     quarters = (turn or 0.0) / (math.pi / 2)
     if turn is None or abs(quarters - round(quarters)) > _RIGHT:
@@ -99,7 +100,7 @@ def _is_across(angle: Formula, variant: Variant) -> bool:
 
 
 def _lost(variant: Variant, source: Source) -> list[Fault]:
-    """Return a fault for each unknown velocity of the written equations that stands only beside a length of zero."""
+    """Return a fault for each unknown velocity in written equations that is always multiplied by a zero length."""
     kept: set[str] = set()
     beside: dict[str, tuple[str, int]] = {}
     for index, constraint in enumerate(variant.constraints):
@@ -118,7 +119,7 @@ def _lost(variant: Variant, source: Source) -> list[Fault]:
 
 
 def _beside_zero(tree: Formula, variant: Variant, zero: str) -> list[tuple[str, str]]:
-    """Return every name with the factor of zero it stands beside, "" for none."""
+    """Return every name with the zero factor that multiplies it, "" if none."""
     if tree.op == "name":
         return [(tree.name, zero)]
     if tree.op == "*":

@@ -1,6 +1,6 @@
-"""What looks like a slip of the pen in a file that can be computed: remarks, which change no status.
+"""Remarks on probable slips in a file that can be computed; they change no status.
 
-Enters: a `Variant`, what its names measure, the places of grads.  Leaves: `Remark`s.  Used by `reader.py` only.
+Enters: a `Variant`, the dimensions of its names, the places of grads.  Leaves: `Remark`s.  Used by `reader.py` only.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _TURN = 2 * math.pi
-# In a mechanism all lengths are of one order: in 66 files the widest gap between neighbours was a factor of four.
+# The lengths of a mechanism have similar size: in 66 files the largest gap between neighbours was a factor of four.
 _FAR = 30.0
 _LENGTHS = ("mm", "cm", "m"), ("мм", "см", "м")
 _Found = tuple[str, KeyPath, Sentence]
-# 0.1047, 0.105, 3.14/30, 1/9.55: a factor is the one of the unit where it has that many of its digits.
+# 0.1047, 0.105, 3.14/30, 1/9.55: relative tolerance for a factor to count as the size of the unit.
 _NEAR = 0.005
 _MINUTE = 60.0
-_PLAIN = {"", "1"}  # SI units of a datum that may itself be the factor
+_PLAIN = {"", "1"}  # SI units of data that may themselves be the factor
 
 
 def remarks_on(
@@ -39,7 +39,7 @@ def remarks_on(
 ) -> tuple[Remark, ...]:
     """Return every remark on a file, in file order."""
     angles = tuple(_terms_of_angles(dimensions.places))
-    phases = {term.name for _, term in angles if term.op == "name"}  # names that stand alone as a term of an angle
+    phases = {term.name for _, term in angles if term.op == "name"}  # names that are a whole term of an angle
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
         *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant),
@@ -53,7 +53,7 @@ def remarks_on(
 def _angles(
     variant: Variant, dimensions: Dimensions, angles: Iterable[tuple[Place, Formula]], phases: Collection[str]
 ) -> Iterator[_Found]:
-    """Yield starts and phases beyond a turn that are written in rad or without unit: degrees, perhaps."""
+    """Yield starts and phases of more than a turn, written in rad or without a unit: they may be degrees."""
     for coordinate in variant.coordinates:
         if (
             coordinate.start is not None
@@ -76,9 +76,9 @@ def _turned(name: str, value: float, text: str, path: KeyPath) -> Iterator[_Foun
 
 
 def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
-    """Yield the lengths far from all others, of the two sides of a gap the smaller one, and a negative one of a link.
+    """Yield lengths far from all others (the side of a gap with fewer of them), and negative lengths of links.
 
-    Where there is a geometry, it shows which lengths are links; a factor of a rate in an equation alone looks like one.
+    If the file has a geometry, it shows which lengths are links; in equations alone, a factor of a rate looks like one.
     """
     if not variant.points and not variant.groups:
         for given in variant.given:
@@ -109,7 +109,7 @@ def _written(given: Given) -> str:
 
 
 def _nearer(given: Given, neighbour: Given) -> str:
-    """Return the unit with which the same number would stand nearest to its neighbour, "" where none would be near."""
+    """Return the unit with which the same number would be nearest to its neighbour, "" if none brings it near."""
     units = _LENGTHS[any("а" <= letter <= "я" for letter in given.unit)]
     apart = math.log(abs(float(given.text.replace("−", "-")))) - math.log(_size(neighbour))  # a quotient may be 0 or infinite
     far, unit = min((abs(apart + math.log(float(UNITS[unit][0]))), unit) for unit in units)
@@ -117,9 +117,9 @@ def _nearer(given: Given, neighbour: Given) -> str:
 
 
 def _bare(variant: Variant, dimensions: Dimensions, phases: Collection[str]) -> Iterator[_Found]:
-    """Yield data and starts without a unit beside others with one; plain numbers and zeros need none."""
+    """Yield data and starts without a unit in a file where others have one; plain numbers and zeros need none."""
     if dimensions.disagreement:
-        return  # what is known of the others is then no more than a guess
+        return  # the dimensions of the others are then only a guess
     if not any(g.unit for g in variant.given) and not any(c.unit_was_given and c.text for c in variant.coordinates):
         return
     for given in variant.given:
@@ -136,12 +136,12 @@ def _without_unit(name: str, text: str, si: str) -> Sentence:
 
 
 def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
-    """Yield numbers that had to measure something, times read as angles, and formulas that would need units to agree."""
+    """Yield numbers that must have a dimension, times used as angles, and formulas that only units could make consistent."""
     if any(given.si for given in variant.given):
         written = _written_lengths(variant)
         for path, term, si in dimensions.numbers:
             if si == "m" and not written.isdisjoint(node.name for node in term.walk() if node.op == "number"):
-                continue  # a link's length, which the file gives in numbers
+                continue  # the length of a link, which the file gives as a number
             name = variant.constraints[int(path[1])].name
             yield "NUMBER", path, say("remark.number", term=text_of(term), name=name, unit=si)
     for path, whole in dimensions.times_as_angles:
@@ -152,7 +152,7 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
 
 
 def _links_left_out(variant: Variant) -> Iterator[_Found]:
-    """Yield the rates of a chain that no link of [links] has: where links are listed, only these are drawn and counted."""
+    """Yield the rates of a chain that no link of [links] has: if links are listed, only these are drawn and counted."""
     in_groups = {name for group in variant.groups for name in group.coordinates}
     turning = [c.rate for c in variant.coordinates if c.name in in_groups and c.unit == "rad"]
     missing = [rate for rate in turning if all(link.rate != rate for link in variant.links)]
@@ -161,7 +161,7 @@ def _links_left_out(variant: Variant) -> Iterator[_Found]:
 
 
 def _empty_guides(variant: Variant) -> Iterator[_Found]:
-    """Yield the guides through a point that no link of [links] has: what slides in a guide is the point that it goes through."""
+    """Yield guides through a point that no link of [links] has: only the point it passes through slides in a guide."""
     held = {name for link in variant.links for name in (*link.points, link.wheel, link.contact)}.union(variant.frame.hinges)
     begun = {guide.through for group in variant.groups for guide in group.guides if group.meets}  # its pin slides there
     for place, (through, _) in enumerate(variant.frame.rails if variant.links else ()):
@@ -170,7 +170,7 @@ def _empty_guides(variant: Variant) -> Iterator[_Found]:
 
 
 def _untouched(variant: Variant) -> Iterator[_Found]:
-    """Yield the wheels of which the file does not show what they roll on: a rail, a circle, a rack, or what has the contact."""
+    """Yield wheels if the file shows nothing that they roll on: a rail, a circle, a rack, or another link with the contact."""
     places = {formula: name for name, formula in variant.points}
     rails = {through.name if through.op == "name" else places.get(through) for through, _ in variant.frame.rails}
     racks = any(link.is_block for link in variant.links)
@@ -181,9 +181,10 @@ def _untouched(variant: Variant) -> Iterator[_Found]:
 
 
 def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
-    """Yield what has no part in the file: data in no formula; drives that are no rate, no velocity of the driven point besides.
+    """Yield unused data, and drives that are neither a rate nor a velocity of the driven point and occur in no formula.
 
-    What is zero has no term in an equation.  Velocity equations alone have neither an offset nor the place of a pivot.
+    Zeros are excluded, since they leave no term in an equation; so are files of velocity equations alone, in which offsets and
+    positions of pivots do not occur.
     """
     formulas = chain((one for _, one in variant.formulas()), (one for place in dimensions.places for one in place.formulas))
     read = {*variant.rates, *(link.rate for link in variant.links), *(name for one in formulas for name in one.names())}
@@ -197,15 +198,15 @@ def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
 
 
 def _written_lengths(variant: Variant) -> set[str]:
-    """Return the numbers that are a whole length of the points and groups of the file: 0.27, not that of 0.5*r3."""
+    """Return the numbers that are a whole length in the points and groups of the file: 0.27, but not the 0.5 of 0.5*r3."""
     return {length.name for length in lengths_of(variant) if length.op == "number"}
 
 
 def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]:
-    """Yield what stands as a term of an angle, and where: in sin, cos, tan, behind @, or where an angle is wanted."""
+    """Yield each term of an angle, with its place: in sin, cos, tan, after @, or where an angle is required."""
     for place in places:
         for tree in place.formulas:
-            if place.wanted == {} and place.path[-1] != "coefficient":  # of friction, which is no angle
+            if place.wanted == {} and place.path[-1] != "coefficient":  # the coefficient of friction is no angle
                 yield from ((place, term) for term in terms(tree))
             for node in tree.walk():
                 if node.op == "call" and node.name in {"sin", "cos", "tan"}:
@@ -215,7 +216,7 @@ def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]
 
 
 def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, Sentence]]:
-    """Yield a remark for each law that multiplies a datum with a unit of frequency by the size of that unit, pi/30 or 2*pi."""
+    """Yield a remark for each law that multiplies a datum with a unit of frequency by the size of this unit, pi/30 or 2*pi."""
     turned = {given.name: given for given in variant.given if given.si == "1/s"}
     if not turned:
         return
@@ -227,7 +228,7 @@ def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, S
             if given is None or (path, name) in told or not factor:
                 continue
             size = size_of(given.unit) or 1.0
-            # Whoever counts turns a minute writes 2*pi for a turn, and may forget the minute.
+            # An author who counts turns per minute writes 2*pi for a turn, and may forget the minute.
             sizes = {size, math.pi / 30} - {1.0} | ({_TURN} if math.isclose(size, math.pi / 30) else set())
             key = "remark.rpm" if any(abs(factor / one - 1) < _NEAR for one in sizes) else ""
             if path[0] == "time" and factor == -_MINUTE and size < 1.0:
@@ -256,7 +257,7 @@ def _laws(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
 
 
 def _factors(tree: Formula, factor: float, whole: Formula, plain: Mapping[str, float]) -> Iterator[tuple[str, float, Formula]]:
-    """Yield (name, size of the number it is multiplied by, product it stands in); in a denominator the number is negative."""
+    """Yield (name, size of the number multiplying it, product containing it); the number is negative in a denominator."""
     if tree.op == "name":
         yield tree.name, factor, whole
     elif tree.op in {"neg", "+", "-"}:

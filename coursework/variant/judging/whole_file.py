@@ -1,6 +1,6 @@
-"""What only the whole file can show: something to derive velocities from, starts, a drive of the driven point, what a run costs.
+"""Faults that only the whole file shows: nothing to derive velocities from, missing starts or drives, the cost of a run.
 
-Enters: a `Variant`, its `Source`, and which times follow from data.  Leaves: faults.  Used by `reader.py` only.
+Enters: a `Variant`, its `Source`, the times that follow from data.  Leaves: faults.  Used by `reader.py` only.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from coursework.words.sentences import say
 
 
 def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPath], broken: Broken) -> list[Fault]:
-    """Return the faults that no single key shows, those of lengths last; of what is `broken` nothing more is said."""
+    """Return the faults that no single key shows, those of lengths last; nothing more is reported about `broken` parts."""
     faults = []
     written = broken.has("constraint") or broken.has("group") or broken.has("closure")
     if variant.sought and not (written or variant.constraints or variant.groups or variant.driven or variant.holds):
@@ -31,11 +31,11 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
         else:
             told = say("fault.V746", names=variant.sought, free=variant.motor.rates)
             faults.append(source.fault(("motor", "rates"), told))
-    # A period that follows from the drive is judged where the drive is: how fast that turns says more.
+    # A period that follows from the drive is checked with the drive, because its speed is the clearer message.
     derived = {"period"} & {str(path[-1]) for path in times}
     if not broken.has("time") and math.isfinite(variant.time.step + variant.time.end):
         faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
-    # A dyad closes where its coordinates start; a crank stands where the file says.
+    # The start of a dyad follows from its closure; a crank starts where the file says.
     dyads = [group for group in variant.groups if not (group.kind in GROUP_SHAPES and GROUP_SHAPES[group.kind].driven)]
     in_groups = {name for group in dyads for name in group.coordinates}
     for coordinate in () if broken.has("group") else variant.coordinates:

@@ -1,1 +1,1 @@
-"""Text of a file into a `Variant`, or every fault of it with line and advice; the only room that knows pydantic."""
+"""The text of a file into a `Variant`, or all its faults with line and advice; the only room that uses pydantic."""

@@ -1,6 +1,6 @@
-"""[masses], [forces], [friction] and [motor] of a file -> `Forces`; imported for a file that has one of them, no other.
+"""[masses], [forces], [friction] and [motor] of a file -> `Forces`; imported only for a file with one of these sections.
 
-Enters: checked sections.  Leaves: `Forces`; faults stay with the `Parts`.  Used by `reader.py`.
+Enters: checked sections.  Leaves: `Forces`; the faults are collected by `Parts`.  Used by `reader.py`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _OF_MOTOR = ("rates", "start", "flywheel")
 
 
 def read_forces(file: schema.VariantFile, coordinates: Sequence[Coordinate], parts: Parts) -> Forces:
-    """Return what a file says of masses and forces."""
+    """Return the masses and forces of a file."""
     gravity = file.forces.get(GRAVITY)
     loads = {key: entry for key, entry in file.forces.items() if key != GRAVITY}
     if isinstance(gravity, schema.Load):
@@ -60,9 +60,9 @@ def _body(key: str, parts: Parts) -> str:
 
 
 def _value(path: KeyPath, value: str | int | float, si: str, parts: Parts, least: bool = False) -> Formula:
-    """Return a formula of data that measures `si`; with `least` one that must not be negative."""
+    """Return a formula of data in the SI unit `si`; with `least`, keep a fault if its value is negative."""
     tree = parts.scalar(path, value, "force", si)
-    if least and parts.sound and (known_value(tree, parts.values) or 0.0) < 0:  # what has no value yet is told elsewhere
+    if least and parts.sound and (known_value(tree, parts.values) or 0.0) < 0:  # without a value yet: checked elsewhere
         parts.say(path, say("fault.V704", found=str(value)))
     return tree
 
@@ -70,7 +70,7 @@ def _value(path: KeyPath, value: str | int | float, si: str, parts: Parts, least
 def _values(
     path: KeyPath, entry: schema.Section, keys: Iterable[str], parts: Parts, least: bool = False
 ) -> dict[str, Formula | None]:
-    """Return the formulas of some keys of an entry; None for what it does not say."""
+    """Return the formulas of some keys of an entry, None for a key that the entry does not have."""
     said = {key: getattr(entry, key) for key in keys}
     return {
         key: None if value is None else _value((*path, key), value, MEASURED[key], parts, least) for key, value in said.items()

@@ -1,6 +1,6 @@
-"""pydantic's models of the records of the schema: what tells the faults of a file, and the JSON schema that editors read.
+"""The pydantic models of the records of the schema: they find the faults of a file and give the JSON schema for editors.
 
-Enters: `schema.py`.  Leaves: models, made when the first file with a fault is met.  Used by `shape.py` and the desk.
+Enters: `schema.py`.  Leaves: models, made when the first file with a fault is read.  Used by `shape.py` and the desk.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from coursework.variant.reading.schema import Section, VariantFile
 
 @cache
 def model_of(kind: Any) -> type[BaseModel]:
-    """Return the model of a record."""
+    """Return the pydantic model of a record."""
     fields = {name: (_type_of(told), _default_of(kind, name)) for name, told in kind.__annotations__.items()}
     settings = ConfigDict(extra="forbid", frozen=True, strict=True)
     made: type[BaseModel] = create_model(kind.__name__, __config__=settings, __doc__=kind.__doc__, **fields)  # type: ignore[call-overload]
@@ -24,13 +24,13 @@ def model_of(kind: Any) -> type[BaseModel]:
 
 
 def _type_of(kind: Any) -> Any:
-    """Return a type of the schema as pydantic takes it."""
+    """Return a type of the schema in the form that pydantic accepts."""
     origin, inner = get_origin(kind), get_args(kind)
     if origin is Annotated:
         return Annotated[(_type_of(inner[0]), *(Field(**each.limits) for each in inner[1:]))]
     if origin in {Union, UnionType}:
         union: Any = Union[tuple(map(_type_of, inner))]  # noqa: UP007 (a union of as many types as there are)
-        first = any(get_origin(each) is dict for each in inner)  # a table of known keys before a table of any
+        first = any(get_origin(each) is dict for each in inner)  # a table of known keys is tried before a table of arbitrary keys
         return Annotated[union, Field(union_mode="left_to_right")] if first else union
     if origin in {list, dict}:
         return origin[tuple(map(_type_of, inner))]

@@ -1,4 +1,4 @@
-"""Which names a variant file declares, once each, and what an author may write for them.
+"""The names that a variant file declares, each once, and the other spellings an author may use for them.
 
 Enters: the checked file.  Leaves: `Names`.  Used while a file is read.
 """
@@ -20,12 +20,12 @@ from coursework.words.sentences import say
 
 _SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 _BUILT_IN = {"t", "pi"}
-# Other ways to write the beginning of a name.
+# Other spellings of the beginning of a name.
 _ALIASES = (("omega", "w"), ("fi", "phi"), ("lambda", "lam"), ("epsilon", "eps"))
 
 
 def _form(name: str) -> str:
-    """Return what two spellings of one name have in common: omega_3 and w3, phi_1 and fi1."""
+    """Return the common form of the spellings of one name: omega_3 and w3, phi_1 and fi1."""
     for alias, usual in _ALIASES:
         name = re.sub(rf"^{alias}(?=\d|_|$)", usual, name)
     return re.sub(r"_(?=\d)", "", name)
@@ -33,8 +33,10 @@ def _form(name: str) -> str:
 
 @changing
 class Names:
-    """`kinds` maps each declared name to given, drive, coordinate, rate, unknown, function or point; `forms` what else it
-    may be written as; `columns` are the velocities of the table and where they stand.
+    """The declared names of a file.
+
+    `kinds` maps each name to given, drive, coordinate, rate, unknown, function or point; `forms` maps a common form to names;
+    `columns` are the velocities of the table with their paths.
     """
 
     kinds: dict[str, str] = field(default_factory=dict)
@@ -44,7 +46,7 @@ class Names:
 
     @classmethod
     def declared(cls, file: VariantFile) -> Names:
-        """Collect the declarations of a file, in file order."""
+        """Return the declarations of a file, in file order."""
         names = cls()
         names._add_all(("given", "given", file.given), ("drive", "drive", file.drive))
         for key, entry in file.coordinates.items():
@@ -75,11 +77,11 @@ class Names:
 
     @property
     def velocities(self) -> list[str]:
-        """Return every name that may stand for a velocity."""
+        """Return every name that may be a velocity."""
         return [name for name, kind in self.kinds.items() if kind in {"rate", "unknown", "drive"}]
 
     def meant(self, name: str) -> str:
-        """Return what the form of an undeclared name says: the rate of a coordinate, a velocity of a point; "" for nothing."""
+        """Return what an undeclared name seems to mean: the rate of a coordinate or the velocity of a point; "" if neither."""
         of, rate = self._rate_meant(name)
         if rate:
             return say("hint.rate", of=of, name=rate)
@@ -88,16 +90,16 @@ class Names:
         return say("hint.of_point", point=point, axis=axis) if is_velocity else ""
 
     def _rate_meant(self, name: str) -> tuple[str, str]:
-        """Return the coordinate and its rate that someone means who writes dphi1, of "dphi1/dt", or phi1dot; "" for none."""
+        """Return the coordinate and the rate that are meant by dphi1 (as in "dphi1/dt") or phi1dot; "" for both if none is."""
         found = re.fullmatch(r"d_?(\w+?)(?:_?dt)?|(\w+?)_?dot", name)
         meant = self.canonical(found[1] or found[2]) if found else ""
         rates = {self.canonical(str(path[1])): self.canonical(rate) for rate, path in self.columns if path[0] == "coordinates"}
-        if meant == "t":  # what stands below the line
+        if meant == "t":  # t is the denominator of dphi1/dt
             meant = next(iter(rates), "")
         return meant, rates.get(meant, "")
 
     def canonical(self, name: str) -> str:
-        """Return the declared name meant by `name` (Greek letters, omega3 for w3, phi_1 for phi1), or its spelling."""
+        """Return the declared name that `name` means (Greek letters, omega3 for w3, phi_1 for phi1), or its plain spelling."""
         plain = spell(name)
         if plain in self.kinds or plain in _BUILT_IN:
             return plain
@@ -105,7 +107,7 @@ class Names:
         return alike[0] if len(alike) == 1 else plain
 
     def faults(self, source: Source) -> list[Fault]:
-        """Return a fault for each name declared twice, reserved, that of an acceleration, or with letters of another alphabet."""
+        """Return a fault for each name declared twice, reserved, ill-formed, with foreign letters, or of an acceleration."""
         seen: dict[str, tuple[str, int]] = {}
         made = {f"d{self.canonical(velocity)}": (velocity, source.positions.find(path)[0]) for velocity, path in self.columns}
         found = []
@@ -124,7 +126,7 @@ class Names:
                 first, line = seen[plain]
                 known = {"name": name, "first": say(f"fault.kind.{first}"), "line": line, "kind": say(f"fault.kind.{kind}")}
                 rate = next((rate for rate, place in self.columns if place[:-1] == path), "")
-                a_law = (first, kind) == ("drive", "coordinate")  # of places, where one of velocities stands
+                a_law = (first, kind) == ("drive", "coordinate")  # a law of positions, where a law of velocities belongs
                 text = say("fault.V161", rate=rate, name=name, line=line) if a_law else say("fault.V085", **known)
             found += [source.fault(path, text, at_key=kind != "rate")] if text else []
             seen.setdefault(plain, (kind, source.positions.find(path)[0]))

@@ -1,6 +1,6 @@
-"""One value or formula of a variant file at a time; faults are collected, never raised.
+"""Reads one value or formula of a variant file at a time; faults are collected, not raised.
 
-Enters: text and where it stands.  Leaves: SI numbers and formulas whose names are all declared.
+Enters: text and its path.  Leaves: SI numbers and formulas whose names are all declared.
 Used by `reader.py`.
 """
 
@@ -25,7 +25,7 @@ from coursework.words.sentences import closest, say
 
 ZERO = Formula("number", name="0")
 _NOTHING = units.Quantity(1.0, "", "", "1")
-# What may stand where: [drive] is a function of time; geometry knows no velocities.
+# The kinds of names that each scope allows: [drive] is a function of time; geometry knows no velocities.
 _SCOPES = {
     "time": {"given", "drive"},
     "geometry": {"given", "drive", "coordinate", "function", "point"},
@@ -60,13 +60,13 @@ class Parts:
         self.faults.append(self.source.fault(path, message, column))
 
     def once(self, path: KeyPath, names: Sequence[str]) -> None:
-        """Keep a fault for each name that a list of points has twice."""
+        """Keep a fault for each name that is twice in a list of points."""
         for place, name in enumerate(names):
             if name in names[:place]:
                 self.say((*path, place), say("fault.V157", name=name))
 
     def undeclared(self, path: KeyPath, kinds: Collection[str], message: Sentence, column: int = 0) -> None:
-        """Keep a fault about a name of some kinds that is not declared, unless another fault may have hidden its declaration."""
+        """Keep a fault about an undeclared name of some `kinds`, unless another fault may have hidden its declaration."""
         self.broken.add(path)
         if self.hidden.isdisjoint(kinds):
             self.say(path, message, column)
@@ -74,8 +74,8 @@ class Parts:
     def quantity(self, path: KeyPath, value: str | int | float, wanted: str = "") -> units.Quantity:
         """Return "value unit" in SI.
 
-        Advice about a unit that is not known offers units of what is `wanted` (an SI unit); with "" it waits until the rest
-        of the file has told what is (`tell_unread`).
+        Advice about an unknown unit offers units of the kind `wanted` (an SI unit).  With "" the advice waits until the rest of
+        the file shows which kind is needed (`tell_unread`).
         """
         try:
             read = self._read(value, wanted)
@@ -94,11 +94,11 @@ class Parts:
 
     @property
     def sound(self) -> bool:
-        """Return whether nothing was wrong so far."""
+        """Return whether no fault has been found so far."""
         return not self.faults and not self._unread
 
     def tell_unread(self, wanted: Callable[[str], str]) -> None:
-        """Keep a fault for each unit missing or not known; `wanted` gives the SI unit that a name must have, "" for any."""
+        """Keep a fault for each missing or unknown unit; `wanted` gives the SI unit that a name must have, "" for any."""
         for path, advised in self._unread:
             name = self.names.canonical(str(path[1])) if len(path) > 1 else ""
             self.say(path, advised(wanted(name)))
@@ -131,7 +131,7 @@ class Parts:
         return read.value if read is not _NOTHING else math.nan
 
     def scalar(self, path: KeyPath, value: str | int | float, scope: str = "geometry", wanted: str = "") -> Formula:
-        """Return a formula, also from a bare number or a quantity such as "30 deg", which must measure what is `wanted`."""
+        """Return a formula, also for a bare number or a quantity such as "30 deg", which must be of the kind `wanted`."""
         if isinstance(value, str) and not self.is_quantity(value):
             return self.formula(path, value, "scalar", scope)
         read = self.quantity(path, value, wanted)
@@ -156,7 +156,7 @@ class Parts:
         return left, right
 
     def formula(self, path: KeyPath, text: str, kind: Kind, scope: str = "geometry") -> Formula:
-        """Return one formula with every name resolved; a fault leaves zero in its place."""
+        """Return one formula with every name resolved; zero after a fault."""
         try:
             tree = reader.parse(text, vectors=scope in {"geometry", "force"})
         except FormulaFault as fault:
@@ -171,7 +171,7 @@ class Parts:
         return tree
 
     def known_point(self, path: KeyPath, name: str) -> str:
-        """Return the point that is meant; keep a fault where `name` is none."""
+        """Return the declared point that `name` means; keep a fault if it means none."""
         points = [point for point, kind in self.names.kinds.items() if kind == "point"]
         if self.names.canonical(name) not in points:
             self.undeclared(path, {"point"}, say("fault.V059", name=name, hint=closest(name, points)))
@@ -187,7 +187,7 @@ class Parts:
                 listed, its = say(f"fault.listed.{scope}"), say(f"fault.kind.{kind}")
                 self.say(path, say("fault.V052", name=tree.name, kind=its, listed=listed), tree.column)
             else:
-                # Looking for the closest name takes time; after so many faults nobody reads the advice.
+                # Finding the closest name takes time; after so many faults nobody reads the advice.
                 few = len(self.faults) < _ADVISED
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
                 advice = self.names.meant(tree.name) or closest(name, [*allowed, "t", "pi"])
@@ -223,18 +223,18 @@ class Parts:
 
 
 def _readers(source: Source) -> tuple[Callable[[str | int | float, str], units.Quantity], Callable[[str], bool]]:
-    """Return what reads values and tells them from formulas: with units of mass only where the file names masses or forces."""
+    """Return a reader of values and a test whether a text is one; with units of mass only if the file has masses or forces."""
     if FORCE_SECTIONS.isdisjoint(source.data):
         return units.read, units.is_quantity
     return units.read_mass, units.is_mass_quantity
 
 
 def _without_unit(text: str, wanted: str = "") -> Sentence | None:
-    """Return what is said of a formula with a unit behind it, such as "1/90 s"; None for any other text.
+    """Return the message about a formula followed by a unit, such as "1/90 s"; None for any other text.
 
-    Advised is that unit, or `wanted` (an SI unit) where it measures something else, and all digits: with nine the last row of a
-    table would be missed.
-    The unit of "phi1 + 90 deg" is that of the number, which would measure something else without it.
+    The advice is the value in this unit, or in `wanted` (an SI unit) if the unit is of another kind, with all digits: with nine
+    digits the last row of a table would be missed.
+    The unit of "phi1 + 90 deg" belongs to the number, which would mean something else without it.
     """
     tree, formula, unit = _split(text)
     if tree is None or not unit:
@@ -248,7 +248,7 @@ def _without_unit(text: str, wanted: str = "") -> Sentence | None:
 
 
 def _written_out(text: str, wanted: str) -> Sentence | None:
-    """Return what is said of a formula of numbers where a number belongs, such as "pi/6" or "3/2"; None for any other text."""
+    """Return the message about a formula of numbers in place of a number, such as "pi/6" or "3/2"; None for any other text."""
     tree, _, unit = _split(text)
     value = None if tree is None else _value(tree)
     if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
@@ -258,7 +258,7 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
 
 
 def _split(text: str) -> tuple[Formula | None, str, str]:
-    """Return a formula, its text and the unit behind it, "" without one; None for what is no formula."""
+    """Return a formula, its text, and the unit after it ("" if none); None in place of a formula that cannot be read."""
     found = _FORMULA_AND_UNIT.fullmatch(text)
     formula, unit = (found[1], found[2]) if found and units.plain_unit(found[2]) in UNITS else (text, "")
     try:
@@ -268,7 +268,7 @@ def _split(text: str) -> tuple[Formula | None, str, str]:
 
 
 def _value(tree: Formula) -> float | None:
-    """Return the value of a formula of numbers and pi only, None of any other."""
+    """Return the value of a formula of numbers and pi only, None for any other."""
     try:
         return evaluate(tree, {})
     except (FormulaFault, KeyError):

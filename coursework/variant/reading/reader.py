@@ -56,26 +56,26 @@ from coursework.words.sentences import closest, say
 if TYPE_CHECKING:
     from coursework.variant.record.forces import Forces
 
-# What a floor above knows to be wrong with a file that has faults.
+# Finds faults that only a higher floor can see, for a file that has faults already.
 Judge = Callable[[Variant], list[Fault]]
 
 
 def read_variant(path: Path, judge: Judge | None = None) -> Variant:
-    """Return the variant in a file.  Raises `InputError` with all faults; `judge` adds its own to them."""
+    """Return the variant in a file.  Raises `InputError` with all faults, including those that `judge` finds."""
     return _build(read_source(read_bytes(path), str(path), path.parent), _named_after(path), path, judge)
 
 
 def _named_after(path: Path) -> str:
-    """Return the name of a file without its suffix; bytes that are no text are written as %FF."""
+    """Return the name of a file without its suffix; bytes that are not valid text are written as %FF."""
     return re.sub("[\\udc80-\\udcff]", lambda byte: f"%{ord(byte[0]) - 0xDC00:02X}", path.stem)
 
 
 def parse_variant(
     content: str | bytes, file: str = "variant", tables: Mapping[str, bytes] | None = None, judge: Judge | None = None
 ) -> Variant:
-    """Return the variant in a text; `tables` are the files it names, by name.  Nothing is read from disk.
+    """Return the variant in a text; `tables` maps the names of table files to their contents.  Nothing is read from disk.
 
-    Raises `InputError` with all faults; `judge` adds its own to them.
+    Raises `InputError` with all faults, including those that `judge` finds.
 
     >>> import coursework
     >>> text = coursework.load("31").path.read_text(encoding="utf-8")
@@ -106,7 +106,7 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
     if not doubtful:
         told, broken = {fault.line for fault in parts.faults}, Broken(parts.broken)
         found = faults_of_the_whole(variant, source, parts.times, broken)
-        # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
+        # A datum with a wrong unit spoils values at t = 0; but a fault in the line of the slip itself says more than the slip.
         found += [f for f in faults_at_start(variant, source, broken) if not slips or f.line in {slip.line for slip in slips}]
         parts.faults += [fault for fault in found if fault.line not in told]
     told = {fault.line for fault in parts.faults}
@@ -120,7 +120,7 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
 
 
 def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[KeyPath, Any]) -> Variant:
-    """Return the variant of a file some of whose values are others."""
+    """Return the variant of a file with some values changed."""
     return _build(source.changed(changes), name, path)
 
 
@@ -157,7 +157,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
 
 
 def _forces(file: schema.VariantFile, coordinates: tuple[Coordinate, ...], parts: Parts) -> Forces | None:
-    """Return what a file says of forces, None where it names none."""
+    """Return the forces of a file, None if it has no such section."""
     if FORCE_SECTIONS.isdisjoint(parts.source.data):
         return None
     from coursework.variant.reading.forces import read_forces
@@ -171,7 +171,7 @@ def _texts(said: schema.Texts, parts: Parts) -> Texts:
 
 
 def _lines(source: Source) -> dict[KeyPath, int]:
-    """Return the line of each key, names in the tool's own spelling."""
+    """Return the line of each key, with names in the tool's spelling."""
     lines = source.positions.lines
     return {spell_path(path): line for path, line in lines.items()}
 
@@ -211,7 +211,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
 
 
 def _formula(path: KeyPath, value: str | int | float, parts: Parts, scope: str) -> Formula:
-    """Return the formula of a law; a value with a unit, such as "10 rpm", is one too."""
+    """Return the formula of a law; a value with a unit, such as "10 rpm", is a formula too."""
     text = str(value)
     with_unit = parts.is_quantity(text) and any(letter.isalpha() or letter == "°" for letter in text)
     return parts.scalar(path, text, scope) if with_unit else parts.formula(path, text, "scalar", scope)
@@ -231,7 +231,7 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
 
 
 def _named(constraints: list[Constraint]) -> tuple[Constraint, ...]:
-    """Return the constraints, each with a name of its own: a second 11 is cited as 11'."""
+    """Return the constraints with unique names: a second 11 becomes 11'."""
     named: dict[str, Constraint] = {}
     for constraint in constraints:
         name = constraint.name
@@ -262,7 +262,7 @@ def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[st
 
 
 def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[str]:
-    """Return the names that stand inside a trigonometric function or behind @: their bare numbers are radians."""
+    """Return the names that occur inside a trigonometric function or after @: their bare numbers are radians."""
     angles: set[str] = set()
     for tree in (node for formula in formulas for node in formula.walk()):
         if tree.op == "call" and tree.name in {"sin", "cos", "tan"}:

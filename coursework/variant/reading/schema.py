@@ -1,11 +1,11 @@
-"""The shape of a variant file: which keys there are and what stands behind each.
+"""The shape of a variant file: its keys and the value of each.
 
-Enters: nothing.  Leaves: plain records, which `well_formed.py` fills and of which `models.py` makes pydantic's models for a
-file with faults, and `variants/variant.schema.json`.  Used by `variant/` and `grading/`.
+Enters: nothing.  Leaves: plain records.  `well_formed.py` fills them; from them `models.py` makes pydantic's models for a file
+with faults, and `variants/variant.schema.json`.  Used by `variant/` and `grading/`.
 
 Beyond [given], [drive], [coordinates], [unknowns], [time] and one [[constraint]] for each velocity equation: a constraint may be
 a position equation (closure = "B + r2 @ phi2 = D + r3 @ phi3"), and a chain of Assur groups may stand for all of them ([[group]],
-kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-6.toml`).  Keys, each with a file that has it:
+kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-6.toml`).  Keys, each with a file that uses it:
 
     teaches, remarks            what the variant shows; paragraphs for its page  variants/example-3.toml
     [text.ru], [text.uk] …      title, source, teaches, remarks, because, means in another language  variants/31.toml
@@ -26,9 +26,9 @@ kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-
     [motor] flywheel            what a flywheel on a link has to bring about  variants/example-2-forces.toml
     [closure], [ask]            which point is driven, what is held; quantities beside the table  variants/31.toml
 
-Units: m cm mm in ft, rad deg ° grad, s ms min, what these make a second or a minute (m/s, deg/s, rev/s, m/s^2 …), rpm, and the
-same in Cyrillic (мм, град, об/мин …); 1/s is rad/s, 1/min is rev/min, "grad" is read as degrees, Hz is refused because it does
-not say which of the two is meant.
+Units: m cm mm in ft, rad deg ° grad, s ms min, these per second or per minute (m/s, deg/s, rev/s, m/s^2 …), rpm, and the same
+in Cyrillic (мм, град, об/мин …).  1/s is rad/s, 1/min is rev/min, and "grad" is read as degrees.  Hz is refused because it does
+not tell whether rad/s or rev/s is meant.
 """
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
@@ -37,7 +37,7 @@ from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
 
 
 class Limits:
-    """What a value must keep beside its type, and what editors are told of it, by the names of pydantic's `Field`."""
+    """The limits of a value beside its type, and hints for editors, under the names that pydantic's `Field` uses."""
 
     def __init__(self, **limits: Any) -> None:
         self.limits = limits
@@ -60,7 +60,7 @@ class Section:
 
     @classmethod
     def keys(cls) -> dict[str, str]:
-        """Return the name of the field behind each key, in the order of the schema."""
+        """Return the name of the field for each key, in the order of the schema."""
         return {_alias(kind) or name: name for name, kind in cls.__annotations__.items()}
 
 

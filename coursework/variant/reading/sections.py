@@ -1,6 +1,6 @@
 """Sections of a file as records: unknown velocities, times, quoted rows, groups of a chain, links, the frame.
 
-Enters: checked sections of a file.  Leaves: records of `record/`; faults stay with the `Parts`.  Used by `reader.py`.
+Enters: checked sections of a file.  Leaves: records of `record/`; the faults are collected by `Parts`.  Used by `reader.py`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def read_unknown(key: str, entry: str | schema.Unknown, parts: Parts) -> tuple[s
 def read_binding(
     key: str, entry: str | schema.Unknown, unknowns: Mapping[str, str], file: schema.VariantFile, parts: Parts
 ) -> Binding | None:
-    """Return which velocity of the geometry an unknown is, None where its entry does not say; `unknowns` has the SI units."""
+    """Return which velocity of the geometry an unknown is, None if its entry does not say; `unknowns` gives the SI units."""
     name, path = parts.names.canonical(key), ("unknowns", key)
     if isinstance(entry, str):
         return None
@@ -44,7 +44,7 @@ def read_binding(
     of_link = _OF_LINK.match(entry.of.strip())
     links = [*file.links]
     for at, link in (("of", of_link[1] if of_link else ""), ("relative", relative)):
-        if link and links and link not in links:  # in a chain of groups links have the numbers of their rates
+        if link and links and link not in links:  # in a chain of groups, links are named by the numbers of their rates
             parts.say((*path, at), say("fault.V151", link=link, hint=closest(link, links)))
     wanted = _RATE if of_link else _SPEED
     if unknowns[name] and unknowns[name] != wanted:
@@ -71,7 +71,7 @@ def read_time(entry: schema.Time, parts: Parts) -> Time:
         parts.say(("time", "step"), say("fault.V063", step=step))
     elif end < step * (1 - 1e-9):
         parts.say(("time", "end"), say("fault.V071", end=end, step=step))
-    elif MAX_ROWS < end / step < math.inf:  # what is not finite has a fault of its own
+    elif MAX_ROWS < end / step < math.inf:  # a value that is not finite has its own fault
         parts.say(("time", "end"), say("fault.V076", number=end / step, max_rows=MAX_ROWS))
     elif parts.broken.isdisjoint({("time", "step"), ("time", "end")}) and math.isfinite(end / step):
         rows = whole_steps(step, end) + 1

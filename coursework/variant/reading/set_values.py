@@ -1,6 +1,6 @@
-"""Texts such as "r1=0.91 m" or "N=3" -> the variant with these values, or one sentence about what is wrong.
+"""Texts such as "r1=0.91 m" or "N=3" -> the variant with these values, or one sentence about the mistake.
 
-Enters: a variant, what a user has set on the command line.  Leaves: the variant read anew.  Raises `InputError`.
+Enters: a variant, the texts that a user has given on the command line.  Leaves: the variant read anew.  Raises `InputError`.
 Used by the commands `run` and `new`.
 """
 
@@ -22,7 +22,7 @@ _TIMES = ("step", "end", "period")
 def with_set(variant: Variant, texts: Iterable[str], check_row: int | None = None) -> Variant:
     """Return the variant with other data, start values, laws of the drive or times, and another row of the check.
 
-    Each text is name=value; a value without a unit is SI.  N=3 is row 5, as the guide counts.
+    Each text is name=value; a value without a unit is in SI.  N=3 is row 5, numbered as in the guide.
     """
     data: dict[str, dict[str, Any]] = {"given": {}, "start": {}, "drive": {}, "time": {}}
     kinds = {law.name: "drive" for law in variant.drive} | {c.name: "start" for c in variant.coordinates}
@@ -49,7 +49,7 @@ def with_set(variant: Variant, texts: Iterable[str], check_row: int | None = Non
 
 
 def _spaced(value: str) -> str:
-    """Return "0.91 m" for "0.91m", as files have it; what is no quantity stays."""
+    """Return "0.91 m" for "0.91m", as in a file; a text that is no quantity is returned unchanged."""
     try:
         quantity = read(value)
     except UnitFault:
@@ -62,7 +62,7 @@ def _twice(name: str) -> InputError:
 
 
 def _row(name: str, value: str) -> int:
-    """Return the row (from 1) that is meant."""
+    """Return the row (from 1) for a text."""
     if not (value.isascii() and value.isdecimal() and int(value[:9]) >= 1 and len(value) < 9):
         raise InputError(say("fault.C044", name=name, found=value[:40]))
     return int(value) + (ROWS_BEFORE_N if name == "N" else 0)

@@ -1,7 +1,7 @@
-"""Whether a file has the shape of a variant, and what has not, in words of the file.
+"""The check that a file has the shape of a variant, with faults in the words of the file.
 
-Enters: a `Source`.  Leaves: `Shape`: the file's records with a stand-in in the place of each fault, so that the rest of it is
-read in the same go, and the faults.  Used by `reader.py` only.
+Enters: a `Source`.  Leaves: `Shape`: the faults, and the file's records with a stand-in in the place of each fault, so that
+the rest of the file is read at the same time.  Used by `reader.py` only.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ from coursework.words.sentences import closest, either, load_phrases, say
 
 @frozen
 class Shape:
-    """`broken` are the paths with a fault.
+    """The records of a file and its `faults`; `broken` are the paths with a fault.
 
-    `hidden` are the kinds of names that a fault may have taken with it: that one of these is not declared is no further fault.
+    `hidden` are the kinds of names whose declarations a fault may have removed: an undeclared name of these is no new fault.
     """
 
     file: schema.VariantFile
@@ -38,7 +38,7 @@ class Shape:
 
 
 def read_shape(source: Source) -> Shape:
-    """Return the checked file.  Raises `InputError` only where no stand-in lets the rest be read."""
+    """Return the checked file.  Raises `InputError` only if no stand-in makes the rest readable."""
     try:
         return Shape(fitted(schema.VariantFile, source.data), [], frozenset(), frozenset())
     except Unfit:
@@ -46,7 +46,7 @@ def read_shape(source: Source) -> Shape:
 
 
 def _mended(source: Source) -> Shape:
-    """Return a file that does not fit, with stand-ins; pydantic, which tells what is wrong, is imported for such a file only."""
+    """Return a file of the wrong shape, with stand-ins; only for such a file pydantic is imported, to describe the faults."""
     from pydantic import ValidationError
 
     from coursework.variant.reading.models import model_of
@@ -86,10 +86,10 @@ _OF_A_MECHANISM = {"coordinates", "constraint", "group", "drive", "unknowns"}
 
 
 def _hides(path: KeyPath, entry: Entry) -> set[str]:
-    """Return the kinds of names that may have been declared where a fault is."""
+    """Return the kinds of names that may have been declared at the place of a fault."""
     section = str(path[0])
     if len(path) == 1:
-        import difflib  # only a mistake pays for it
+        import difflib  # imported only for a mistake
 
         meant = difflib.get_close_matches(section, schema.VariantFile.keys(), n=1)
         return _DECLARED.get(meant[0], set()) if meant else set().union(*_DECLARED.values())
@@ -98,7 +98,7 @@ def _hides(path: KeyPath, entry: Entry) -> set[str]:
     return {"point"} if section == "group" and (len(path) == 2 or path[2] == "meets") else set()
 
 
-# Section -> the kinds of names that stand in it.
+# Section -> the kinds of names declared in it.
 _DECLARED: dict[str, set[str]] = {
     "given": {"given"}, "drive": {"drive"}, "coordinates": {"coordinate", "rate"}, "unknowns": {"unknown"},
     "functions": {"function"}, "points": {"point"}, "group": {"point"},
@@ -106,10 +106,10 @@ _DECLARED: dict[str, set[str]] = {
 
 
 def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[KeyPath, Entry]:
-    """Return one entry for each path of the file.
+    """Return one entry for each faulty path of the file.
 
-    pydantic puts names of types into a path and gives an entry for each type that a value might have had; the steps that
-    the file does not have are left out, and of a table only the entries of the kind of table that was meant are kept.
+    pydantic adds names of types to a path, and gives an entry for each type that a value could have.  Here the steps that the
+    file does not have are dropped, and for a table only the entries of the intended kind of table are kept.
     """
     grouped: dict[KeyPath, list[tuple[str, Entry]]] = {}
     for entry in errors:
@@ -119,7 +119,7 @@ def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[KeyPath, Entry
     result: dict[KeyPath, Entry] = {}
     for path, entries in grouped.items():
         if isinstance(at(data, path), dict) and any(other[: len(path)] == path and other != path for other in tables):
-            continue  # the table's own entries say more than "this is no text"
+            continue  # the entries inside the table say more than "this is no text"
         meant = [e for kind, e in entries if kind not in {"Table", "Pieces"} or kind == _meant(data, path)]
         if meant:
             result[path] = {**meant[0], "types": [e["type"] for e in meant]}
@@ -127,7 +127,7 @@ def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[KeyPath, Entry
 
 
 def _path_in(data: Any, loc: KeyPath, problem: str) -> tuple[KeyPath, str]:
-    """Return the part of pydantic's path that the file has, and the name of the kind of table in it."""
+    """Return the part of pydantic's path that exists in the file, and the kind of table named in the path."""
     path: KeyPath = ()
     kind = ""
     for place, part in enumerate(loc):
@@ -141,11 +141,11 @@ def _path_in(data: Any, loc: KeyPath, problem: str) -> tuple[KeyPath, str]:
     return path, kind
 
 
-_TABLES = {"Table", "Pieces", "Unknown", "Mass", "Load", "MotorEntry", "Flywheel"}  # models of what may be a text as well
+_TABLES = {"Table", "Pieces", "Unknown", "Mass", "Load", "MotorEntry", "Flywheel"}  # tables that may be texts too
 
 
 def _meant(data: dict[str, Any], path: KeyPath) -> str:
-    """Return whether a law of several keys is meant for a table of numbers or for pieces."""
+    """Return whether a law given by several keys is meant as a table of numbers or as pieces."""
     owner = at(data, path[:2])
     keys = set(owner) if isinstance(owner, dict) else set()
     return "Pieces" if "pieces" in keys or (path[0] == "drive" and not keys & {"table", "of", "method"}) else "Table"
@@ -174,12 +174,12 @@ def _fault(path: KeyPath, entry: Entry, source: Source) -> Fault:
 
 
 def of_motor(key: str) -> Sentence:
-    """Return how the flywheel or a torque of [motor] is written."""
+    """Return how to write the flywheel or a torque of [motor]."""
     return say("fault.V716") if key == "flywheel" else say("fault.V713", name=key)
 
 
 def _example(key: str, plain: str) -> str:
-    """Return how a key is written, in words where the words file has some."""
+    """Return how to write a key, from the words file if it has an example."""
     described = f"fault.example.{'section_' if plain.startswith('[') else ''}{key}"
     return say(described) if load_phrases().has(described) else plain
 
@@ -192,7 +192,7 @@ _EXAMPLES = {
     "mass": 'mass = "10 kg"', "torque": 'torque = "60 N*m"', "on": 'on = "1"',
     "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
 }  # fmt: skip
-# pydantic's kind of a fault -> the last part of the key of what was expected.
+# pydantic's type of error -> the last part of the key for what was expected.
 _KINDS = {
     "string_type": "text", "int_type": "whole", "int_from_float": "whole", "float_type": "number",
     "list_type": "list", "dict_type": "section", "model_type": "table",
@@ -250,7 +250,7 @@ def _closest(entry: Entry) -> str:
 
 
 def _keys_of(path: KeyPath, data: dict[str, Any]) -> list[str]:
-    """Return the keys that may stand in the table at `path`, in the order of the schema."""
+    """Return the keys allowed in the table at `path`, in the order of the schema."""
     if len(path) == 2 and path[0] in {"drive", "functions"}:
         model: Any = {"Table": schema.Table, "Pieces": schema.Pieces}[_meant(data, path)]
     else:

@@ -1,7 +1,7 @@
-"""A fault of a file -> a stand-in in its place, so that the rest can be read in the same go.
+"""A fault of a file -> a stand-in in its place, so that the rest can be read at the same time.
 
-Enters: the data of a file, the path of a fault and what pydantic says of it.  Leaves: the data changed.
-Used by `shape.py`; `sections.py` knows the name of what nobody can read.
+Enters: the data of a file, the path of a fault and pydantic's description of it.  Leaves: the changed data.
+Used by `shape.py`; `sections.py` uses the name of an unreadable coordinate.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.variant.toml.positions import KeyPath
 
 Entry = dict[str, Any]
-NAMELESS = "?"  # stands for a coordinate of a group that nobody can read
+NAMELESS = "?"  # stands for an unreadable coordinate of a group
 _STAND_INS = {"given": 1, "drive": "0", "functions": "1", "unknowns": "1", "points": "(0, 0)"}
 
 
 def stand_in(data: dict[str, Any], path: KeyPath, entry: Entry) -> None:
-    """Put a stand-in in the place of a fault, or take it out."""
+    """Put a stand-in in the place of a fault, or remove the faulty entry."""
     if path[-1] == "[key]":
         path = path[:-1]
     section, *inner = path
@@ -58,7 +58,7 @@ def _repair_coordinates(data: dict[str, Any], inner: list[str | int]) -> None:
 
 def _repair_group(group: dict[str, Any], key: str, entry: Entry) -> None:
     if key == "kind":
-        import difflib  # only a mistake pays for it
+        import difflib  # imported only for a mistake
 
         alike = difflib.get_close_matches(str(entry.get("input")), GROUP_KINDS, n=1)
         group[key] = alike[0] if alike else next(iter(GROUP_KINDS))

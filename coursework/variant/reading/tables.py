@@ -1,4 +1,4 @@
-"""A tabulated law beside a variant file: two columns of a CSV inside the file's own folder.
+"""A tabulated law in a file beside the variant file: two columns of a CSV in the same folder.
 
 Enters: the name of the table.  Leaves: rows of (argument, value).  Used by `reader.py`.
 """
@@ -23,11 +23,11 @@ from coursework.words.sentences import say
 
 MAX_TABLE_BYTES = 256 * 1024
 MOST_NODES = 20_000
-_FEWEST_NODES = 5  # the five-point formulas need five
-# A node off its even place by a part of the step falsifies the slopes about it by the same part.  Nodes as a program computed
-# them lie within the first, and those of a print whose arguments have digits enough within the second.
+_FEWEST_NODES = 5  # needed by the five-point formulas
+# A node displaced by a fraction of the step changes the slopes near it by the same fraction.  The first tolerance is for
+# nodes computed by a program, the second for printed arguments with enough digits.
 _EXACT, _ROUNDED = 1e-6, 1e-3
-# Blanks and quotes once taken are not given back, so that a long line of them is read once.
+# Possessive: blanks and quotes are not given back, so that a long line of them is scanned only once.
 _QUOTED = r"""\s*+"*+\s*+([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*+"*+\s*+"""
 _CELL, _LINE = re.compile(_QUOTED), re.compile(f"{_QUOTED},{_QUOTED}")
 _UNIT = re.compile(r"""[\[( _]([^\[\]()" _]+)[\])]?\s*"*(?=,|$)""")  # w [rpm], w (rpm), w rpm, w_rpm
@@ -43,7 +43,7 @@ class TableFault(ValueError):
 
 
 def read_table(name: str, source: Source, path: KeyPath, faults: list[Fault]) -> Rows:
-    """Return the rows of a table; a fault is added to `faults` and an empty table returned."""
+    """Return the rows of a table; after a fault, add it to `faults` and return an empty table."""
     try:
         return _rows(name, _text(name, source))
     except TableFault as fault:
@@ -93,7 +93,7 @@ def _require_size(name: str, size: int) -> None:
 
 
 def _rows(name: str, text: str) -> Rows:
-    """Return (argument, value) of each line; a first line of words is the header."""
+    """Return (argument, value) of each line; a first line of words is a header."""
     rows: list[tuple[float, float]] = []
     printed: list[str] = []
     lines: list[int] = []
@@ -130,7 +130,7 @@ def _rows(name: str, text: str) -> Rows:
 
 
 def _require_si(name: str, header: str) -> None:
-    """Raise `TableFault` where a header says that its numbers are in another unit than they are read in."""
+    """Raise `TableFault` if a header gives a unit other than the SI unit in which the numbers are read."""
     for unit in _UNIT.findall(header):
         size, si = UNITS.get(plain_unit(unit), (1, ""))
         if size != 1:
@@ -140,8 +140,8 @@ def _require_si(name: str, header: str) -> None:
 def _is_uneven(arguments: Array, printed: list[str]) -> bool:
     """Return whether a node is off its even place by more than its printed digits explain.
 
-    An argument is rounded by half the place of its own last digit, and its even place by half of the first one's and the
-    last one's.
+    An argument may be rounded by half a unit of its last digit, its even place by half a unit of the last digits of the first
+    and last arguments.
     """
     even = (arguments[-1] - arguments[0]) / (len(arguments) - 1)
     off = np.abs(arguments - arguments[0] - np.arange(len(arguments)) * even)
@@ -153,6 +153,6 @@ def _is_uneven(arguments: Array, printed: list[str]) -> bool:
 
 
 def _last_place(number: str) -> float:
-    """Return the place of the last digit of a printed number: 0.01 of "1.25", 100 of "3e2"."""
+    """Return the place value of the last digit of a printed number: 0.01 for "1.25", 100 for "3e2"."""
     digits, _, exponent = number.lower().partition("e")
     return math.pow(10.0, max(-300.0, min(float(exponent or 0) - len(digits.partition(".")[2]), 300.0)))

@@ -1,6 +1,6 @@
-"""A file that has the shape of the schema -> its records, without pydantic, whose models alone cost more than a table.
+"""A file of the right shape -> its records, without pydantic, whose models alone take longer than a table.
 
-Enters: plain data of a TOML file.  Leaves: a `VariantFile`, or `Unfit`, which says no more.
+Enters: plain data of a TOML file.  Leaves: a `VariantFile`, or `Unfit`, which gives no details.
 Used by `shape.py`.
 """
 
@@ -20,11 +20,11 @@ Kind = TypeVar("Kind", bound=Section)
 
 
 class Unfit(Exception):
-    """The data have another shape than the schema."""
+    """The data do not have the shape of the schema."""
 
 
 def fitted(kind: type[Kind], data: Any) -> Kind:
-    """Return the record of a table of a file.  Raises `Unfit`."""
+    """Return the record of type `kind` for a table of a file.  Raises `Unfit`."""
     table: Any = kind
     record: Kind = _reader(table)(data)
     return record
@@ -32,7 +32,7 @@ def fitted(kind: type[Kind], data: Any) -> Kind:
 
 @cache
 def _reader(kind: Any) -> Read:
-    """Return what reads a value of a kind."""
+    """Return a function that reads a value of a type."""
     origin, inner = get_origin(kind), get_args(kind)
     if origin is Annotated:
         return _within(_reader(inner[0]), inner[1:])
@@ -59,7 +59,7 @@ def _plain(fits: Callable[[Any], bool]) -> Read:
 
 
 def _within(read: Read, bounds: Iterable[Limits]) -> Read:
-    """Return the reader of what keeps limits too, all of which are known here but those that only editors are told."""
+    """Return a reader that also checks limits; those for editors are ignored, any other unknown limit is an error."""
     limits = {name: limit for each in bounds for name, limit in each.limits.items() if name not in _FOR_EDITORS}
     least, most = limits.pop("min_length", 0), limits.pop("max_length", None)
     lowest, pattern = limits.pop("ge", None), re.compile(limits.pop("pattern", ""))

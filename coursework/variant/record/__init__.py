@@ -1,1 +1,1 @@
-"""What a variant is once it has been read: frozen records, SI numbers, checked formulas."""
+"""A variant after reading: frozen records, SI numbers, checked formulas."""

@@ -1,7 +1,7 @@
-"""Other data for a variant -> values as its file would write them, or one sentence about what is wrong.
+"""Other data for a variant -> values as its file would write them, or one sentence about the mistake.
 
-Enters: a variant; numbers in SI or texts with a unit.  Leaves: the variant of the file with these, read anew, so that nothing
-derived from the old data is left.  Used by `reader.py`; which starts follow from other data is asked by `model/` and `live/`.
+Enters: a variant; numbers in SI or texts with a unit.  Leaves: the variant of its file with these values, read anew, so that
+nothing derived from the old data is left.  Used by `reader.py`; `model/` and `live/` ask which starts follow from other data.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from coursework.words.sentences import closest, say
 
 
 def with_changes(read: Callable[[Mapping[KeyPath, Any]], Variant], variant: Variant, changed: Changes) -> Variant:
-    """Return the variant as its file would be with other values; `read` reads the file with the new value of each key.
+    """Return the variant of its file with other values; `read` reads the file with the new value of each key.
 
-    Raises `InputError` for a name or a unit that does not fit, and with what the changed file is refused for.
+    Raises `InputError` for an unknown name or an unsuitable unit, and for any fault of the changed file.
     """
     new = _new_values(variant, changed)
     changes = {**variant.changes, **new}
@@ -37,7 +37,7 @@ def with_changes(read: Callable[[Mapping[KeyPath, Any]], Variant], variant: Vari
 
 
 def _new_values(variant: Variant, changed: Changes) -> dict[KeyPath, float | str]:
-    """Return the new value of each key.  Raises `InputError` for all names that there are not, or a unit that does not fit."""
+    """Return the new value of each key.  Raises `InputError` for all unknown names, or for an unsuitable unit."""
     changes: dict[KeyPath, float | str] = {}
     data = {one.name: (one.si, one.unit) for one in variant.given}
     places = {c.name: (c.unit, c.written) for c in variant.coordinates}
@@ -67,7 +67,7 @@ def _new_values(variant: Variant, changed: Changes) -> dict[KeyPath, float | str
 
 
 def follow_from(variant: Variant, changes: Iterable[KeyPath]) -> frozenset[str]:
-    """Return the coordinates whose start follows from other data by the geometry and is not among the changes itself."""
+    """Return the coordinates whose start follows from changed data by the geometry and is not itself changed."""
     named = {path[1] for path in changes if path[0] in {"given", "coordinates"}}
     formulas = [formula for _, formula in variant.points] + [f for law in variant.functions for f in law.formulas]
     formulas += [side for one in variant.constraints if one.is_closure for side in (one.left, one.right)]
@@ -78,7 +78,7 @@ def follow_from(variant: Variant, changes: Iterable[KeyPath]) -> frozenset[str]:
 
 
 def determined(variant: Variant) -> frozenset[str]:
-    """Return the coordinates whose start the geometry gives: listed, they would contradict it."""
+    """Return the coordinates whose start the geometry determines; other start values would contradict it."""
     by_groups = {name for group in variant.groups for name in group.coordinates}
     closed = any(one.is_closure for one in variant.constraints)
     free = (c.name for c in variant.coordinates if c.rate not in variant.known_rates and (closed or c.name in by_groups))
@@ -95,7 +95,7 @@ def _fault(variant: Variant, name: str, message: Sentence) -> InputError:
 
 
 def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> float | str:
-    """Return a value as the file writes it, in the author's unit where that says the same number."""
+    """Return a value as the file writes it, in the author's unit if that gives exactly the same number."""
     if isinstance(value, str):
         try:
             read_value = read_as(value, si)

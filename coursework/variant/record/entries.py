@@ -1,4 +1,4 @@
-"""What the sections of a variant's file hold once they have been read: frozen records, SI numbers, checked formulas.
+"""The contents of the sections of a variant file after reading: frozen records, SI numbers, checked formulas.
 
 Leaves `reader.py` inside a `Variant`.  Used by `variant.py`, through which every floor above reads them.
 """
@@ -13,7 +13,7 @@ from coursework.variant.formula.tree import Formula
 
 
 def reached(names: Iterable[str], points: Mapping[str, Formula]) -> KeysView[str]:
-    """Return names, and all names that the points among them are built from, in the order met from the last name on."""
+    """Return names, and all names from which the points among them are built, in the order met, starting from the last name."""
     found: dict[str, None] = {}
     waiting = [*names]
     while waiting:
@@ -26,7 +26,7 @@ def reached(names: Iterable[str], points: Mapping[str, Formula]) -> KeysView[str
 
 @frozen
 class Given:
-    """One datum of the task sheet: `value` in SI (`si` its unit), `text` and `unit` as written, what the file says it `means`."""
+    """One datum of the task sheet: `value` in SI (unit `si`), `text` and `unit` as written, and what the file says it `means`."""
 
     name: str
     value: float
@@ -38,7 +38,10 @@ class Given:
 
 @frozen
 class Law:
-    """A known function: a formula, pieces (from time, s; formula), or a table of (argument, value) and the `file` it is in."""
+    """A known function: a formula, pieces (start in s, formula), or a table of (argument, value) from a `file`.
+
+    The table is a function `of` a coordinate or t, interpolated by `method`.
+    """
 
     name: str
     formula: Formula | None = None
@@ -50,7 +53,7 @@ class Law:
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
-        """Return every formula the law is written with."""
+        """Return every formula of the law."""
         return (*(piece for _, piece in self.pieces), *((self.formula,) if self.formula else ()))
 
     def rewritten(self, change: Callable[[Formula], Formula]) -> Law:
@@ -61,11 +64,11 @@ class Law:
 
 @frozen
 class Coordinate:
-    """An integrated coordinate: `start` in rad or m, its rate's name.
+    """An integrated coordinate: its `start` in rad or m, and the name of its rate.
 
-    `start` is None where a chain of groups gives it, and where other data have moved it: the closed position nearest to
-    `start_guess` (rad, m).  `text` and `written` are number and unit as the file has them; where not `unit_was_given`, the unit
-    was found from its use.
+    `start` is None if a chain of groups gives it, or if changed data have moved it: then it is the closed position nearest to
+    `start_guess` (rad, m).  `text` and `written` are number and unit as in the file; if not `unit_was_given`, the unit was
+    inferred from its use.
     """
 
     name: str
@@ -80,15 +83,15 @@ class Coordinate:
 
     @property
     def start_or_guess(self) -> float | None:
-        """Return the value at t = 0, or what it lies near (rad, m); None where only a chain knows."""
+        """Return the value at t = 0, or a value near it (rad, m); None if only a chain determines it."""
         return self.start_guess if self.start is None else self.start
 
 
 @frozen
 class Binding:
-    """Which velocity of the geometry an unknown is: that of a `point` along a direction (rad), or the rate of a `link`.
+    """Which velocity of the geometry an unknown is: that of a `point` `along` a direction (rad), or the rate of a `link`.
 
-    `relative` is the link against whose material, or rate, it is measured, "" for the frame.
+    `relative` is the link relative to which it is measured, "" for the frame.
     """
 
     name: str
@@ -98,7 +101,7 @@ class Binding:
     relative: str = ""
 
 
-# The guide of 1995 numbers the rows of the check so that t = (N + 1) h; row 1 of a table is t = 0.  Its task sheets have N = 2.
+# The guide of 1995 numbers the rows of the check by N, with t = (N + 1) h; row 1 of a table is t = 0.  Its sheets use N = 2.
 ROWS_BEFORE_N = 2
 USUAL_ROW = 2 + ROWS_BEFORE_N
 
@@ -110,9 +113,9 @@ def guide_number(row: int) -> int:
 
 @frozen
 class Time:
-    """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another.
+    """Step h, end and period in s; `check_row` counts from 1; `own_step` is the step of the file if `step` is another one.
 
-    `scheme` is the name of the scheme that the file asks for, "" where it leaves it open.
+    `scheme` is the name of the scheme that the file asks for, "" if it does not ask for one.
     """
 
     step: float
@@ -124,28 +127,28 @@ class Time:
 
     @property
     def row_of_check(self) -> int:
-        """Return the row (from 1) that is checked by construction, the usual one where the file names none."""
+        """Return the row (from 1) that is checked by construction, the usual one if the file names none."""
         return self.check_row or USUAL_ROW
 
     @property
     def steps(self) -> int:
-        """Return the number of whole steps that fit."""
+        """Return the number of whole steps up to `end`."""
         return whole_steps(self.step, self.end)
 
     @property
     def whole(self) -> float:
-        """Return how long a motion must go on to be possible as a whole (s): the table or a period, whichever is longer."""
+        """Return how long a motion must be possible (s): the longer of the table and a period."""
         return max(self.end, self.period or 0.0)
 
 
 def whole_steps(step: float, end: float) -> int:
-    """Return how many steps reach `end`; a quotient within 1e-9 of a whole number counts as that number."""
+    """Return how many whole steps fit into `end`; a quotient within 1e-9 of a whole number counts as that number."""
     return int(end / step * (1 + 1e-12) + 1e-9)
 
 
 @frozen
 class Constraint:
-    """`left = right`, a velocity equation or (is_closure) an equation of positions; `place` finds its line."""
+    """`left = right`: a velocity equation or, with `is_closure`, an equation of positions; `line` is its line in the file."""
 
     name: str
     because: str
@@ -166,13 +169,13 @@ class Constraint:
 
     @property
     def key(self) -> str:
-        """Return the key of the file that the equation stands behind."""
+        """Return the key under which the file has the equation."""
         return "closure" if self.is_closure else "equation"
 
 
 @frozen
 class Guide:
-    """A straight guide: point, angle (rad), offset of the pin (m)."""
+    """A straight guide: a point on it, its angle (rad), the offset of the pin (m)."""
 
     through: Formula
     angle: Formula
@@ -181,8 +184,9 @@ class Guide:
 
 @frozen
 class Group:
-    """An Assur group or crank of a chain; `kind` a name of `GROUP_KINDS`;
-    `mode` is +1, -1, or 0 where the file leaves it to the start values.
+    """An Assur group or crank of a chain.
+
+    `kind` is a name of `GROUP_KINDS`; `mode` is +1, -1, or 0 if the file leaves it to the start values.
     """
 
     kind: str
@@ -216,7 +220,7 @@ class Link:
 
     @property
     def is_block(self) -> bool:
-        """Whether it is a single point that does not turn: on a guide it is the block, or the rack, itself."""
+        """Return whether it is a single point that does not turn: on a guide it is a block or a rack."""
         return len(self.points) == 1 and not (self.rate or self.wheel or self.slides)
 
 
@@ -231,7 +235,7 @@ class Frame:
 
 @frozen
 class Remark:
-    """Something that looks like a slip of the pen and changes no status: a stable code, the line, a sentence.
+    """A probable slip that changes no status: a stable code, the line, a sentence.
 
     Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD, RPM, LINKS, IDLE, UNUSED, GUIDE, CONTACT.
     """
@@ -243,7 +247,7 @@ class Remark:
 
 @frozen
 class Quote:
-    """A number that a remark quotes: `value` as printed, of `column` in `row` (from 1); `scheme` "" for that of the file."""
+    """A number that a remark quotes: `value` as printed, `column` and `row` (from 1); `scheme` "" means that of the file."""
 
     row: int
     column: str

@@ -1,6 +1,6 @@
-"""What a file says of masses and forces, read and checked: frozen records, formulas in SI.
+"""The masses and forces of a file, read and checked: frozen records, formulas in SI.
 
-Leaves `reading/forces.py` inside a `Variant`, only for a file that names any.  Used by `variant.py` and `effects/`.
+Leaves `reading/forces.py` inside a `Variant`, only for a file that has any.  Used by `variant.py` and `effects/`.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from coursework.variant.record.entries import Law
 from coursework.variant.toml.positions import KeyPath
 
 ROD, DISC, POINT = "rod", "disc", "point"
-VECTORS = {"pair", "@", "part"}  # operations that are no function of numbers alone
+VECTORS = {"pair", "@", "part"}  # operations that make vectors or take them apart
 SHAPES = (ROD, DISC, POINT)
 GRAVITY = "gravity"
-# What each key of these sections must measure, in SI.
+# The SI unit of each key of these sections.
 MEASURED = {
     "mass": "kg", "inertia": "kg*m^2", "centre": "m", "at": "m", "force": "N", "torque": "N*m",
     "stiffness": "N/m", "free": "m", "damping": "N*s/m", "coefficient": "1", "radius": "m", "length": "m", "arm": "m",
@@ -27,9 +27,10 @@ MEASURED = {
 
 @frozen
 class Mass:
-    """The mass of a body, by link or by the point of a block; `inertia` about its `centre` is a formula or one of `SHAPES`.
+    """The mass of a body, keyed by link or by the point of a block; `inertia` about its `centre` is a formula or one of `SHAPES`.
 
-    None: the file says nothing, which only a body that does not turn may leave out; a `centre` of None is the middle.
+    `inertia` None means that the file gives none, which is allowed only for a body that does not turn; `centre` None is the
+    middle of the body.
     """
 
     body: str
@@ -40,7 +41,7 @@ class Mass:
 
 @frozen
 class Load:
-    """A `force` at a point of the body `on`, or a `torque` on it, from the body `source` (the frame where "0")."""
+    """A `force` at a point of the body `on`, or a `torque` on it, exerted by the body `source` ("0" is the frame)."""
 
     name: str
     on: str
@@ -52,7 +53,7 @@ class Load:
 
 @frozen
 class Spring:
-    """A spring and damper between two points: (stiffness (l - free) + damping dl/dt) pulls them together."""
+    """A spring and damper between two points, which pulls them together with (stiffness (l - free) + damping dl/dt)."""
 
     name: str
     ends: tuple[str, str]
@@ -63,7 +64,7 @@ class Spring:
 
 @frozen
 class Friction:
-    """Friction at a point: coefficient with a pin's radius or a guide's length, or the arm of a wheel."""
+    """Friction at a point: a coefficient with the radius of a pin or the length of a guide, or the arm of a wheel."""
 
     at: str
     coefficient: Formula | None
@@ -74,7 +75,7 @@ class Friction:
 
 @frozen
 class Motor:
-    """Forces move the mechanism: free `rates` with their start values (SI) and the torques that act."""
+    """A mechanism moved by forces: its free `rates`, their start values (SI), and the torques that act."""
 
     rates: tuple[str, ...]
     start: tuple[tuple[str, float], ...]
@@ -83,7 +84,7 @@ class Motor:
 
 @frozen
 class Flywheel:
-    """A flywheel on a link: its `inertia`, or the `unevenness` (w_max - w_min)/w_mean that it has to bring about."""
+    """A flywheel on a link: its `inertia`, or the `unevenness` (w_max - w_min)/w_mean that it must achieve."""
 
     on: str
     inertia: Formula | None
@@ -92,7 +93,7 @@ class Flywheel:
 
 @frozen
 class Forces:
-    """All of it; `gravity` None where the file has none."""
+    """All masses and forces of a file; `gravity` is None if the file has none."""
 
     masses: tuple[Mass, ...] = ()
     gravity: tuple[Formula, Formula] | None = None
@@ -105,11 +106,11 @@ class Forces:
 
     @property
     def free(self) -> tuple[Law, ...]:
-        """Return the rates that forces move as drives, so that the geometry gives all others by them; 0 until they move."""
+        """Return laws (0 at first) for the rates that forces move, as if they were drives: the geometry gives all other rates."""
         return tuple(Law(rate, number(0)) for rate in (self.motor.rates if self.motor else ()))
 
     def parts(self, known: Collection[str]) -> Iterator[Formula]:
-        """Yield the largest parts of what acts, vectors aside, that are written with `known` names alone."""
+        """Yield the largest parts of all formulas, vectors excepted, that contain only `known` names."""
         waiting = [formula for _, formula, _ in self.measured()]
         while waiting:
             one = waiting.pop()
@@ -119,7 +120,7 @@ class Forces:
                 waiting += one.args
 
     def measured(self) -> Iterator[tuple[KeyPath, Formula, str]]:
-        """Yield every formula with its place and the SI unit of what it must measure."""
+        """Yield every formula with its path and the SI unit that it must have."""
         for one in self.masses:
             yield from _measured(("masses", one.body), one)
         for part in self.gravity or ():
@@ -136,6 +137,6 @@ class Forces:
 
 
 def _measured(path: KeyPath, record: object) -> Iterator[tuple[KeyPath, Formula, str]]:
-    """Yield the formulas of a record as `measured` does."""
+    """Yield the formulas of a record in the form of `measured`."""
     found = ((key, getattr(record, key, None), si) for key, si in MEASURED.items())
     yield from (((*path, key), formula, si) for key, formula, si in found if isinstance(formula, Formula))

@@ -1,6 +1,6 @@
-"""Which formula of a variant has no value at a place, each looked at alone: the one that is not finite is charged.
+"""Which formula of a variant has no value at some point: each one is evaluated alone to find the first that is not finite.
 
-Enters: a `Variant`, a time and coordinates.  Leaves: a fault with the line.  Used where a computation has ended in no number.
+Enters: a `Variant`, a time and coordinates.  Leaves: a fault with the line.  Used where a computation gave no finite number.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault
 from coursework.words.sentences import joined, say
 
-# Parts of a time: what a product of doubles may lie beyond it, and where a value is compared with the one just before.
+# Fractions of a time: the rounding of a product of doubles, and the distance to an earlier value for comparison.
 _ROUNDED, _BEFORE = 1e-15, 1e-6
 
 
@@ -40,19 +40,19 @@ def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> 
 
 
 def law_without_value(variant: Variant, times: Iterable[float]) -> Fault | None:
-    """Return a fault for the first law that has no finite value at one of some times (s), whatever the position."""
+    """Return a fault for the first law without a finite value at one of the `times` (s), whatever the position."""
     return next((fault for t in times if (fault := without_value(variant, t, {}))), None)
 
 
 def known_value(formula: Formula, values: Mapping[str, float]) -> float | None:
-    """Return what a formula is worth with some values, None where it has other names or no finite value."""
+    """Return the value of a formula for some `values`, None if it has other names or no finite value."""
     with suppress(FormulaFault):
         return evaluate(formula, values) if {*formula.names()} <= {*values, "pi"} else None
     return None
 
 
 def in_order(variant: Variant) -> list[tuple[str, Law]]:
-    """Return section and law of every law, each after those it needs.  Raises `graphlib.CycleError` for one that needs itself."""
+    """Return section and law of every law, each after those it needs.  Raises `graphlib.CycleError` if one needs itself."""
     laws = {law.name: (section, law) for section in ("drive", "functions") for law in getattr(variant, section)}
     needs = {
         name: [needed for formula in law.formulas for needed in formula.names() if needed in laws]
@@ -62,12 +62,12 @@ def in_order(variant: Variant) -> list[tuple[str, Law]]:
 
 
 def _within(law: Law, argument: float) -> float:
-    """Return the value of the node before an argument: beyond its table a law tells of itself."""
+    """Return the value at the node before an argument; outside its table the law reports the error itself."""
     return next((value for at, value in reversed(law.table) if at <= argument), law.table[0][1])
 
 
 def _judged(variant: Variant, path: KeyPath, name: str, formula: Formula, values: dict[str, complex], t: float) -> Fault | None:
-    """Keep the value of a formula under its name; return a fault where it has none, nothing where a name is not known yet."""
+    """Store the value of a formula under its name; return a fault if it has none, None if a name is not known yet."""
     if not {*formula.names()} <= values.keys():
         return None
     try:
@@ -86,7 +86,7 @@ def _judged(variant: Variant, path: KeyPath, name: str, formula: Formula, values
 
 
 def _is_rounding(formula: Formula, values: dict[str, complex], t: float) -> bool:
-    """Return whether a formula goes to a value just before a time, so that only the last bit of the time takes it away."""
+    """Return whether a formula tends to a value just before the time `t`, so that only the rounding of `t` removes it."""
     with suppress(FormulaFault):
         near, before = (abs(evaluate_any(formula, values | {"t": t * (1 - part)})) for part in (_ROUNDED, _BEFORE))
         return near < before

@@ -1,6 +1,6 @@
-"""Every place of a variant whose dimension is known or must agree, in the order in which they are judged.
+"""Every place of a variant whose dimension is known or must agree with others, in the order of checking.
 
-Enters: a `Variant` as read.  Leaves: what its names measure, and `Place`s.  Used by `dimension_check.py` only.
+Enters: a `Variant` as read.  Leaves: the dimensions of its names, and `Place`s.  Used by `dimension_check.py` only.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ _SPEED: Dimension = {LENGTH: 1, TIME: -1}
 
 @frozen
 class Place:
-    """Formulas of one key of the file: all must measure `wanted` (None: only agree with each other).
+    """The formulas of one key of the file: all must have the dimension `wanted` (None: only the same dimension).
 
-    `label` says what the formula gives the value of ("VMy" of VMy = …); `velocity`: it is a velocity equation.
+    `label` names what the formula defines ("VMy" in VMy = …); `velocity` tells that it is a velocity equation.
     """
 
     path: KeyPath
@@ -35,7 +35,7 @@ class Place:
 
 
 def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dimension]:
-    """Return what every name measures; names without a unit, and the data at the paths `free`, are unknowns."""
+    """Return the dimension of every name; names without a unit, and the data at the paths `free`, are unknowns."""
     names: dict[str, Dimension] = {"t": _TIME, "pi": NUMBER}
     for given in variant.given:
         unknown = not given.si or ("given", given.name) in free
@@ -43,7 +43,7 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
     for law in (*variant.drive, *variant.functions):
         names[law.name] = {law.name: 1}
     for coordinate in variant.coordinates:
-        # A bare number may be a length or an angle: which of the two the guess of the reader does not decide here.
+        # A bare number may be a length or an angle: the reader's guess does not decide this here.
         unknown = not coordinate.unit_was_given or ("coordinates", coordinate.name) in free
         names[coordinate.name] = {coordinate.name: 1} if unknown else dimension_of(coordinate.unit)
         names[coordinate.rate] = added(names[coordinate.name], _TIME, -1)
@@ -56,10 +56,10 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
 
 
 def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyPath, Formula]) -> Iterator[Place]:
-    """Yield constraints, geometry, drive, functions and times; `times` are the formulas of [time] and of pieces."""
+    """Yield constraints, geometry, drive, functions, forces and times; `times` are the formulas of [time] and of pieces."""
     velocities = {*variant.rates, *(name for name, _ in variant.unknowns)}
     for index, constraint in enumerate(variant.constraints):
-        # An equation that is not linear is refused for that, by whoever solves it.
+        # An equation that is not linear is refused for that reason later, by the code that solves it.
         if constraint.is_closure or max(_degree(side, velocities) for side in (constraint.left, constraint.right)) <= 1:
             yield _constraint(index, constraint)
     yield from _geometry(variant)
@@ -73,7 +73,7 @@ def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyP
 
 
 def lengths_of(variant: Variant) -> Iterator[Formula]:
-    """Yield every length that a vector has, L of `L @ angle`, and those of the groups."""
+    """Yield the length of every vector, L of `L @ angle`, and the lengths of the groups."""
     yield from (node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@")
     yield from (length for group in variant.groups for length in group.lengths)
 
@@ -84,7 +84,7 @@ def _constraint(index: int, constraint: Constraint) -> Place:
 
 
 def _degree(tree: Formula, velocities: set[str]) -> int:
-    """Return the degree of a formula in the velocities; 2 also stands for what is no polynomial."""
+    """Return the degree of a formula in the velocities; 2 also stands for formulas that are not polynomials."""
     if tree.op == "name":
         return int(tree.name in velocities)
     degrees = [_degree(arg, velocities) for arg in tree.args]

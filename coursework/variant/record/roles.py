@@ -1,9 +1,9 @@
-"""What each key of a group means: the one table of kinds, comments of a file made from it, and what is said of a missing entry.
+"""The meaning of each key of a group, for the table of kinds, the comments of a draft and messages about missing entries.
 
 Enters: the shape of a kind, and the letters or names of its points.  Leaves: sentences, in the order of the keys in a file.
 Used by `groups.py` of `judging/`, `mechanism/drafts/text.py`, `motion/geometry/chain.py` and `commands/line/kinds.py`.
 
-A kind needs no line here: its keys follow from its shape, and their meaning stands in the words files.
+A new kind needs no line here: its keys follow from its shape, and their meanings are in the words files.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from coursework.words.sentences import joined, say
 
 
 def letters_of(shape: Shape, group: Group) -> dict[str, str]:
-    """Return what stands in the gaps of sentences about a group of a file: the names of its points, as far as it has them."""
+    """Return the words for the gaps in sentences about a group of a file: the names of its points, where it has them."""
     points = [*map(spelled, group.start_points[: shape.points])] + [""] * (shape.points - len(group.start_points))
     guides = [spelled(guide.through) for guide in group.guides[: shape.guides]]
     return shape.named([*points, *guides, *[""] * (shape.guides - len(guides)), group.meets or say("group.nameless")])
@@ -30,12 +30,12 @@ def title(shape: Shape, letters: Mapping[str, str]) -> Sentence:
 
 
 def role(shape: Shape, key: str, letters: Mapping[str, str], place: int = 0) -> Sentence:
-    """Return what stands behind a key, of a list behind its entry of this `place` (from 1)."""
+    """Return the meaning of a key; for a list, of its entry number `place` (from 1)."""
     return say(f"{shape.words}.{key}{place or ''}", **letters)
 
 
 def entries(shape: Shape, key: str, letters: Mapping[str, str], first: int = 1) -> Sentence:
-    """Return what stands behind the entries of a list, from the `first` one on."""
+    """Return the meanings of the entries of a list, from number `first` on."""
     count = shape.counts[key][-1]
     if key == "guides" and count == 1:
         return role(shape, "guide", letters)
@@ -43,7 +43,7 @@ def entries(shape: Shape, key: str, letters: Mapping[str, str], first: int = 1) 
 
 
 def roles(shape: Shape, letters: Mapping[str, str]) -> dict[str, Sentence]:
-    """Return what stands behind every key of a kind.
+    """Return the meaning of every key of a kind.
 
     >>> from coursework.variant.record.vocabulary import GROUP_SHAPES
     >>> [*roles(GROUP_SHAPES["RRP"], GROUP_SHAPES["RRP"].named())]
@@ -66,5 +66,5 @@ def roles(shape: Shape, letters: Mapping[str, str]) -> dict[str, Sentence]:
 
 
 def mode_meaning(shape: Shape, mode: int, letters: Mapping[str, str]) -> Sentence:
-    """Return what an assembly mode means."""
+    """Return the meaning of an assembly mode."""
     return say(shape.modes[mode], **letters)

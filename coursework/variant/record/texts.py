@@ -1,4 +1,4 @@
-"""What a file says about its variant in other languages than the author's: [text.ru], [text.uk] …
+"""The texts of a file about its variant in other languages than the author's: [text.ru], [text.uk] …
 
 Enters: the checked file.  Leaves: `Texts`.
 Used by `reader.py` and `variant.py`.
@@ -14,9 +14,9 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Texts:
-    """Texts of a variant in one language; what is empty or missing is said as the author wrote it.
+    """The texts of a variant in one language; an empty or missing text is shown in the author's language.
 
-    `because` holds the reason of a constraint by its name, `means` the meaning of a datum by its name.
+    `because` maps the name of a constraint to its reason, `means` the name of a datum to its meaning.
     """
 
     title: str = ""
@@ -28,6 +28,6 @@ class Texts:
 
     @property
     def all(self) -> frozenset[str]:
-        """Return every text there is."""
+        """Return all texts."""
         one_by_one = (self.title, self.source, self.teaches)
         return frozenset((*one_by_one, *self.remarks, *self.because.values(), *self.means.values()))

@@ -1,4 +1,4 @@
-"""What a variant is once it has been read: frozen records, SI numbers, checked formulas.
+"""A variant after reading: frozen records, SI numbers, checked formulas.
 
 Leaves `reader.py`, its parts from `entries.py`; every floor above may read it.
 """
@@ -45,42 +45,42 @@ __all__ = [
 
 Values = Mapping[str, float | str]
 
-# What stands between a point and its axis in the name of a column, and the unit of such a column.
+# The text between point and axis in the name of a column -> the unit of the column.
 LEVELS = {"": "m", "v": "m/s", "a": "m/s²"}
-# More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
+# Nobody reads more rows than this; a step much smaller than the coursework needs is a slip.
 MAX_ROWS = 200_000
-MAX_NUMBERS = 4_000_000  # of a table: rows times columns
-MOST_PERIODS = 10_000  # of one run
+MAX_NUMBERS = 4_000_000  # in a table: rows times columns
+MOST_PERIODS = 10_000  # in one run
 
 
 def not_by_name(values: object) -> Sentence:
-    """Return the fault of data without names."""
+    """Return the message about data without names."""
     return say("fault.D017", found=type(values).__name__)
 
 
 def _by_name(values: Values | None) -> Values:
-    """Return data by their names; a pandas Series goes through its values, and has no truth."""
+    """Return data by name; a pandas Series is accepted, although it iterates over its values and has no truth value."""
     if values is None:
         return {}
     if not hasattr(values, "keys"):
         raise InputError(not_by_name(values))
-    return {name: values[name] for name in values.keys()}  # noqa: SIM118  a Series goes through its values
+    return {name: values[name] for name in values.keys()}  # noqa: SIM118  a Series iterates over its values
 
 
 def no_column(name: object, known: tuple[str, ...]) -> InputError:
-    """Return the error for a name that is none of the columns known."""
+    """Return the error for a name that is not one of the columns `known`."""
     return InputError(say("fault.D028", name=name, hint=closest(str(name), known), known=known))
 
 
 def changed(values: Mapping[str, str]) -> str:
-    """Return " (alpha = 0.02 rad)" for what was set other than in the file, "" where nothing was."""
+    """Return " (alpha = 0.02 rad)" for values that differ from the file, "" if there are none."""
     listed = ", ".join(f"{name} = {value}" for name, value in values.items())
     return f" ({listed})" if listed else ""
 
 
 @frozen
 class Changes:
-    """Other values by name: of data, of starts, of drives, and of the times of the run."""
+    """Other values by name: for data, starts, drives, and times of the run."""
 
     given: Values
     start: Values
@@ -121,7 +121,7 @@ class Variant:
     quotes: tuple[Quote, ...] = ()
     plausibility: tuple[Remark, ...] = ()
     lines: Mapping[KeyPath, int] = field(default_factory=dict, repr=False, compare=False)
-    times: Mapping[KeyPath, Formula] = field(default_factory=dict, repr=False, compare=False)  # what is computed from data
+    times: Mapping[KeyPath, Formula] = field(default_factory=dict, repr=False, compare=False)  # times given as formulas
     reread: Callable[[Variant, Changes], Variant] | None = field(default=None, repr=False, compare=False)
     changes: Mapping[KeyPath, float | str] = field(default_factory=dict, repr=False, compare=False)
     texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
@@ -130,7 +130,7 @@ class Variant:
 
     @property
     def values(self) -> dict[str, float]:
-        """Return the given data by name, SI."""
+        """Return the given data by name, in SI."""
         return {given.name: given.value for given in self.given}
 
     @property
@@ -146,29 +146,29 @@ class Variant:
 
     @cached_property
     def known_rates(self) -> tuple[str, ...]:
-        """Return the rates that stand in [drive]."""
+        """Return the rates that are in [drive]."""
         laws = {law.name for law in self.drive}
         return tuple(rate for rate in self.rates if rate in laws)
 
     @cached_property
     def given_rates(self) -> tuple[str, ...]:
-        """Return the rates that follow a given law: those in [drive], none that forces move."""
+        """Return the rates that follow a given law: those in [drive], but none that forces move."""
         free = self.motor.rates if self.motor is not None else ()
         return tuple(rate for rate in self.known_rates if rate not in free)
 
     @property
     def given_coordinates(self) -> frozenset[str]:
-        """Return the coordinates whose rate follows a given law: of them it is known where they are."""
+        """Return the coordinates whose rate follows a given law, so that their position is known at any time."""
         return frozenset(one.name for one in self.coordinates if one.rate in self.given_rates)
 
     @property
     def motor(self) -> Motor | None:
-        """Return what moves the mechanism where forces do, None where laws drive it."""
+        """Return the motor if forces move the mechanism, None if laws drive it."""
         return self.forces.motor if self.forces is not None else None
 
     @property
     def driven_coordinates(self) -> tuple[Coordinate, ...]:
-        """Return the coordinates whose rate stands in [drive]."""
+        """Return the coordinates whose rate is in [drive]."""
         return tuple(coordinate for coordinate in self.coordinates if coordinate.rate in self.known_rates)
 
     @property
@@ -179,11 +179,11 @@ class Variant:
 
     @cached_property
     def columns(self) -> tuple[str, ...]:
-        """Return the table's columns after t."""
+        """Return the columns of the table after t."""
         return (*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns))
 
     def formulas(self) -> Iterator[tuple[KeyPath, Formula]]:
-        """Yield points, both sides of each constraint, what is held, directions, each with its place; laws are apart."""
+        """Yield the formulas of points, constraints, held expressions and directions, each with its path; laws are excluded."""
         for name, formula in self.points:
             yield ("points", name), formula
         for index, constraint in enumerate(self.constraints):
@@ -197,21 +197,21 @@ class Variant:
 
     @property
     def set_values(self) -> dict[str, str]:
-        """Return what was set other than in the file, as texts by name; a step or end of one run is not among it."""
+        """Return the values that differ from the file, as texts by name, without a step or end set for one run."""
         named = {path: path[1] for path in self.changes if not isinstance(self.changes[path], float)}
         return {str(name): str(self.changes[path]) for path, name in named.items()}
 
     @property
     def file(self) -> str:
-        """Return what messages call the file: its path, or the name of a variant that is none."""
+        """Return the name of the file in messages: its path, or the name of a variant without a file."""
         return str(self.path or self.name)
 
     def line_of(self, *path: str | int) -> int:
-        """Return the line of the file that a key stands in, 0 where that is not known."""
+        """Return the line of a key in the file, 0 if it is not known."""
         return self.lines.get(path, 0)
 
     def nearest_line(self, *path: str | int) -> int:
-        """Return the line of a key, or of what it stands in; 1 where the file has neither."""
+        """Return the line of a key, or of the nearest enclosing section; 1 if the file has neither."""
         while path and path not in self.lines:
             path = path[:-1]
         return self.lines.get(path, 1)
@@ -231,7 +231,7 @@ class Variant:
 
     @property
     def velocities(self) -> tuple[str, ...]:
-        """Return the columns of the table behind the coordinates: rates, then [unknowns]."""
+        """Return the columns of the table after the coordinates: rates, then [unknowns]."""
         return self.columns[len(self.coordinates) :]
 
     @cached_property
@@ -280,12 +280,12 @@ class Variant:
         step: float | str | None = None, end: float | str | None = None, period: float | str | None = None,
         check_row: int | None = None,
     ) -> Variant:  # fmt: skip
-        """Return the variant as its file would be with other data: period, texts, start, remarks and faults are read anew.
+        """Return the variant of its file with other data: period, texts, start, remarks and faults are determined anew.
 
-        `given` holds data and start values in one name space, as in `solve_many`; `start` start values alone.
-        Numbers are SI, texts bring their unit or are formulas ("2*pi/p"); `check_row` counts from 1.
-        Where geometry gives start values, those of coordinates not named in `start` follow: the closed position nearest to the
-        old one.  Raises `InputError` with what the changed file would be refused for.
+        `given` may hold both data and start values by name, as in `solve_many`; `start` holds start values only.
+        Numbers are in SI; texts have a unit or are formulas ("2*pi/p"); `check_row` counts from 1.
+        If the geometry determines start values, those of coordinates not named in `start` follow: the closed position nearest to
+        the old one is taken.  Raises `InputError` for any fault of the changed file.
 
         >>> import coursework
         >>> round(coursework.load("31").with_data(given={"p": 10}).time.period, 4)

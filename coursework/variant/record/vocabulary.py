@@ -1,4 +1,4 @@
-"""What a file may name: schemes, kinds of group, and what a group of a kind has.  Their mathematics stands floors above.
+"""The names that a file may use: schemes and kinds of group, and the entries of each kind.  Their mathematics is floors above.
 
 Enters: nothing.  Leaves: names, and shapes.
 Used by `reader.py`, `schema.py`, `shape.py` and `places.py`, and by whoever makes a motion.
@@ -15,19 +15,19 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
 SCHEME_NAMES = ("euler", "midpoint", "heun", "ralston", "rk4")
-FORCE_SECTIONS = frozenset({"masses", "forces", "friction", "motor"})  # a file without them knows nothing of forces
-OF_FORCES = ("semi-implicit",)  # schemes of motion under forces alone
-EXACT = "exact"  # stands for a scheme: the motion of the mechanism itself, which no tableau makes
+FORCE_SECTIONS = frozenset({"masses", "forces", "friction", "motor"})  # a file without them has nothing to do with forces
+OF_FORCES = ("semi-implicit",)  # schemes for motion under forces only
+EXACT = "exact"  # in place of a scheme: the motion of the mechanism itself, which no tableau computes
 
 
 @frozen
 class Shape:
     """How many external points, lengths (any of these counts), guides and coordinates a group of a kind has.
 
-    The first so many coordinates are `angles` (the others are lengths); `also` names the keys that the kind reads beside these;
-    `modes` says what +1 and -1 mean, empty where there is one way; `driven` that a drive turns it: a crank.  `letters` are the
-    textbook's, which its sentences have gaps for: of the points in `from`, of a point on each guide, of the one where it meets;
-    these sentences stand in the words files under the key `words`.
+    The first `angles` coordinates are angles, the others lengths; `also` names further keys of the kind; `modes` gives the
+    meanings of +1 and -1, empty if there is only one way; `driven` means turned by a drive, as a crank is.  `letters` are those
+    of the textbook, for the gaps in its sentences: of the points in `from`, of a point on each guide, of the meeting point.
+    These sentences are in the words files under the key `words`.
     """
 
     points: int
@@ -47,7 +47,7 @@ class Shape:
         return {"from": (self.points,), "guides": (self.guides,), "lengths": self.lengths, "coordinates": (self.coordinates,)}
 
     def named(self, names: Sequence[str] = ()) -> dict[str, str]:
-        """Return what stands in the gaps of its sentences: the names of a file's points, as far as there are, or the letters."""
+        """Return the words for the gaps in its sentences: the names of the points in a file where given, else the letters."""
         return {letter: name or letter for letter, name in zip(self.letters, names or self.letters, strict=False)}
 
 
@@ -62,15 +62,15 @@ GROUP_SHAPES = {
     "RPP": Shape(1, (0,), 1, 2, 0, ("B", "K", "D"), "group.role.RPP", ("angle",)),
     "PRP": Shape(0, (0,), 2, 2, 0, ("Ki", "Kj", "C"), "group.role.PRP"),
 }
-# The kinds of group, and how many of the coordinates of each, the first ones, are angles; the others are lengths.
+# The kinds of group, and how many of their coordinates are angles, which come first; the others are lengths.
 GROUP_KINDS = {name: shape.angles for name, shape in GROUP_SHAPES.items()}
 
 
 def scheme_hint(name: str, known: Sequence[str]) -> Sentence | str:
-    """Return what to do about a name that is no scheme here: one of motion under forces is a scheme elsewhere."""
+    """Return the advice about a name that is no scheme here; it may be one for motion under forces."""
     return say("hint.of_forces", name=name) if name in OF_FORCES else closest(name, known)
 
 
 def scheme_names() -> tuple[str, ...]:
-    """Return every name that `--scheme` and a variant file may give: the schemes, and the exact motion."""
+    """Return every name allowed for `--scheme` and in a variant file: the schemes, and the exact motion."""
     return (*SCHEME_NAMES, EXACT)

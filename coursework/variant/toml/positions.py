@@ -11,22 +11,22 @@ from dataclasses import field
 
 from coursework.system.frozen import changing
 
-KeyPath = tuple[str | int, ...]  # where a key stands: names of tables, places in lists
+KeyPath = tuple[str | int, ...]  # path of a key: names of tables, indices in lists
 _BLANK = re.compile(r"(?:[ \t\n]+|#[^\n]*)*")
 _KEY_PART = re.compile(r"""[ \t]*(?:"((?:\\.|[^"\\\n])*)"|'([^'\n]*)'|([\w-]+))[ \t]*""")
 _STRING = re.compile(
     r'''"""(?:\\.|[^\\])*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:\\.|[^"\\\n])*"|'[^'\n]*\'''', re.DOTALL
 )  # fmt: skip
 _BARE = re.compile(r"[^,\]}#\n]+")
-# A key and a value on one line, as nearly every pair is.
+# A key and a value on one line, the most common form.
 _PLAIN = re.compile(r"""([\w-]+)[ \t]*=[ \t]*(?!\"{3}|'{3})("(?:\\.|[^"\\\n])*"|'[^'\n]*'|[^\s"'\[{,\]}#][^,\]}#\n]*)""")
 
 
 @changing
 class Positions:
-    """Line and column (from 1) of each path: of its value in `values`, of its key in `keys`; lists are counted from 0.
+    """Line and column (from 1) of each path: of its value in `values`, of its key in `keys`; list indices count from 0.
 
-    `spans`: where the text of each value begins and ends (letters from 0).
+    `spans` gives start and end of the text of each value, as offsets in the text.
     """
 
     values: dict[KeyPath, tuple[int, int]] = field(default_factory=dict)
@@ -54,7 +54,7 @@ def locate(text: str) -> Positions:
 
 
 class _Scanner:
-    """One pass from left to right; every step moves on, whatever the text."""
+    """One pass from left to right; every step advances, whatever the text."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -73,7 +73,7 @@ class _Scanner:
         return self.found
 
     def blank(self) -> bool:
-        """Step over spaces and remarks; return whether anything is left."""
+        """Skip spaces and comments; return whether any text is left."""
         self.at = self._end(_BLANK)
         return self.at < len(self.text)
 

@@ -1,4 +1,4 @@
-"""The text of a variant file with other values in it: comments, order and spelling stay as its author wrote them.
+"""The text of a variant file with other values; comments, order and spelling stay as its author wrote them.
 
 Enters: a text that has been read as a variant, and values by their path.  Leaves: the new text.
 Used by `variant_text.py`, by individual variants and by the desk.
@@ -17,7 +17,7 @@ from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
-# What a file says about its own numbers; in a copy with other numbers it would not be true.
+# Sections about the file's own numbers; in a copy with other numbers they would be false.
 SAID_OF_NUMBERS = ("remarks", "quote")
 _REMARK = re.compile(r"[ \t]*#[^\n]*")
 _SCHEMA_LINE = re.compile(r"\A#:schema[^\n]*\n\s*")
@@ -26,8 +26,8 @@ _SCHEMA_LINE = re.compile(r"\A#:schema[^\n]*\n\s*")
 def rewritten(text: str, changes: Mapping[KeyPath, Any], drop: Iterable[str] = ()) -> str:
     """Return the text with changed values; a key that the file does not have is added to its section.
 
-    `drop` names sections and keys of the top level to be left out.  The line that names a schema goes, for a copy lies
-    elsewhere.  Raises `InputError` for a section that the file does not have as such.
+    `drop` names top-level sections and keys to leave out.  The line that names a schema is removed, because a copy is in another
+    folder.  Raises `InputError` for a section that the file does not have in this form.
     """
     plain = text.replace("\r\n", "\n").removeprefix("\ufeff")
     found = _located(plain)
@@ -39,7 +39,7 @@ def rewritten(text: str, changes: Mapping[KeyPath, Any], drop: Iterable[str] = (
 
 
 def place_of(text: str, path: KeyPath) -> tuple[int, int] | None:
-    r"""Return where the text of a value begins and ends (letters from 0), inside its quotes; None where it has no place.
+    r"""Return start and end (offsets) of the text of a value, inside its quotes; None if it has no place in the text.
 
     >>> text = '[given]\nr1 = "0.953 m"'
     >>> text[slice(*place_of(text, ("given", "r1")))]
@@ -65,12 +65,12 @@ def _line_starts(text: str) -> tuple[int, ...]:
 
 
 def _replacement(text: str, found: Positions, path: KeyPath, value: Any) -> tuple[int, int, str]:
-    """Return where a value goes, up to where, and its text."""
+    """Return the start and end of the text to replace, and the new text."""
     written = json.dumps(value, ensure_ascii=False)
     own = _own(text, found, path)
     if own is not None:
         begin, end = found.spans[own]
-        remark = _REMARK.match(text, end) if path[0] == "time" else None  # it says what the number before it was
+        remark = _REMARK.match(text, end) if path[0] == "time" else None  # it describes the old number
         return begin, remark.end() if remark else end, written
     section, key = path[:-1], path[-1]
     table = _spelt(found.spans, section)
@@ -86,13 +86,13 @@ def _replacement(text: str, found: Positions, path: KeyPath, value: Any) -> tupl
 
 
 def _own(text: str, found: Positions, path: KeyPath) -> KeyPath | None:
-    """Return the path of a value as the file spells it; what a datum means beside its value stays."""
+    """Return the path of a value as the file spells it; for a datum with a meaning, the path of its value alone."""
     own = _spelt(found.spans, path)
     return (*own, "value") if own is not None and path[0] == "given" and text[found.spans[own][0]] == "{" else own
 
 
 def _removals(text: str, found: Positions, name: str) -> Iterable[tuple[int, int, str]]:
-    """Yield the parts of the text in which a key or the sections of a name stand, each with its whole lines."""
+    """Yield the parts of the text that contain a key or the sections of a name, as whole lines."""
     headers = sorted({_offset(text, *place) for path, place in found.keys.items() if path and _is_header(text, found, path)})
     for path, place in found.keys.items():
         if path[0] != name or len(path) > 2:
@@ -107,13 +107,13 @@ def _removals(text: str, found: Positions, name: str) -> Iterable[tuple[int, int
 
 
 def _is_header(text: str, found: Positions, path: KeyPath) -> bool:
-    """Return whether a key stands in square brackets at the head of a section."""
+    """Return whether a key is in square brackets at the head of a section."""
     at = _offset(text, *found.keys[path])
     return path not in found.spans and text[text.rfind("\n", 0, at) + 1 : at].strip() in {"[", "[["}
 
 
 def _spelt(paths: Iterable[KeyPath], wanted: KeyPath) -> KeyPath | None:
-    """Return a path as the file spells it; None where it has none such."""
+    """Return a path as the file spells it, None if it has no such path."""
     plain = spell_path(wanted)
     return next((path for path in paths if len(path) == len(plain) and spell_path(path) == plain), None)
 

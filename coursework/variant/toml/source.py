@@ -1,4 +1,4 @@
-"""Bytes of a variant file -> plain data and positions; sizes bounded before anything is read.
+"""Bytes of a variant file -> plain data and positions; sizes are bounded before anything is read.
 
 Enters: a path or bytes.  Leaves: `Source`.  Used by `reader.py`.
 """
@@ -21,11 +21,11 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 MAX_BYTES = 64 * 1024
-# A dotted key of 100 000 parts keeps the TOML reader busy for half a minute; a variant needs three.
+# A dotted key of 100 000 parts takes the TOML reader half a minute; a variant needs three.
 _MAX_KEY_PARTS = 8
 _MAX_NESTING = 20
 _MOST_BITS = 2048
-# Texts and remarks; an open text reaches to the end of its line or of the file, so that each letter is read once.
+# Strings and comments; an unclosed string extends to the end of its line or of the file, so each letter is read once.
 _NOT_STRUCTURE = re.compile(
     r'''"""(?:\\.|[^\\])*?(?:"""|\\?\Z)|"(?:\\.|[^"\\\n])*(?:"|\\?(?=\n|\Z))'''
     r"""|'''.*?(?:'''|\Z)|'[^'\n]*'?|#[^\n]*""",
@@ -36,7 +36,7 @@ _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_
 _OPEN_KEY = re.compile(r"[ \t]*([\w-]+)[ \t]*=")
 QUOTES = re.compile("[“”„«»‘’]")
 _KEY_EXPECTED = re.compile(r"Invalid statement|Invalid initial character|Expected '=' after|Expected '\]'")
-# What the reader's message begins with -> the last part of the key of the advice.
+# Start of the TOML reader's message -> the last part of the key of the advice.
 _ADVICE = (
     ("Cannot overwrite", "key_twice"),
     ("Cannot mutate", "key_or_section_twice"),
@@ -59,7 +59,7 @@ _ADVICE = (
 
 @frozen
 class Source:
-    """One variant file as data; `file` is the name used in messages; `folder` where files beside it are, or these by name."""
+    """One variant file as data; `file` is its name in messages, `folder` the folder of files beside it, or these by name."""
 
     file: str
     folder: Path | Mapping[str, bytes]
@@ -67,14 +67,14 @@ class Source:
     positions: Positions
 
     def changed(self, changes: Mapping[KeyPath, Any]) -> Source:
-        """Return the file with other values; names in `changes` are in the tool's own spelling."""
+        """Return the file with other values; names in `changes` are in the tool's spelling."""
         data = copy.deepcopy(self.data)
         for path, value in changes.items():
             inner: Any = data
             for part in path[:-1]:
                 inner = inner[_spelt_as(part, inner)]
             key = _spelt_as(path[-1], inner)
-            if path[0] == "given" and isinstance(inner[key], dict):  # what the datum means stays
+            if path[0] == "given" and isinstance(inner[key], dict):  # the meaning of the datum stays
                 inner, key = inner[key], "value"
             inner[key] = value
         return replace(self, data=data)
@@ -88,12 +88,12 @@ class Source:
             if inner := ", ".join(str(key) for key in path[2:] if key not in {"equation", "closure"}):
                 place = say("place.inside", place=place, inner=inner)
         where = start + column if column else start
-        # What is missing has no line of its own; the file begins at its first.
+        # A missing key has no line; then the first line of the file is given.
         place = say("place.column", place=place, column=column) if column else place
         return Fault(message, self.file, line or 1, where if line else 0, place)
 
     def path_of(self, path: KeyPath) -> KeyPath:
-        """Return a path with names in the tool's own spelling as the file spells it; one `guide` is the first of `guides`."""
+        """Return a path in the tool's spelling as the file spells it; a single `guide` is the first of `guides`."""
         found: KeyPath = ()
         data: Any = self.data
         for part in path:
@@ -117,12 +117,12 @@ class Source:
 
 
 def _spelt_as(part: str | int, keys: Any) -> str | int:
-    """Return a key as the file spells it, or as it is where the file does not have it."""
+    """Return a key as the file spells it, unchanged if the file does not have it."""
     return next((key for key in keys if spell(key) == part), part) if isinstance(part, str) else part
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return the bytes of a variant file; raises `InputError` where it is missing, too large or not a file."""
+    """Return the bytes of a variant file; raises `InputError` if it is missing, too large or not a file."""
     try:
         if path.exists() and not path.is_file():
             raise InputError([Fault(say("fault.V001") if path.is_dir() else say("fault.V002"), str(path))])
@@ -140,12 +140,12 @@ def read_bytes(path: Path) -> bytes:
 
 
 def _too_large(size: int, file: str, content: bytes) -> Fault:
-    """Return the fault of a file whose beginning is `content`, at the line that is no longer read."""
+    """Return the fault of a file that begins with `content`, at the first line beyond the limit."""
     return Fault(say("fault.V006", size=size, max_bytes=MAX_BYTES), file, content[:MAX_BYTES].count(b"\n") + 1)
 
 
 def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -> Source:
-    """Read TOML.  Raises `InputError` with line and column for anything that is not."""
+    """Read TOML.  Raises `InputError` with line and column if the text is not TOML."""
     if len(content) > MAX_BYTES:
         raise InputError([_too_large(len(content), file, content)])
     try:
@@ -163,14 +163,14 @@ def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -
     except (ValueError, RecursionError) as error:
         raise InputError(_with_other_keys(explained(str(error), text, file), text)) from error
     source = Source(file, folder, data, locate(text))
-    # Hexadecimal digits make numbers of any size, which Python neither prints nor turns into a float.
+    # Hexadecimal digits make integers of any size, which Python neither prints nor converts to float.
     if huge := [*_huge(data, ())]:
         raise InputError([source.fault(path, say("fault.V005", digits=int(bits * 0.30103) + 1)) for path, bits in huge])
     return source
 
 
 def _huge(data: Any, path: KeyPath) -> Iterator[tuple[KeyPath, int]]:
-    """Yield path and bits of every whole number that is beyond any meaning."""
+    """Yield path and number of bits of every integer too large to have a meaning."""
     if isinstance(data, int) and data.bit_length() > _MOST_BITS:
         yield path, data.bit_length()
     entries = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
@@ -179,12 +179,12 @@ def _huge(data: Any, path: KeyPath) -> Iterator[tuple[KeyPath, int]]:
 
 
 def _structure(text: str) -> list[str]:
-    """Return the lines of a text without its texts and remarks."""
+    """Return the lines of a text without its strings and comments."""
     return _NOT_STRUCTURE.sub(lambda match: "q" + "\n" * match[0].count("\n"), text).split("\n")
 
 
 def _too_deep(text: str) -> int:
-    """Return the first line whose keys or brackets are nested too deeply, 0 if there is none.  Reads each letter once."""
+    """Return the first line whose keys or brackets are nested too deeply, 0 if there is none.  Each letter is read once."""
     depth = 0
     for number, line in enumerate(_structure(text), start=1):
         for bracket in _BRACKET.findall(line):
@@ -197,7 +197,7 @@ def _too_deep(text: str) -> int:
 
 
 def explained(message: str, text: str, file: str) -> Fault:
-    """Return the fault at the place that the reader's message names; at the end of the text where it names none."""
+    """Return the fault at the place that the reader's message names, or at the end of the text if it names none."""
     match = re.search(r"^(.*?) \(at (?:line (\d+), column (\d+)|end of document)\)", message, re.DOTALL)
     lines = text.split("\n")
     reason = match[1] if match else message
@@ -215,7 +215,7 @@ def _told(advice: str, found: str) -> Sentence:
 
 
 def _strange(line: str, at: int) -> str | None:
-    """Return what is told of a key with a letter of another alphabet at a place (from 0) of a line, None for another fault."""
+    """Return the advice about a key with a foreign letter at offset `at` of a line, None for any other fault."""
     key = next((word[0] for word in re.finditer(r"[\w-]+", line) if word.start() <= at < word.end()), "")
     if strange := foreign_letter(key):
         return say("fault.toml.letter", number=strange[0] + 1, strange=strange[1])
@@ -223,7 +223,7 @@ def _strange(line: str, at: int) -> str | None:
 
 
 def _with_other_keys(first: Fault, text: str) -> list[Fault]:
-    """Return a fault; where it is a key with letters of another alphabet, those of all such keys of the text behind it."""
+    """Return a fault; if it is a key with foreign letters, also the faults of all such keys in later lines."""
     lines_left = enumerate(_structure(text), start=1)
     keys = {line: key for line, one in lines_left if (key := _OPEN_KEY.match(one)) and not key[1].isascii()}
     if first.line not in keys:
