@@ -69,11 +69,7 @@ class Guard:
         self.app, self.gate = app, gate
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-<<<<<<< HEAD
-        """Let a request pass, or refuse it; whatever goes wrong behind is written down without a word of what was typed."""
-=======
         """Let a request pass, or refuse it; errors of the application are reported without any of the user's text."""
->>>>>>> prose3
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return

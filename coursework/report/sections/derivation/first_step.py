@@ -17,8 +17,8 @@ from coursework.report.text.text_runs import begun
 from coursework.report.wording.sought import corrections
 
 DECIMALS = 5  # of a result
-DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
-INDICES = "kinjm"  # letters that count the steps; a datum of the file may have one
+DIGITS, MOST_DIGITS = 6, 15  # least and most digits of a factor; it has as few as give the printed result
+INDICES = "kinjm"  # letters that may count the steps; a datum of the file may already have one
 MOST_LINES = 8  # coordinates whose step is written out; the others are only named
 
 
