@@ -33,9 +33,8 @@ class Acting:
     """The expressions a page needs for forces, and what its unknowns are.
 
     `wanted` holds in this order: for each body its centre (x, y), the force on it and the moment about the centre; x and y of
-    each
-    place; each direction; kinetic and potential energy.  Each of the `unknowns` is (name, body with +, body with -, place, kind,
-    whether it drives); body -1 is the frame.
+    each place; each direction; kinetic and potential energy.  Each of the `unknowns` is (name, body with +, body with -, place,
+    kind, whether it drives); body -1 is the frame.
     """
 
     wanted: tuple[Expression, ...]

@@ -4,9 +4,8 @@ Enters: nothing.  Leaves: the records `ForceScheme`, `Body`, `Unknown`, `Directi
 Used by `scheme.py`, which reads them, `rows.py`, `kinetostatics.py` and all that follows.
 
 R<i><j> is the force of link i on link j, 0 the frame.  For a pin that joins more than two links, R<P><j> is the force of the pin
-on
-link j, since pair forces are not unique there.  N acts across a guide, K is the couple of a body that cannot turn in its guide, T
-acts along a rolling contact.
+on link j, since pair forces are not unique there.  N acts across a guide, K is the couple of a body that cannot turn in its
+guide, T acts along a rolling contact.
 """
 
 from __future__ import annotations
@@ -26,8 +25,7 @@ class Body:
     """A moving link: its `name`, the `rate` it turns with ("" if it has none), its `centre` of mass, its `mass` (None for none).
 
     `span` are two of its points, from which the angular velocity follows if there is no named rate; for the inertia of a rod they
-    are
-    its ends, for that of a disc its centre and contact.
+    are its ends, for that of a disc its centre and contact.
     """
 
     name: str
@@ -69,8 +67,7 @@ class ForceScheme:
     """Bodies and unknowns: `bodies`, `pins` that join more than two links (by point), `unknowns` in the order of the table.
 
     `holds` gives the points of each body; `groups` the names of the bodies of each driven link and group in the order of
-    assembly,
-    empty if it is unknown.
+    assembly, empty if it is unknown.
     """
 
     bodies: tuple[Body, ...]

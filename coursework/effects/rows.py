@@ -33,8 +33,7 @@ class Rows:
     """The values of every row (n,).
 
     `values` holds those of formulas by level, `turning` the angular velocities and accelerations by rate, `slopes` the
-    derivatives of
-    the centres by the coordinates (n,) complex.
+    derivatives of the centres by the coordinates (n,) complex.
     """
 
     motion: Motion

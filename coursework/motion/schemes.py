@@ -56,8 +56,7 @@ class Scheme:
 
     `name` is used by `--scheme`, `title` is the name in words.  The numbers are exact fractions: `nodes` c (s,), `rows` a (row i
     has i numbers), `weights` b (s,).  `order` is the order of accuracy.  Raises `ValueError` if the numbers do not form an
-    explicit
-    scheme of exactly this order.
+    explicit scheme of exactly this order.
 
     >>> Scheme("half", "half a step", (0,), ((),), (Fraction(1, 2),), 1)
     Traceback (most recent call last):
@@ -224,8 +223,7 @@ RK4 = Scheme(
 
 SCHEMES: dict[str, Scheme] = {scheme.name: scheme for scheme in (EULER, MIDPOINT, HEUN, RALSTON, RK4)}
 # Only for motion under forces, where the state holds rates: first v + h a(q, v, t), then q + h v with the new rates.  It is not
-# in
-# `SCHEMES`; its slopes and its order are those of Euler.
+# in `SCHEMES`; its slopes and its order are those of Euler.
 SEMI_IMPLICIT = Scheme("semi-implicit", "semi-implicit Euler", nodes=(0,), rows=((),), weights=(1,), order=1)
 # The scheme used if none is named: the scheme of the coursework.
 DEFAULT_SCHEME = EULER

@@ -37,8 +37,7 @@ class Settings:
     """The settings of one run.
 
     `project` is the number of Newton corrections a step, `gain` Baumgarte's gain (1/s), `columns` the table columns asked for
-    (empty
-    for all), `order` the highest derivative of the motion asked for: 1 for velocities, 2 for accelerations.
+    (empty for all), `order` the highest derivative of the motion asked for: 1 for velocities, 2 for accelerations.
     """
 
     scheme: str = DEFAULT_SCHEME.name

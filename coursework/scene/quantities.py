@@ -43,10 +43,10 @@ class Quantity(Generic[T]):
     """A quantity that can be asked for by name.
 
     `compute` carries the name, the needs and the function; `shows` is where a reader finds it.  `restrictable`: it can be
-    computed
-    for some columns alone; `usual`: it is computed if nothing is asked for; `order` is the highest derivative of the motion it
-    shows, 2 for accelerations; `refuses` returns why a variant cannot have it, None if it can; `beside` maps another quantity to
-    the record that replaces this one if both are asked for; `only_pages`: it is shown on pages only, in no other file.
+    computed for some columns alone; `usual`: it is computed if nothing is asked for; `order` is the highest derivative of the
+    motion it shows, 2 for accelerations; `refuses` returns why a variant cannot have it, None if it can; `beside` maps another
+    quantity to the record that replaces this one if both are asked for; `only_pages`: it is shown on pages only, in no other
+    file.
     """
 
     compute: Computed[T]

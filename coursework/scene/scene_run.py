@@ -247,8 +247,7 @@ class SceneRun:
         """Return the mechanism with names, lengths, angles and drive, None if the file places no points.
 
         It is drawn at the start; if links lie on one line there, in the row in which least coincides: a row of the exact motion
-        if
-        something asked for needs that motion, else of the table.
+        if something asked for needs that motion, else of the table.
         """
         from coursework.drawing.figures import draw_start
 

@@ -29,7 +29,7 @@ _TELLING = 0.5  # with a larger share the error no longer follows the order of t
 _TINY = 1e-6  # relative change of a rate or coordinate for difference quotients
 _ROUND_OFF = 1e-12  # share of the energy: a smaller exchange counts as none
 _LOOKED_AT = 40  # number of rows examined
-_NEAR = 0.3  # of a determinant: nearer to a limit position of the free coordinates inertia alone makes every slope steep
+_NEAR = 0.3  # of a determinant: nearer to a limit position of the free coordinates, inertia alone makes every slope steep
 _RK4_SWINGS = 2.8  # h w up to which Runge-Kutta 4 does not amplify a swing; schemes of order one and two amplify every swing
 
 

@@ -23,8 +23,7 @@ class EquationsOfMotion:
     with `kept` the values that positions keep; `table(t, *q, *v)` over arrays -> velocities, their derivatives, kinetic and
     potential energy, determinants (`determinants` of them).  `rubbing` is the friction contained in both.  `sizes` are large
     corrections of the others (1 rad, m of the mechanism).  `breaks` are the times (s) at which a force changes its formula;
-    `acting`
-    the edges (s) of stretches of time in each of which the forces vary little.
+    `acting` the edges (s) of stretches of time in each of which the forces vary little.
     """
 
     free: tuple[int, ...]

@@ -13,8 +13,7 @@ import numpy as np
 from coursework.effects.dynamics.dynamics import FreeMotion
 
 # COARSER is ten thousand times the tolerance of a step.  If the difference has grown to LOST of a column's range, the motion
-# itself
-# is off by a millionth of the range, and soon by all of it.
+# itself is off by a millionth of the range, and soon by all of it.
 COARSER, LOST = 1e-9, 0.01
 LOOKS = 40  # number of rows that are followed again
 _LEAST = 1e-6  # rad, m, rad/s or m/s: the smallest range used as a scale

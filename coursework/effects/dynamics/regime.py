@@ -3,7 +3,7 @@
 Enters: `EquationsOfMotion` in one free coordinate, a start.  Leaves: `Regime`.  Computed on request only.
 Used by `scene/motor_scene.py`.
 
-The crank angle replaces the time: dw/dphi = a/w, dt/dphi = 1/w over a turn.  The speed at its begin is found by shooting: the
+The crank angle replaces the time: dw/dphi = a/w, dt/dphi = 1/w over a turn.  The speed at its start is found by shooting: the
 secant method makes the change of speed in a turn zero.
 """
 
@@ -29,8 +29,7 @@ class Regime:
     """The steady motion over a turn.
 
     `speed` is that at the first angle (rad/s), `period` in s, `mean` the mean speed; `largest` and `least` are the extreme speeds
-    by
-    size, at the angles `largest_at` and `least_at` (rad).
+    by size, at the angles `largest_at` and `least_at` (rad).
     """
 
     speed: float

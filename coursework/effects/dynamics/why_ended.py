@@ -1,6 +1,6 @@
 """Why a motion under forces cannot be followed any further: its links, its free coordinates alone, or the forces.
 
-Enters: `EquationsOfMotion`, the states passed on the last step.  Leaves: `Open`.
+Enters: `EquationsOfMotion`, the states passed since the last row.  Leaves: `Open`.
 Used by `dynamics.py`, `scene/motor_scene.py`, `regime.py` and `grading/marking/key/free_rows.py`.
 """
 
@@ -35,8 +35,7 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
 
     `passed` holds time, all coordinates and free rates of the first row and of each state since the last row.  Near a vanishing
     determinant the other velocities are those of the free coordinates divided by it.  A link with mass cannot become that fast;
-    then
-    the free coordinates come to rest there and turn back.
+    then the free coordinates come to rest there and turn back.
     """
     rows = np.array(passed)
     if motion.others and len(rows) > 2:
@@ -44,8 +43,7 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
         least = min(found[-motion.determinants :], key=lambda one: float(one[-1] / one.max()))
         if least[-1] < _SMALL * least.max():
             fastest = np.max([found[place] for place in motion.others], axis=0)
-            # The two cases differ by a power of two: rates of massless links grow as 1/determinant, other rates do not grow at
-            # all.
+            # The limit lies halfway: rates of massless links grow as 1/determinant, other rates do not grow at all.
             as_fast = fastest[-1] ** 2 * least[-1] < fastest[1] ** 2 * least[1]
             return Open(_vanishes(rows[:, 0], least), LIMIT if as_fast else "dead point")
     return Open(at, "too steep")

@@ -4,9 +4,8 @@ Enters: `Rows`, the reactions.  Leaves: `Action`s of friction.  Imported for a f
 Used by `kinetostatics.py`, `scheme.py`.
 
 Pin: a couple coefficient * radius * |R| against the relative rotation.  Guide: a force coefficient * |N| against the sliding;
-with
-a couple in it, max(|N|, 2 |K|/length) replaces |N|.  Wheel: a couple arm * |N| against its rotation.  A pair at rest (sign 0) has
-no friction in that row.
+with a couple in it, max(|N|, 2 |K|/length) replaces |N|.  Wheel: a couple arm * |N| against its rotation.  A pair at rest (sign
+0) has no friction in that row.
 """
 
 from __future__ import annotations

@@ -49,8 +49,7 @@ class State:
     `a` are the free accelerations, `others` the rates of the other coordinates, `loose` the reactions (k,).  A unit of a pair's
     friction adds `reactions` (pairs, k) to the reactions and `changes` (pairs, f) to `a`; `factors` are its (factor, length).
     `speeds` are the sliding speeds of the pairs, `turning` their derivatives for zero free accelerations, `by_free` (pairs, f)
-    the
-    derivatives of these by the free accelerations.
+    the derivatives of these by the free accelerations.
     """
 
     a: list[float]
@@ -155,8 +154,7 @@ class Rubbing:
         if all(signs):
             return
         # A pair with zero speed and acceleration (at rest in a dead position, or under a force that grows from 0) is examined a
-        # little later:
-        # it then slides or is held.
+        # little later: it then slides or is held.
         later, _ = dormand_prince_8(moving, state, np.array(moving(*state.tolist())), LATER)
         rates = _rates(state)
         if not (state[rates].any() or later[rates].any()):

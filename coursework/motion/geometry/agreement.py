@@ -35,8 +35,7 @@ class Agreement:
     """Which written equations the geometry confirms.
 
     `agreed` holds their names; `unjudged` the names of those that it cannot judge, each with the velocities in it that the
-    geometry
-    does not determine.
+    geometry does not determine.
     """
 
     agreed: tuple[str, ...] = ()
@@ -82,7 +81,7 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
 
 
 def _is_smooth(equations: VelocityEquations) -> bool:
-    """Return whether all formulas are smooth (no roots or absolute values), so that agreement at some data holds at all."""
+    """Return whether all formulas are smooth (no roots, no absolute values), so that what holds for some data holds for all."""
     both = (*equations.from_closure, *equations.equations, *equations.bound)
     written = [position.expression for position in equations.positions]
     written += [part for equation in both for part in (*equation.coefficients.values(), equation.right_side)]
@@ -94,8 +93,7 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     """Return what the geometry confirms, by comparing the equations as rows at several closed positions (c, m).
 
     Each equation is a row (A | b).  If the A of a written row lies in the row space of the derived ones, its b must agree with
-    theirs;
-    the written rows that are left must not contradict each other.
+    theirs; the written rows that are left must not contradict each other.
     """
     _require_free(equations, times, positions)
     written = [equation for equation in equations.equations if equation.written]

@@ -51,8 +51,7 @@ def chain_positions(equations: VelocityEquations, times: Array, *, advises: bool
 
     A coordinate that neither a drive nor a group gives keeps its start value: in a chain this is right at all times, else only at
     t = 0.  If a group cannot be assembled at the start and `advises` is true, the message names another mode of an earlier group
-    that
-    would help.
+    that would help.
     """
     variant, rows = equations.variant, len(times)
     driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]

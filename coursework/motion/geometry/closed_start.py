@@ -59,7 +59,7 @@ def closed_start(closure: Closure) -> tuple[Array, Array | None]:
 
 
 def _downhill(closure: Closure) -> Array:
-    """Return a position from which Newton's method converges: corrections are shortened until each reduces the residual."""
+    """Return a position from which Newton's method should converge: corrections are shortened until each reduces the residual."""
     q, part = closure.start, 1.0
     with suppress(ArithmeticError, ValueError, np.linalg.LinAlgError):  # a root or arccosine may be undefined at a trial position
         size = np.linalg.norm(closure.residual(0.0, q, closure.origin)[0])

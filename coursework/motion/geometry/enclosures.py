@@ -30,8 +30,8 @@ class Enclosure:
     """Bounds of a law on n stretches of time, each an array (n,).
 
     The real values lie between `low` and `high`.  The law is the sum of an analytic part, whose values on the complex disc lie
-    within
-    `radius` of `middle`, and of a real part of size at most `rest`.  If the data are columns (sets, 1), all arrays are (sets, n).
+    within `radius` of `middle`, and of a real part of size at most `rest`.  If the data are columns (sets, 1), all arrays are
+    (sets, n).
     """
 
     low: Array

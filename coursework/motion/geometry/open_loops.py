@@ -24,7 +24,10 @@ from coursework.words.sentences import say
 
 
 def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None:
-    """Raise `InputError` if the equations agree with the geometry once all that is held, but parts of points, starts at zero."""
+    """Raise `InputError` if the equations agree with the geometry once its loops are closed at the start.
+
+    Closed means that everything held is zero, except single components of points.
+    """
     if not closure.names:
         return
     near, residual = with_closed_loops(closure)

@@ -16,7 +16,7 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 POINTS = 12
-# Error allowed for an integral (rad or m), and relative to the whole way of the drive.
+# Error allowed for an integral (rad or m), and relative to the whole distance that the drive moves.
 WANTED = 1e-11
 # Largest number of stretches examined; a drive of a hundred thousand oscillations takes about as many.
 MOST = 1_000_000

@@ -46,8 +46,7 @@ def _require(equations: VelocityEquations, closure: Closure) -> None:
     ):
         return
     if faults := _faults(equations, closure):
-        # Residuals of the start are kept and may change distances: a fault is reported only if it remains after closing the
-        # start.
+        # Residuals of the start are kept and may change distances: a fault counts only if it remains once the start closes.
         near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
         if near is not None and _faults(equations, near):
             raise InputError(faults)
@@ -91,8 +90,7 @@ class _Seen:
     """Positions of the points of a variant at some `times` (c,).
 
     `tracks` holds x + iy (c,) of each point, `growing` the values (c,) of each coordinate that is a length; `scale` is the
-    largest
-    length (m).
+    largest length (m).
     """
 
     variant: Variant

@@ -52,8 +52,7 @@ def swinging(times: Array, values: Array) -> float:
 
     A period is the time from the middle of one rise to the middle of the next, or between falls.  If the table does not hold two
     whole rises or falls, half a period is the time from a rise to a fall: the one cut off is measured at the level of the middle
-    of
-    its whole neighbour, and is left out if it does not reach that level.
+    of its whole neighbour, and is left out if it does not reach that level.
 
     >>> t = np.linspace(0, 1, 101)
     >>> round(swinging(t, np.sin(20 * t)), 1), swinging(t, t**2)

@@ -2,8 +2,7 @@
 
 Enters: velocity equations and their closure.  Leaves: nothing.  Raises `InputError` naming each link whose `rate` is another's.
 Used by `unseen_signs.py`.  A rate named for the wrong link or a wheel that would slip, if no position equation uses it, changes
-no
-column of the table, but it changes the velocity plan and the forces.
+no column of the table, but it changes the velocity plan and the forces.
 
 An angle may be counted clockwise; its whole link then turns at minus the rate.  Where a rate meets other links or forces, it
 counts as vectors do: counter-clockwise.

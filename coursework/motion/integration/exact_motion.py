@@ -82,10 +82,8 @@ def refine(
     `growth` collects how these differences grow.
 
     If eight and sixteen steps of an interval disagree (in a long table two and four), it is halved, so that a dead point ahead
-    costs
-    only its own interval.  No step crosses a time at which the drive changes its formula, no interval a faster change of the
-    drive.
-    Raises `OutOfReach` if this takes more than `most` steps besides a dozen a row.
+    costs only its own interval.  No step crosses a time at which the drive changes its formula, no interval a faster change of
+    the drive.  Raises `OutOfReach` if this takes more than `most` steps besides a dozen a row.
     """
     count = _COUNT if len(times) <= _LONG else _FEW
     most += 12 * len(times)

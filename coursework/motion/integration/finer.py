@@ -92,8 +92,7 @@ def _between(positions: Array, moved: Array, places: Array) -> Array:
     """Return the positions (intervals, k, m) at `places` (k,), counted in steps, from a cubic through the ends of each step.
 
     `positions` and `moved`, the slopes times the step length, have the shape (steps + 1, intervals, m).  A cubic errs by 1/384 of
-    the
-    step to the fourth power: not more than Runge-Kutta may.
+    the step to the fourth power: not more than Runge-Kutta may.
     """
     index = places.astype(int)
     share = (places - index)[:, None, None]
@@ -134,7 +133,7 @@ def _known_at(exact: Motion, rates: Rates, time: float) -> Array | None:
 def prolonged(exact: Motion, rates: Rates, time: float) -> Motion | None:
     """Return the exact motion continued with its step up to a row at `time` (s), None if it cannot be followed so far.
 
-    It ends at the end of a table over t, and where a determinant differs in sign from the last known row.
+    This fails beyond the end of a table over t, and where a determinant differs in sign from the last known row.
     """
     begin, step = float(exact.t[-1]), exact.step
     grid = begin + step * np.arange(1, int((time - begin) / step * (1 + 1e-12)) + 1)

@@ -41,10 +41,8 @@ def follow_closure(closure: Closure, rates: Rates, times: Array, spent: Callable
     """Return the positions (n, m) at equally spaced `times`, each closed to round-off.
 
     The assembly is kept by a guess along the motion for each row and by the signs of the determinants, which change only at a
-    dead
-    point.  If a row remains in doubt, its interval is followed by itself and halved until there is no doubt.  `spent` is called
-    with
-    the number of slopes of each guess.  Raises `NotReached` if the mechanism cannot follow.
+    dead point.  If a row remains in doubt, its interval is followed by itself and halved until there is no doubt.  `spent` is
+    called with the number of slopes of each guess.  Raises `NotReached` if the mechanism cannot follow.
     """
     kept, known = closure.targets(times)
     first = closure.newton(0.0, _placed(closure.start, closure, known[0]), kept[0])

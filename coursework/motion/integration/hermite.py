@@ -10,7 +10,7 @@ from coursework.system.arrays import Array
 
 
 def hermite(begin: Array, end: Array, out: Array, into: Array, part: Array) -> Array:
-    """Return the values at a `part` of the interval, from 0 at its begin to 1 at its end; the shapes must broadcast.
+    """Return the values at a `part` of the interval, from 0 at its start to 1 at its end; the shapes must broadcast.
 
     `out` and `into` are the slopes at `begin` and `end` times the length of the interval.
 

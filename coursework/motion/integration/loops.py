@@ -29,8 +29,7 @@ def generate_loop(scheme: Scheme, rates: Rates, *, numpy: bool = False) -> Loop:
     """Return `loop(begin, steps, h, *q)`: the position after `steps` steps of h (s) from `begin`, at t = begin + i*h.
 
     With `numpy` the loop computes in the number type of its arguments.  If the drive has breaks, the loop also takes `_latest`
-    (s):
-    no slope is evaluated later than that.
+    (s): no slope is evaluated later than that.
     """
     if (scheme, numpy) not in rates.loops:
         rates.loops[scheme, numpy] = build(_loop_source(scheme, _Shape.of(rates)), "loop", rates.body, numpy=numpy)

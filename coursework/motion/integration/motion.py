@@ -32,8 +32,7 @@ class Stop:
     """Why a motion ended before its time.
 
     `kind` is "dead point", "change point" (two branches meet), "step too large" or "not finite" (caused by the scheme), or a
-    further
-    kind of motion under forces (`FreeMotion.ended`);
+    further kind of motion under forces (`FreeMotion.ended`);
     `time` in s; `row` as a fraction (5.84 lies between rows 5 and 6, counted from 0); `block` the unknown velocities of the
     singular block; `coordinates` the configuration there; `cause` and `meaning` are sentences for the reader; `branches` the
     velocities possible at a change point.

@@ -39,8 +39,7 @@ class Rates:
 
     `evaluate(t, *q)` gives velocities, then determinants, as floats; `rows` the same over arrays (n,).  `coordinates` are those
     integrated, `velocities` those returned (rates of the coordinates first), `blocks` the indices of the blocks evaluated.
-    `body` is
-    the program behind them, `equations` its source; `breaks` are the times (s) at which the drive changes its formula.
+    `body` is the program behind them, `equations` its source; `breaks` are the times (s) at which the drive changes its formula.
     """
 
     coordinates: tuple[str, ...]

@@ -32,8 +32,7 @@ def explain(
     """Return the stop of a dead or change point; `step` (s) places it between rows.
 
     `branches` are the velocities possible there.  None means that there are none: the links close there but nowhere nearby, which
-    is
-    a dead point whatever the drive demands.
+    is a dead point whatever the drive demands.
     """
     block = reduction.blocks[event.block]
     coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, event.position, strict=True)}

@@ -5,8 +5,7 @@ Used by `walk.py`.
 
 The flow comes to rest where a determinant and the demand of the drive vanish together, so it cannot be followed through.  If only
 one set of velocities is possible there, the motion has a second derivative too: a jump of `_JUMP` past the point errs by its
-third
-power, and the error in the singular block decays after it.
+third power, and the error in the singular block decays after it.
 """
 
 from __future__ import annotations
@@ -38,8 +37,7 @@ def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, withi
     """Return the passage through a change point, None if two motions meet or the continuation is unknown.
 
     `way` holds the states (position, then t) of the walk up to the event; `end` (s) is that of the run; `within` are the times
-    (s)
-    between which the drive keeps its formula.
+    (s) between which the drive keeps its formula.
     """
     if event.kind != "change point" or len(event.together) > 1:
         return None

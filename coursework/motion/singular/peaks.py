@@ -31,7 +31,7 @@ _CONSTANT = 1e-9
 
 @changing
 class Piece:
-    """One step of a walk: the `state` (position, then t) and `slope` at its begin, the `clock`, the `length` in s."""
+    """One step of a walk: the `state` (position, then t) and `slope` at its start, the `clock`, the `length` in s."""
 
     state: Array
     slope: Array
@@ -47,7 +47,7 @@ class Piece:
 
 @changing
 class Peaks:
-    """The largest and smallest rates seen, the steps beside each largest one, and state and slope at the begin of every step."""
+    """The largest and smallest rates seen, the steps beside each largest one, and state and slope at the start of every step."""
 
     largest: list[float]
     smallest: list[float]
@@ -96,7 +96,7 @@ class Peaks:
         return tuple(listed)
 
     def way_within(self, coordinate: int, end: float, repeats: bool) -> Callable[[float], float]:
-        """Return a function of a step (s): the longest way (rad, m) of a coordinate within such a step; back and forth adds up.
+        """Return a function of a step (s): the longest path (rad, m) of a coordinate within it; back and forth adds up.
 
         If the motion `repeats` from `end` (s) on, a step may reach beyond it.
         """

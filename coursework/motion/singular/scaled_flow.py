@@ -35,9 +35,8 @@ class BlockColumns:
     """The places of one block in the values of the linear system.
 
     `entries` are those of its matrix, row by row; -1, the zero after all values, stands for no entry.  `rights` are those of its
-    right
-    side.  `earlier` lists for each row the terms (entry, unknown) with velocities found before; it is empty if there are none.
-    `unknowns` are the columns the block determines.
+    right side.  `earlier` lists for each row the terms (entry, unknown) with velocities found before; it is empty if there are
+    none.  `unknowns` are the columns the block determines.
     """
 
     entries: tuple[int, ...]

@@ -32,8 +32,7 @@ class Search:
     """The true motion followed up to `end` (s): the first `event`, if any, and the `peaks` of the rates.
 
     `passages` are singular positions on the way with only one continuation.  `given_up` is the time (s) at which following was
-    given
-    up because the motion moves too much; else None.  `repeats`: it was followed until it repeats.
+    given up because the motion moves too much; else None.  `repeats`: it was followed until it repeats.
     `goes_round`: it was given up, but the only crank can be turned right round, so there is no later event either.
     """
 
@@ -54,7 +53,7 @@ class Search:
         return self.peaks.found(self.end, turning) if known and self.peaks is not None else ()
 
     def way_within(self, coordinate: int) -> Callable[[float], float]:
-        """Return a function of a step (s): the longest way (rad) of a coordinate within such a step."""
+        """Return a function of a step (s): the longest path (rad) of a coordinate within it."""
         if self.peaks is None:
             return lambda step: 0.0
         rate, when = self.fastest([coordinate])[coordinate]

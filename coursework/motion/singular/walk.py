@@ -33,8 +33,7 @@ from coursework.words.sentences import say
 # With a start determinant this small, any velocity has fewer than six digits.
 SINGULAR = 1e-10
 # With a local tolerance e, a motion passes a change point at a distance of about sqrt(100 e): the search begins at 100 sqrt(e)
-# and
-# ends at a distance of FAR (rad or m).
+# and reaches as far as FAR (rad or m).
 NEAR, FAR = 100.0, 1e-2
 # Share of a length by which a motion may miss a change point and still be at it: no link is made to 1e-9.
 MISSED = 1e-9
@@ -227,7 +226,7 @@ class Walk:
         return (low + high) / 2
 
     def _root(self, clock: Clock, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
-        """Return the state inside a step at which `value`, positive at its begin, is zero, and the length to it (Illinois)."""
+        """Return the state inside a step at which `value`, positive at its start, is zero, and the length to it (Illinois)."""
         ends = value(self.state), value(self._reached(clock, reach))
         part = crossing(lambda part: value(self._reached(clock, part)), (0.0, reach), ends, ROOT) if ends[1] < 0 else reach
         part = reach if part is None else part

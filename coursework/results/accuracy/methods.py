@@ -40,8 +40,7 @@ class Trial:
     """One method with one setting; `run` returns rows (n, m) and the evaluations of the right-hand side.
 
     The rows are those examined; if `fine` is not 0, they are all rows of a table with `fine` steps a row.  A Newton correction
-    counts
-    as one evaluation (residual and Jacobian).  `closed`: the exact motion itself is found by this method.
+    counts as one evaluation (residual and Jacobian).  `closed`: the exact motion itself is found by this method.
     """
 
     method: str

@@ -40,8 +40,7 @@ class Bounds:
 
 # For a page made beside a run only the cheap runs are made; finer ones would continue the same straight line.
 PAGE = Bounds(256, 2.5e6)
-# First-order schemes go up to 4096 steps a row (98 304 steps for 24 rows), where the error has fallen by three orders of
-# magnitude.
+# First-order schemes go up to 4096 steps a row (98 304 steps for 24 rows), where the error has fallen a thousandfold.
 TIMED = Bounds(4096, 12e6)
 
 

@@ -16,8 +16,7 @@ class StudyRow:
     """The result of one method with one setting; errors are in `unit` and `end_unit`.
 
     `seconds` is None if it was not timed; `failed` says why a run failed.  `time_ratio` is the time as a multiple of the time of
-    Euler
-    with the table's own step.
+    Euler with the table's own step.
     """
 
     method: str

@@ -23,8 +23,7 @@ def trace(
     """Return the positions (n, m) in the rows `marks`, which begin with 0, with `substeps` steps a row; rows are `step` s apart.
 
     `latest(t)` is the last time at which the steps before the row at t may evaluate slopes (`Rates.may_look_until`); a row where
-    this
-    matters must be a mark.
+    this matters must be a mark.
     """
     q = tuple(start)
     found = [q]

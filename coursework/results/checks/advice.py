@@ -27,8 +27,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 Judge = Callable[[Evidence], Sequence[Finding]]
-# Share aimed at with the next step: a coarse table is further off than the order of its scheme says, and each trial costs a
-# march.
+# Share aimed at with the next step: a coarse table is further off than its order says, and each trial costs a march.
 AIM = 0.8 * LIMIT
 # Largest number of steps tried; the first is enough in nine cases of ten.
 _TRIES = 12

@@ -36,7 +36,7 @@ def _not_known(evidence: Evidence) -> Sentence:
 
 
 def _why_not_known(evidence: Evidence) -> Sentence | str:
-    """Return what a summary begins with if the exact motion is unknown; an early end of the motion is told elsewhere."""
+    """Return what a summary begins with if the exact motion is unknown; an early end of the motion is reported elsewhere."""
     if (found := stiff(evidence)) is not None:
         return found.sentence
     return _not_known(evidence) if evidence.stop is None else ""

@@ -51,8 +51,7 @@ class Evidence:
     `stop` is where the true motion ends; `extended_precision` the coordinates in extended precision (n, m), if known; `used` the
     equations solved for the velocities; `drive_frequency` (rad/s) that of the fastest sine in the drive; `search` the true motion
     followed for dead points, None if it was not.  `replay` makes each row again from the row before, None for rows not made by
-    one
-    of our schemes; `rerun(scheme, step)` gives the same run made otherwise, None if that is impossible.
+    one of our schemes; `rerun(scheme, step)` gives the same run made otherwise, None if that is impossible.
     `passages` are singular positions that the motion goes through; `order` is the highest derivative of the motion asked for.
     `facts` about the exact motion alone are found once and shared by all tables of the scene.  `is_trial` marks a trial of a step
     that may be advised.

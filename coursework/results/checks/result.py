@@ -24,7 +24,7 @@ OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 3, DIGITS_LEFT: 1}
 # From `_MANY` percent on a share is shown as a multiple, from `_MOST` on as "more than": nobody compares such numbers.
 _MANY, _MOST = 1000.0, 1e6
-# In ascending order: a command ends with the status of the worst verdict.
+# The order in which verdicts are counted and shown.
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
 
@@ -35,12 +35,10 @@ class Finding:
     PASS: the claim holds; COARSE: computed right, but this step, or these digits, are too coarse for the claim; FAIL: wrong;
     SKIP: nothing to judge; ERROR: the tool itself could not judge, never the student's fault.
     `column` and `row` (from 1) are where the largest number stands; `first` and `last` the values that a period check compares
-    (SI).
-    `step` (s) is a step with which every claim about the motion holds, `option` the command-line option for it, `scheme` a scheme
-    that is accurate enough at the same step, `advised` the sentence about both.  `rows` are further lines (label, value, unit).
-    `cured`: whether a finer step can turn COARSE into PASS.  `headline`: with what the summary begins; `unjudged`: what the
-    summary
-    adds to "computed right".  `code`, `group` and `is_least` (whether the limit is a minimum) are those of the check.
+    (SI).  `step` (s) is a step with which every claim about the motion holds, `option` the command-line option for it, `scheme` a
+    scheme that is accurate enough at the same step, `advised` the sentence about both.  `rows` are further lines (label, value,
+    unit).  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: with what the summary begins; `unjudged`: what
+    the summary adds to "computed right".  `code`, `group` and `is_least` (whether the limit is a minimum) are those of the check.
     """
 
     verdict: Verdict
@@ -66,7 +64,7 @@ class Finding:
 
     @property
     def says_more(self) -> bool:
-        """Return whether the sentence says more than mark and summary do; a skipped START is told in the summary."""
+        """Return whether the sentence says more than mark and summary do; a skipped START is reported in the summary."""
         unsure = bool(self.unjudged) and self.code != "START"
         return self.code != "STOP" and (unsure or self.verdict in {"COARSE", "FAIL", "ERROR"})
 
@@ -103,8 +101,7 @@ class Check:
     """One check with a stable `code`: if all `needs` are met, `judge` gives the finding; else the check is skipped.
 
     `group`: "computation" asks whether what was written was computed right, "motion" whether it is close to the mechanism's
-    motion.
-    `is_least`: its limit is a minimum, not a maximum.
+    motion.  `is_least`: its limit is a minimum, not a maximum.
     """
 
     code: str

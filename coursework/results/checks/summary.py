@@ -59,7 +59,7 @@ def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sente
     if any(finding.unjudged and finding.code == "AGREEMENT" for finding in findings):
         return say("summary.right_but", unjudged=joined(reversed(unjudged), "join.semicolon"))
     if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
-        reached = {"passed": count["passed"], "all": count["all"] - 1}  # its stop is told before
+        reached = {"passed": count["passed"], "all": count["all"] - 1}  # its stop has been reported before
         return say("summary.right_to_stop", **reached) if reached["all"] else say("summary.no_rows")
     return say("summary.right_beside", unjudged=unjudged[0], **count) if unjudged else say("summary.right", **count)
 

@@ -27,8 +27,7 @@ class ExtraTable:
     """A table with `rows` (n, len(names)) in `units`; the first column is t or the crank angle.
 
     `sizes` are the sizes of the terms that a column is a sum of: smaller than their round-off, a value is not printed.  With
-    `blanks`
-    a nan is intended and is left empty.
+    `blanks` a nan is intended and is left empty.
     """
 
     title: str

@@ -33,8 +33,7 @@ class Stroke:
     """One coordinate back and forth in a turn of the crank.
 
     The longer way, from `begin` to `end`, takes `slow` seconds and the crank angle `slow_angle` (rad); the way back takes `fast`
-    and
-    `fast_angle`.
+    and `fast_angle`.
     """
 
     begin: TurningPoint

@@ -54,8 +54,7 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
     """Return the data sets from columns; a single number applies to all sets, and missing columns keep the values of the file.
 
     Raises `InputError` for a name that the template does not have, for different lengths, and for anything but finite numbers of
-    the
-    right unit.
+    the right unit.
     """
     columns = {} if columns is None else columns
     if not hasattr(columns, "keys"):

@@ -49,10 +49,8 @@ class Model:
     """The structure of one template; numbers come with every call.
 
     `equations` and `reduction` are those of the template.  Functions take t (…,) in s, q (…, m) in rad or m, and `Data`: a single
-    set
-    goes with arrays of any shape, several sets run along the first axis of t and q.  Where a velocity has no value (beyond the
-    table
-    of a law, at a dead point) the result is nan; nothing is raised or warned about.
+    set goes with arrays of any shape, several sets run along the first axis of t and q.  Where a velocity has no value (beyond
+    the table of a law, at a dead point) the result is nan; nothing is raised or warned about.
 
     >>> import coursework
     >>> model = coursework.compile_model("31")
@@ -127,7 +125,7 @@ class Model:
             for length in lengths_of(variant)
             if {*length.names()} <= known
         ]
-        # A length that is negative in the file itself is intended.  If only a datum is zero, its velocity would be lost.
+        # A length that is negative in the file itself is intended.  A datum of zero may remove a velocity from the equations.
         scalars = [length if value > 0 else -length for length, value in sizes]
         return tuple(dict.fromkeys([*scalars, *(symbol(given.name) ** 2 for given in variant.given if given.value)]))
 

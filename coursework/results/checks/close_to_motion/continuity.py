@@ -100,8 +100,7 @@ def _suspects(evidence: Evidence) -> _Brackets:
     """Return the changes that stay large, however often halved, on the cubics through the exact rows.
 
     These cubics have the exact positions and rates at the rows; they can jump only where the motion jumps.  Every interval and
-    column
-    is halved by itself, and the half with the larger change is kept.
+    column is halved by itself, and the half with the larger change is kept.
     """
     exact, rates = evidence.true, evidence.rates
     places = np.array([exact.names.index(name) for name in evidence.names])

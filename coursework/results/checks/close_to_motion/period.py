@@ -177,7 +177,7 @@ def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
     """Return that the stated period, or that of the drive alone, is wrong; None if the exact motion is back after it."""
     if _strayed(evidence, list(evidence.names)) is None:
         return None
-    if (back := later(evidence)) is not None:  # of a nearly closed wheel only the velocities would tell
+    if (back := later(evidence)) is not None:  # if a wheel is nearly back, only its velocities show it
         if back.periods is None:
             return skipped(evidence.say("check.PERIOD.never", period=evidence.period, most=MOST))
         end = float(evidence.motion.t[-1])

@@ -2,8 +2,7 @@
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 The fit is by least squares on a constant, t, and cos, sin of every k w, k = 1, 2, 3, where w are the frequencies of the drive.
-An
-oscillation is called sinusoidal, like the drive, only if k = 1 alone carries it; else the share of each k is told.
+An oscillation is called sinusoidal, like the drive, only if k = 1 alone carries it; else the share of each k is told.
 """
 
 from __future__ import annotations
@@ -89,7 +88,7 @@ def shares(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], win
 
 
 def harmonics(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], window: float) -> Harmonics:
-    """Return the share of each column's oscillation that each of k = 1, 2, 3 carries: `shares`, divided by squared amplitude.
+    """Return the share of each column's oscillation that k = 1, 2, 3 each carry: `shares`, split by squared amplitude.
 
     The row at the end of a period is the first row of the next, and must not count twice.
     """
@@ -99,7 +98,7 @@ def harmonics(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], 
     terms = np.column_stack([np.ones_like(whole), *_turning(whole, found)])
     squares = np.linalg.lstsq(terms, columns, rcond=None)[0][1:] ** 2
     sizes = np.sum(squares.reshape(len(HARMONICS), -1, len(names)), axis=1)
-    sizes[0] += np.sum(sizes, axis=0) <= (_QUIET * np.max(np.abs(columns), axis=0)) ** 2  # no oscillation counts as even
+    sizes[0] += np.sum(sizes, axis=0) <= (_QUIET * np.max(np.abs(columns), axis=0)) ** 2  # no oscillation counts as sinusoidal
     parts = np.array([*shares(motion, names, found, window).values()]) * sizes / np.sum(sizes, axis=0)
     return {name: tuple(column) for name, column in zip(names, parts.T.tolist(), strict=True)}
 

@@ -78,8 +78,7 @@ def _with_loops(closure: Closure) -> Closure | None:
     """Return the closure with its closed loops of [closure] held at zero, not at the start; None if nothing has to be zero.
 
     C.y keeps a height that only the start gives; (C - O - r @ phi).x says that a link reaches from O to C; (C - C1).x together
-    with
-    (C - C1).y says that both links reach one hinge.
+    with (C - C1).y says that both links reach one hinge.
     """
     positions = closure.equations.positions
     written = [on_axes(hold) for hold in closure.equations.variant.holds]

@@ -119,8 +119,7 @@ def equilibrated(matrix: Array, sizes: Array) -> Array:
     """Return the matrices (r, n, n) with rows and columns scaled by the same factors in all r of them.
 
     `sizes` (n, n) are the largest values the entries can take, not their actual values: a micrometre beside a metre (hard case
-    H17)
-    is no bad condition, but a vanishing row (a dead point) is.  Source: D. Ruiz, RAL-TR-2001-034.
+    H17) is no bad condition, but a vanishing row (a dead point) is.  Source: D. Ruiz, RAL-TR-2001-034.
     """
     down, across = np.ones(sizes.shape[0]), np.ones(sizes.shape[1])
     for _ in range(_ROUNDS):

@@ -102,8 +102,7 @@ def amplification(method: str, order: int) -> tuple[float, ...]:
     """Return half the sum of the sizes of a derivative's weights, for the nodes of a table from its end inwards.
 
     Multiplied by q/d^order (q the last place, d the spacing) this is the worst error of the derivative of `order` 0, 1 or 2: 0.5
-    for
-    the value itself; for the five-point formulas 0.75 inside and 5.33 at the end; applied twice 1.125 and 16.4.  The last
+    for the value itself; for the five-point formulas 0.75 inside and 5.33 at the end; applied twice 1.125 and 16.4.  The last
     entry holds for all inner nodes.
     """
     columns = []
@@ -119,8 +118,7 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     """Return the effect of rounding on the velocities that the law moves, and on their accelerations.
 
     For a law of position these come from its first and second derivative.  A drive is a velocity: the velocities have the
-    rounding of
-    its values, the accelerations that of its first derivative.
+    rounding of its values, the accelerations that of its first derivative.
     """
     is_drive = law in evidence.variant.drive
     count = decimals(law)
@@ -191,8 +189,7 @@ def _moved_by(evidence: Evidence, drive: str) -> dict[str, Array]:
     """Return by how much (n,) each unknown velocity changes with a drive, in the exact rows.
 
     The equations are linear in both: A u = b gives du = A⁻¹ db, and the accelerations change with the drive's derivative
-    likewise.
-    The smaller effect of positions that drift with the drive's integral is left out.
+    likewise.  The smaller effect of positions that drift with the drive's integral is left out.
     """
     exact, equations = evidence.true, evidence.equations
     system = compile_system(equations, equations.equations)

@@ -41,7 +41,7 @@ def every_row(evidence: Evidence) -> Finding:
     others = [place for place in range(len(names)) if place not in places]
     row, chosen = worst(relative[:, places])
     value, name = float(relative[row, places[chosen]]), names[places[chosen]]
-    # A redundant equation that was left out may hold on closed positions only, so it shows the scheme's drift: told, not judged.
+    # A redundant equation left out may hold on closed positions only and so show the scheme's drift: reported, not judged.
     unit = say("unit.relative")
     rows = tuple((say("check.RESIDUAL.unused", name=names[k]), float(np.max(relative[:, k])), unit) for k in others)
     if value <= LIMIT:
