@@ -1,4 +1,4 @@
-"""Everything that acts on the links as expressions of a row: what a page that moves is computed from.
+"""Everything that acts on the links, as expressions of a row: the basis of a page that moves.
 
 Enters: velocity equations, a `ForceScheme`.  Leaves: `Acting`.
 Used by `rows.py`, `rubbed_motion.py` and `report/live/by_forces.py`.
@@ -25,14 +25,16 @@ from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.forces import Spring
 
 COUPLE = 2
-_KINDS = {"x": 0, "y": 1, "couple": COUPLE}  # an unknown along a line has 3 and the number of its direction
+_KINDS = {"x": 0, "y": 1, "couple": COUPLE}  # an unknown along a line has the kind 3 + the number of its direction
 
 
 @frozen
 class Acting:
-    """`wanted` in order: of each body its centre (x, y), force and moment about it; x and y of each place; each direction;
-    kinetic and potential energy.  `unknowns`: name, bodies (-1: the frame) that it acts on with + and with -, place, kind,
-    whether it drives.
+    """The expressions a page needs for forces, and what its unknowns are.
+
+    `wanted` holds in this order: for each body its centre (x, y), the force on it and the moment about the centre; x and y of
+    each place; each direction; kinetic and potential energy.  Each of the `unknowns` is (name, body with +, body with -, place,
+    kind, whether it drives); body -1 is the frame.
     """
 
     wanted: tuple[Expression, ...]
@@ -42,7 +44,7 @@ class Acting:
 
 
 def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[list[Statement]]:
-    """Yield what gives the derivatives of the velocities of each block, where laws drive the mechanism."""
+    """Yield, block by block, the statements for the derivatives of the velocities if laws drive the mechanism."""
     rests = {one.name: acceleration_rest(equations, one) for one in equations.equations}
     slopes = {one.name: one.coefficients for one in equations.equations}
     earlier: list[str] = []
@@ -57,7 +59,7 @@ def accelerated(equations: VelocityEquations, reduction: Reduction) -> Iterator[
 
 @dataclass(slots=True)
 class ActingWriter:
-    """What acts on bodies, as expressions of positions, velocities and their derivatives."""
+    """Writes what acts on the bodies as expressions of positions, velocities and their derivatives."""
 
     equations: VelocityEquations
     scheme: ForceScheme
@@ -98,16 +100,16 @@ class ActingWriter:
         return x, y
 
     def second(self, expression: Expression) -> Expression:
-        """Return the second derivative of an expression of the positions."""
+        """Return the second time derivative of an expression of the positions."""
         return self.changed(self.equations.symbols.rate(expression))
 
     def changed(self, rate: Expression) -> Expression:
-        """Return the derivative of an expression of the velocities; laws say nothing of how free rates change, forces do."""
+        """Return the time derivative of an expression of the velocities; free rates change by forces, not by laws."""
         free = self.scheme.forces.motor.rates if self.scheme.forces.motor else ()
         return add(second_rate(self.equations, rate), *[derivative_by(rate, symbol(name)) * derivative(name) for name in free])
 
     def turned(self, body: Body) -> tuple[Expression, Expression]:
-        """Return angular velocity and acceleration."""
+        """Return the angular velocity and acceleration of a body."""
         if body.rate:
             return symbol(body.rate), self.changed(symbol(body.rate))
         if body.span is None or body.span[0] == body.span[1]:
@@ -119,7 +121,7 @@ class ActingWriter:
         return cross(way, moved) / square, cross(way, second) / square
 
     def square(self, first: Formula, last: Formula) -> Expression:
-        """Return the square of a distance."""
+        """Return the square of the distance between two points."""
         (ax, ay), (bx, by) = self.vector(first), self.vector(last)
         return (bx - ax) ** 2 + (by - ay) ** 2
 
@@ -129,7 +131,7 @@ class ActingWriter:
 
     @property
     def gravity(self) -> Vector:
-        """Return what every mass is drawn with (m/s²)."""
+        """Return the acceleration of gravity (m/s²)."""
         x, y = map(self.scalar, self.scheme.forces.gravity or (None, None))
         return x, y
 
@@ -165,7 +167,7 @@ class ActingWriter:
                     yield at, (sign * pull * way[0], sign * pull * way[1]), ZERO
 
     def pull(self, spring: Spring) -> tuple[Expression, Expression]:
-        """Return the length of a spring and how it pulls its ends together."""
+        """Return the length of a spring and the force with which it pulls its ends together."""
         length = call("sqrt", self.square(*map(named, spring.ends)))
         pull = self.scalar(spring.stiffness) * (length - self.scalar(spring.free)) if spring.stiffness is not None else ZERO
         return length, pull + self.scalar(spring.damping) * self.equations.symbols.rate(length)
@@ -178,7 +180,7 @@ class ActingWriter:
                 yield HALF * self.scalar(spring.stiffness) * stretch**2
 
     def along(self, one: Unknown) -> Vector:
-        """Return the unit vector of an unknown, or the force at the end of an arm that is a couple on it (1/m)."""
+        """Return the unit vector of an unknown, or the force at the end of an arm equivalent to a unit couple on it (1/m)."""
         way = one.direction
         if way.kind == "slope":
             assert one.at is not None

@@ -1,4 +1,4 @@
-"""[masses] and [forces] for a file that has none yet: every body with a mass to be changed, weight, one load.
+"""Sections [masses] and [forces] for a file that has none yet: a mass to be edited for every body, weight, one load.
 
 Enters: a variant and the text of its file.  Leaves: the text with the sections.  Used by `commands/new.py`.
 """
@@ -19,9 +19,9 @@ _ASKED = re.compile(r"^(quantities\s*=\s*\[)([^\]]*?),?\s*\]", re.M)
 
 
 def with_forces(variant: Variant, text: str, said: Callable[[str], str]) -> str:
-    """Return the text of a variant's file with masses and forces; `said` puts a remark into a language.
+    """Return the text of a variant's file with masses and forces; `said` translates a remark.
 
-    Raises `InputError` where the file does not show its links and joints.
+    Raises `InputError` if the file does not show its links and joints.
     """
     scheme = read_scheme(build(variant), Forces())
     own = "\n".join(_sections(scheme, said))
@@ -31,7 +31,7 @@ def with_forces(variant: Variant, text: str, said: Callable[[str], str]) -> str:
 
 
 def _asked(found: re.Match[str]) -> str:
-    """Return the list of quantities with forces and energy, each once."""
+    """Return the list of quantities with forces and energy added, each once."""
     more = [one for one in ('"forces"', '"energy"') if one not in found[2]]
     return f"{found[1]}{', '.join([found[2], *more] if found[2].strip() else more)}]"
 
@@ -50,7 +50,7 @@ def _sections(scheme: ForceScheme, said: Callable[[str], str]) -> Iterator[str]:
     yield f"[forces]                       # {said(say('new.forces'))}"
     yield 'gravity = "9.81 m/s^2"'
     last = scheme.bodies[-1]
-    held = scheme.holds[last.name]  # of a wheel the centre comes first, and its contact is no point of it
+    held = scheme.holds[last.name]  # a wheel lists its centre first, and its contact is not one of its own points
     yield f'F1 = {{ on = "{last.name}", at = "{held[0] if _is_wheel(scheme, last.name) else held[-1]}", force = "(-100, 0)" }}'
 
 

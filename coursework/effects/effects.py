@@ -1,4 +1,4 @@
-"""The effects, one record each: what a file names is computed, all else is neither computed nor imported.
+"""The effects, one record each: only what a file names is computed and imported.
 
 Enters: `Rows`.  Leaves: `Action`s, the forces and couples that are known as soon as the motion is.
 Used by `kinetostatics.py`, `energy.py`, `checks.py` and `told.py`.  To add one: write its function and a record in `EFFECTS`.
@@ -21,9 +21,9 @@ from coursework.variant.record.forces import Forces
 
 @frozen
 class Action:
-    """A `force` (n,) complex N at a place (n,) complex m, or a `couple` (n,) N m, on a body; `effect` says of which.
+    """A `force` (n,) complex N at a place (n,) complex m, or a `couple` (n,) N m, on a body, due to an `effect`.
 
-    `name` is that which the file gives it, "" where it has none of its own.
+    `name` is its name in the file, "" if it has none of its own.
     """
 
     effect: str
@@ -36,7 +36,7 @@ class Action:
 
 @frozen
 class Effect:
-    """`named` tells whether a file names it; `acts` yields its actions; `section` is where it is named."""
+    """One effect: `named` tells whether a file names it, `acts` yields its actions, `section` is the section that names it."""
 
     name: str
     section: str
@@ -100,8 +100,8 @@ WEIGHT = Effect("weight", "forces", lambda forces: bool(forces.masses) and force
 LOADS = Effect("loads", "forces", lambda forces: bool(forces.loads), _loads)
 SPRINGS = Effect("springs", "forces", lambda forces: bool(forces.springs), _springs)
 
-# Friction depends on the reactions, so it is found around them (`friction.py`).  A motor moves the mechanism (`dynamics.py`); on
-# a free link it is what the rows say drives it, anywhere else a couple.
+# Friction depends on the reactions, so it is computed together with them (`friction.py`).  A motor moves the mechanism
+# (`dynamics.py`): on a free link the rows give what drives it, elsewhere it is a couple.
 FRICTION = Effect("friction", "friction", lambda forces: bool(forces.friction), lambda rows: iter(()))
 MOTOR = Effect("motor", "motor", lambda forces: forces.motor is not None, _motor)
 
@@ -109,7 +109,7 @@ EFFECTS: tuple[Effect, ...] = (INERTIA, WEIGHT, LOADS, SPRINGS, FRICTION, MOTOR)
 
 
 def actions_of(rows: Rows) -> tuple[Action, ...]:
-    """Return what every effect does that the file names."""
+    """Return the actions of all effects that the file names."""
     return tuple(action for effect in EFFECTS if effect.named(rows.scheme.forces) for action in effect.acts(rows))
 
 
@@ -124,7 +124,7 @@ def wrenches(rows: Rows, actions: tuple[Action, ...]) -> Array:
 
 
 def add_wrench(total: Array, action: Action, about: Complex | float) -> None:
-    """Add an action to sums (n, 3) of forces along x and y and of moments about a place."""
+    """Add an action to the sums (n, 3) of forces along x and y and of moments about the place `about`."""
     if action.couple is not None:
         total[:, 2] += action.couple
     if action.force is not None and action.at is not None:

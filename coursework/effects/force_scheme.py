@@ -1,11 +1,11 @@
-"""A mechanism as Newton's laws see it: bodies with their masses, and every unknown force or couple between them.
+"""A mechanism for Newton's laws: bodies with their masses, and every unknown force or couple between them.
 
 Enters: nothing.  Leaves: the records `ForceScheme`, `Body`, `Unknown`, `Direction`, still in formulas.
 Used by `scheme.py`, which reads them, `rows.py`, `kinetostatics.py` and all that follows.
 
-R<i><j> is the force of link i on link j, 0 the frame; of a pin that more than two links hold, R<P><j> is the pin's on link j,
-since pair forces are not unique there.  N is across a guide, K the couple of what cannot turn in it, T along a contact that
-rolls.
+R<i><j> is the force of link i on link j, 0 the frame.  For a pin that joins more than two links, R<P><j> is the force of the pin
+on link j, since pair forces are not unique there.  N acts across a guide, K is the couple of a body that cannot turn in its
+guide, T acts along a rolling contact.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from coursework.variant.record.forces import DISC, ROD, Forces, Load
 
 @frozen
 class Body:
-    """A moving link: its `name`, the `rate` it turns with ("" where it does not turn), a point of it, its centre of mass.
+    """A moving link: its `name`, the `rate` it turns with ("" if it has none), its `centre` of mass, its `mass` (None for none).
 
-    `span` are two of its points, from which the rate follows where no name has it; of a rod's inertia they are the ends, of a
-    disc's centre and contact.  `mass` None: none.
+    `span` are two of its points, from which the angular velocity follows if there is no named rate; for the inertia of a rod they
+    are its ends, for that of a disc its centre and contact.
     """
 
     name: str
@@ -38,10 +38,10 @@ class Body:
 
 @frozen
 class Direction:
-    """Where an unknown points: along +x or +y ("x", "y"), along a line or to the left of it ("along", "across"), "couple".
+    """The direction of an unknown: +x or +y ("x", "y"), along a line or to its left ("along", "across"), or a "couple".
 
-    The line is at an `angle`, or leads `through` two points; "tangent" is to the right of it, the way to a wheel's centre.
-    "slope" is what drives a `coordinate` that no link has: the couple on an arm, a force at its end, or the force along a length.
+    The line has an `angle`, or leads `through` two points; "tangent" is to the right of it, where it leads to a wheel's centre.
+    "slope" drives a `coordinate` that no link has: a couple on an arm, as a force at its end, or a force along a length.
     """
 
     kind: str
@@ -52,7 +52,7 @@ class Direction:
 
 @frozen
 class Unknown:
-    """A force or couple `name` at a point, + on the bodies of `on`, - on those of `off`; `is_drive`: what moves the mechanism."""
+    """A force or couple `name` at a point, + on the body `on`, - on the body `off`; `is_drive` names the driven velocity."""
 
     name: str
     on: str
@@ -64,10 +64,10 @@ class Unknown:
 
 @frozen
 class ForceScheme:
-    """`bodies`, `pins` that more than two links hold (by point), `unknowns` in the order of the table.
+    """Bodies and unknowns: `bodies`, `pins` that join more than two links (by point), `unknowns` in the order of the table.
 
-    `holds`: the points of each body; `groups`: the names of the bodies of each driven link and group in the order of assembly,
-    none where that is not known.
+    `holds` gives the points of each body; `groups` the names of the bodies of each driven link and group in the order of
+    assembly, empty if it is unknown.
     """
 
     bodies: tuple[Body, ...]
@@ -83,16 +83,16 @@ class ForceScheme:
         return {body.name: body for body in self.bodies}
 
     def body_named(self, name: str) -> str:
-        """Return the body that a key means, by its name or by the point of a block."""
+        """Return the name of the body meant by a key: its name, or the point of a block."""
         return name if name in self.by_name else self.holder(name)
 
     def own_point(self, name: str) -> Formula | None:
-        """Return a point that the body of a key holds, None where the file names none."""
+        """Return a point that the body of a key holds, None if the file names none."""
         held = self.holds.get(self.body_named(name), ())
         return named(held[0]) if held else None
 
     def holder(self, point: str) -> str:
-        """Return the body that holds a point, a block before the link that it is hinged on, the frame where none does."""
+        """Return the body that holds a point: a block before the link it is hinged to, the frame if no body holds it."""
         holders = [name for name in in_order(self.holds) if name != FRAME and point in self.holds[name]]
         return next((name for name in holders if len(self.holds[name]) == 1), holders[0] if holders else FRAME)
 
@@ -100,9 +100,9 @@ class ForceScheme:
 def inertia_of(
     scheme: ForceScheme, body: Body, scalar: Callable[[Formula | None], Any], square: Callable[[Formula, Formula], Any]
 ) -> Any:
-    """Return the moment of inertia about the centre of mass, that of a flywheel on the body included.
+    """Return the moment of inertia about the centre of mass, including a flywheel on the body.
 
-    In what `scalar` gives of a formula, 0 of none, and `square` of the distance of two points: rows of numbers, or expressions.
+    `scalar` evaluates a formula (0 for None), `square` the squared distance of two points: as rows of numbers or as expressions.
     """
     if isinstance(body.inertia, str):
         assert body.span is not None
@@ -114,8 +114,9 @@ def inertia_of(
 
 
 def torques_beside_drives(scheme: ForceScheme) -> Iterator[tuple[str, str, Load]]:
-    """Yield body, body it stands on, and law of each motor that turns no free link from what that is driven from: it acts where
-    it is, and what the free link needs is only what is left.
+    """Yield body, the body it is driven from, and the law of each motor that is not the drive of a free link.
+
+    Such a motor acts where it is; the drive of the free link gives only what is left.
     """
     couples = {(one.on, one.off) for one in drives_of(scheme) if one.direction.kind == "couple"}
     for load in scheme.forces.motor.torques if scheme.forces.motor else ():
@@ -130,7 +131,7 @@ def drives_of(scheme: ForceScheme) -> tuple[Unknown, ...]:
 
 
 def names_of(unknowns: Iterable[Unknown]) -> tuple[str, ...]:
-    """Return the names of unknowns, each once: joints between the same two links are told apart by a stroke."""
+    """Return the names of unknowns, each once: repeated names, for joints between the same two links, get a prime."""
     found: dict[str, None] = {}
     for one in unknowns:
         name = one.name

@@ -1,4 +1,4 @@
-"""What forces are computed from, in all rows of a motion at once: places, velocities and accelerations of the bodies.
+"""The input of the force computation for all rows of a motion at once: places, velocities and accelerations of the bodies.
 
 Enters: equations, a `ForceScheme`, a motion with its accelerations.  Leaves: `Rows`; vectors are complex, x + iy, SI.
 Used by `effects.py`, `kinetostatics.py`, `virtual_power.py`, `energy.py` and `analysis.py`.
@@ -23,14 +23,18 @@ from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
 from coursework.variant.formula.tree import Formula
 
-# Level of a value: where it is, how fast it changes, how fast that changes.
+# Level of a value: the place, its rate, its second rate.
 PLACE, RATE, SECOND = 0, 1, 2
-Wanted = tuple[Formula, bool, int | str]  # a formula, whether it is a vector, a level, or the coordinate it is derived by
+Wanted = tuple[Formula, bool, int | str]  # a formula, whether it is a vector, a level or the coordinate of a derivative
 
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """The numbers of every row (n,): of formulas by level, and the analogs of the centres by coordinate (n,) complex."""
+    """The values of every row (n,).
+
+    `values` holds those of formulas by level, `turning` the angular velocities and accelerations by rate, `slopes` the
+    derivatives of the centres by the coordinates (n,) complex.
+    """
 
     motion: Motion
     scheme: ForceScheme
@@ -49,12 +53,12 @@ class Rows:
         return found
 
     def scalar(self, formula: Formula | None) -> Array:
-        """Return a number (n,), 0 where the file gives none."""
+        """Return the values of a number (n,), 0 if the file gives none."""
         found: Array = np.zeros(self.count) if formula is None else self.values[formula, False, PLACE]
         return found
 
     def along(self, unknown: Unknown) -> Complex:
-        """Return the force (n,) complex that one of an unknown is: a unit vector, or that of a couple on an arm (1/m)."""
+        """Return the force (n,) complex for an unknown of 1: a unit vector, or the force of a unit couple on an arm (1/m)."""
         direction = unknown.direction
         if direction.kind == "slope" and unknown.at is not None:
             return np.asarray(1 / np.conj(self.vector(unknown.at, direction.coordinate)))
@@ -77,7 +81,7 @@ class Rows:
 
     @cached_property
     def turns(self) -> dict[str, tuple[Array, Array]]:
-        """The angular velocity and acceleration of each body."""
+        """Return the angular velocity and acceleration of each body."""
         return {body.name: self._turn(body) for body in self.scheme.bodies}
 
     def _turn(self, body: Body) -> tuple[Array, Array]:
@@ -91,7 +95,7 @@ class Rows:
         return omega, (np.conj(way) * second).imag / np.abs(way) ** 2
 
     def velocity(self, body: Body, at: Complex) -> Complex:
-        """Return the velocity (n,) complex m/s of that point of a body which stands at a place."""
+        """Return the velocity (n,) complex m/s of the point of a body that is at the place `at`."""
         return self.vector(body.centre, RATE) + 1j * self.omega(body) * (at - self.vector(body.centre))
 
     def mass(self, body: Body) -> Array:
@@ -99,20 +103,20 @@ class Rows:
         return self.scalar(body.mass)
 
     def inertia(self, body: Body) -> Array:
-        """Return the moment of inertia about the centre of mass (n,) kg m², that of a flywheel on the body included."""
+        """Return the moment of inertia about the centre of mass (n,) kg m², including a flywheel on the body."""
         vector = self.vector
         found: Array = inertia_of(self.scheme, body, self.scalar, lambda first, last: np.abs(vector(last) - vector(first)) ** 2)
         return found
 
     @cached_property
     def length(self) -> float:
-        """A length of the mechanism (m): how far its joints are apart at most."""
+        """Return a length of the mechanism (m): the largest distance of a joint from the first one."""
         places = [self.vector(one.at) for one in self.scheme.unknowns if one.at is not None]
         return float(max((np.abs(one - places[0]).max(initial=0.0) for one in places), default=0.0)) or 1.0
 
 
 def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
-    """Yield every value that the forces of a scheme are computed from."""
+    """Yield every value that the force computation for a scheme needs."""
     for unknown in scheme.unknowns:
         if unknown.at is not None:
             yield unknown.at, True, PLACE
@@ -154,7 +158,7 @@ def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """What `Rows` are made of, compiled once for a mechanism."""
+    """The program that computes `Rows`, compiled once for a mechanism."""
 
     scheme: ForceScheme
     equations: VelocityEquations
@@ -162,7 +166,7 @@ class Program:
     expressions: tuple[Expression, ...]
 
     def rows(self, motion: Motion, second: Array) -> Rows:
-        """Return the numbers of a motion's rows with their accelerations (n, k)."""
+        """Return the values for a motion's rows with their accelerations (n, k)."""
         compiled = compile_rows(self.equations, self.expressions, 2)
         columns = iter(compiled(motion.t, motion.coordinates, motion.velocities, second).T)
         values = {
@@ -178,7 +182,7 @@ class Program:
 
 
 def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Program:
-    """Return the program of a scheme.  Raises `InputError` where a formula of the forces has no value."""
+    """Return the program of a scheme.  Raises `InputError` if a formula of the forces has no value."""
     wanted = tuple(dict.fromkeys(wanted_of(scheme)))
     symbols, writer, found = equations.symbols, ActingWriter(equations, scheme), list[Expression]()
 

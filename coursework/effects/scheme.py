@@ -1,4 +1,4 @@
-"""What a mechanism and its masses are for Newton's laws, or every fault of the masses in one go.
+"""The reader of a mechanism and its masses for Newton's laws, which reports all faults of the masses at once.
 
 Enters: a `Mechanism` whose variant names masses or forces.  Leaves: `ForceScheme`, still in formulas.  Raises `InputError`.
 Used by `analysis.py` and `draft.py`.
@@ -24,7 +24,7 @@ from coursework.words.sentences import closest, say
 
 
 def read_scheme(mechanism: Mechanism, instead: Forces | None = None) -> ForceScheme:
-    """Return bodies and unknown forces, with the file's own masses or others `instead`.
+    """Return bodies and unknown forces, for the file's own masses or those given as `instead`.
 
     Raises `InputError` with every fault of the masses.
     """
@@ -73,7 +73,7 @@ class _Reader:
         self.faults.append(Fault(message, self.variant.file, line, 0, ".".join(path)))
 
     def body_of(self, name: str, path: tuple[str, ...]) -> str:
-        """Return what the body is called that a key of the file means: a link, or a block by its point; "" after a fault."""
+        """Return the name of the body meant by a key of the file (a link, or a block by its point); "" after noting a fault."""
         names = {self.bodies.called[body] for body in self.bodies.linkage.bodies}
         if name in names:
             return name
@@ -122,7 +122,7 @@ class _Reader:
         return ""
 
     def check_friction(self, unknowns: list[Unknown]) -> None:
-        """Note what is said to rub and does not: at a point that is no joint, at a pin that has no radius."""
+        """Note a fault for each friction entry that cannot rub: at a point that is no joint, or at a pin without a radius."""
         if not self.forces.friction:
             return
         from coursework.effects.friction.friction import rubbing
@@ -159,7 +159,7 @@ class _Reader:
         block, guide = (self.bodies.called[body] for body in joint.bodies)
         across = Direction("across", joint.along, None if joint.along is not None else self.line_of(joint.bodies[1]))
         yield Unknown(f"N{_pair(guide, block)}", block, guide, joint.where, across)
-        if joint.kind.takes > 1:  # a pin alone turns in its guide
+        if joint.kind.takes > 1:  # a bare pin can turn in its guide
             yield Unknown(f"K{_pair(guide, block)}", block, guide, None, Direction("couple"))
 
     def line_of(self, bar: str) -> tuple[Formula, Formula]:
@@ -180,11 +180,11 @@ class _Reader:
             to_centre = contact, named(wheels.get(on) or wheels[first])
             along, across = Direction("tangent", None, to_centre), Direction("along", None, to_centre)
         yield Unknown(f"T{_pair(off, on)}", on, off, contact, along)
-        if joint.kind.takes > 1:  # wheels that mesh only keep their speed
+        if joint.kind.takes > 1:  # meshing wheels only keep their speed ratio
             yield Unknown(f"N{_pair(off, on)}", on, off, contact, across)
 
     def drives(self) -> Iterator[Unknown]:
-        """Yield what moves the mechanism: a couple for each driven rate, a force for a slide or the parts of a driven point."""
+        """Yield the unknowns of the drives: a couple for each driven rate, a force for a slide, two for a driven point."""
         variant, rates, called = self.variant, self.bodies.rates(), self.bodies.called
         units = {c.rate: c.unit for c in variant.coordinates}
         several = len(variant.known_rates) > 1
@@ -212,8 +212,9 @@ class _Reader:
                     yield Unknown(name, called[holders[0]], FRAME, named(variant.driven), Direction(axis), velocity)
 
     def arm(self, rate: str, name: str) -> Unknown:
-        """Return what a driven rate that no link has needs at the point of a link that it moves: of an angle the couple that
-        turns an arm, of a length the force along it.
+        """Return the drive of a driven rate that belongs to no link, at the point of a link that it moves.
+
+        For an angle it is the couple that turns an arm, for a length the force along it.
         """
         variant = self.variant
         coordinate, points = next(c.name for c in variant.coordinates if c.rate == rate), dict(self.mechanism.points)
@@ -236,5 +237,5 @@ class _Reader:
 
 
 def _pair(first: str, second: str) -> str:
-    """Return what stands behind a letter for two links: 12, or 1_12 where a name is longer than a letter."""
+    """Return the suffix for two links: 12, or 1_12 if a name is longer than one letter."""
     return first + second if len(first) == len(second) == 1 else f"{first}_{second}"

@@ -1,4 +1,4 @@
-"""What is told of the forces of a run: which effects are on and why the others are not, and what run.json keeps of them.
+"""What is told about the forces of a run: which effects are on, why the others are off, and what run.json records.
 
 Enters: a `Variant`, a `ForceAnalysis`.  Leaves: sentences, plain data.
 Used by `commands/run.py`, `motion_results.py` and `report/output/record.py`.
@@ -20,7 +20,7 @@ from coursework.words.sentences import joined, say
 
 
 def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence]:
-    """Return which effects a file turns on, which not and why, and what a row costs; nothing of a file without forces."""
+    """Return which effects a file turns on or off and why, and the cost of a row; empty for a file without forces."""
     forces = variant.forces
     if forces is None:
         return []
@@ -39,7 +39,7 @@ def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence
 
 
 def _cost(effect: Effect, variant: Variant, found: ForceAnalysis) -> Sentence:
-    """Return what an effect adds to every row."""
+    """Return the sentence about what an effect adds to every row."""
     if effect is FRICTION:
         from coursework.effects.friction.friction import MOST_ROUNDS
 
@@ -52,7 +52,7 @@ def _cost(effect: Effect, variant: Variant, found: ForceAnalysis) -> Sentence:
 
 
 def dynamics_table(found: ForceAnalysis) -> ExtraTable:
-    """Return the columns of `dynamics.csv`: coordinates, rates, and kinetic and potential energy together."""
+    """Return the columns of `dynamics.csv`: coordinates, rates, and the sum of kinetic and potential energy."""
     motion, variant = found.rows.motion, found.equations.variant
     names = (*motion.coordinate_names, *variant.rates)
     energy = found.energy.kinetic + found.energy.potential
@@ -62,7 +62,7 @@ def dynamics_table(found: ForceAnalysis) -> ExtraTable:
 
 
 def force_record(found: ForceAnalysis, period: float | None) -> dict[str, Any]:
-    """Return what run.json says of the forces: the largest reaction and its row, the mean torque, the flywheel, agreements."""
+    """Return the entries of run.json about forces: the largest reaction and its row, mean torque, flywheel, agreements."""
     reactions = found.reactions
     known = np.nan_to_num(np.abs(reactions.rows[:, : len(reactions.names) - len(found.drive_names)]))
     row, column = np.unravel_index(int(np.argmax(known)), known.shape) if known.size else (0, 0)
@@ -83,7 +83,7 @@ def force_record(found: ForceAnalysis, period: float | None) -> dict[str, Any]:
 
 
 def _share(other: Any, own: Any, found: ForceAnalysis) -> float | None:
-    """Return how far two ways are apart, as a share of the largest force; None where one of them is not known."""
+    """Return the difference of two methods as a share of the largest force; None if one of them is unknown."""
     if other is None or not own.size or not found.reactions.largest or not np.isfinite(own).all():
         return None
     return float(np.abs(other - own).max() / found.reactions.largest)

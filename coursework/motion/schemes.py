@@ -33,14 +33,14 @@ Tree = tuple[Any, ...]  # the trees that grow from a root; () is a single vertex
 class Sum:
     """One row of a tableau with its common factor taken out: h * factor * sum of whole * slope.
 
-    `terms` are (place of the slope, whole number not zero), as a lecture writes h/6 (k1 + 2 k2 + 2 k3 + k4).
+    `terms` are pairs (index of a slope, whole number other than zero), as a lecture writes h/6 (k1 + 2 k2 + 2 k3 + k4).
     """
 
     factor: Fraction
     terms: tuple[tuple[int, int], ...]
 
     def added(self, q: Any, h: Any, slopes: Sequence[Any]) -> Any:
-        """Return q + this sum; the generated loops do the same operations in the same order."""
+        """Return q plus this sum; the generated loops do the same operations in the same order."""
         if not self.terms:
             return q
         (place, whole), *rest = self.terms
@@ -54,8 +54,9 @@ class Sum:
 class Scheme:
     """An explicit scheme as its Butcher tableau: k_i = f(t + c_i h, q + h sum_j a_ij k_j), next q + h sum_i b_i k_i.
 
-    `name` for `--scheme`, `title` in words; `nodes` c (s,), `rows` a (row i has i numbers), `weights` b (s,), exact fractions;
-    `order` of accuracy.  Raises `ValueError` where the numbers are no explicit scheme of exactly this order.
+    `name` is used by `--scheme`, `title` is the name in words.  The numbers are exact fractions: `nodes` c (s,), `rows` a (row i
+    has i numbers), `weights` b (s,).  `order` is the order of accuracy.  Raises `ValueError` if the numbers do not form an
+    explicit scheme of exactly this order.
 
     >>> Scheme("half", "half a step", (0,), ((),), (Fraction(1, 2),), 1)
     Traceback (most recent call last):
@@ -71,7 +72,7 @@ class Scheme:
     inner: tuple[Sum, ...] = field(init=False, repr=False)
     outer: Sum = field(init=False, repr=False)
 
-    def __hash__(self) -> int:  # asked for with every loop: that of a hundred fractions takes as long as the loop
+    def __hash__(self) -> int:  # every cached loop asks for the hash; hashing a hundred fractions would take as long as the loop
         return hash(self.name)
 
     def __post_init__(self) -> None:
@@ -88,9 +89,9 @@ class Scheme:
 
     @property
     def damped(self) -> float:
-        """Return the largest product of step and rate with which a deviation that dies out does not grow in a step.
+        """Return the largest product of step and decay rate for which one step does not enlarge a decaying deviation.
 
-        A step multiplies it by R(-x) = sum_k (-x)^k b a^(k-1) 1: 2 for explicit Euler, 2.785 for Runge-Kutta 4.
+        A step multiplies the deviation by R(-x) = sum_k (-x)^k b a^(k-1) 1: 2 for explicit Euler, 2.785 for Runge-Kutta 4.
 
         >>> SCHEMES["euler"].damped
         2.0
@@ -107,9 +108,9 @@ class Scheme:
         return min(float(root.real) for root in np.concatenate(roots) if abs(root.imag) < 1e-9 < root.real)
 
     def step(self, f: Slopes, t: Any, q: Any, h: Any, first: Any = None) -> Any:
-        """Return the position after one step of h from q at t; `f(t, q)` gives the slopes, numbers or arrays.
+        """Return the position after one step of length h from q at t; `f(t, q)` gives the slopes, as numbers or arrays.
 
-        `first` is the slope at (t, q) itself where it is known.
+        `first` is the slope at (t, q), if it is already known.
 
         >>> SCHEMES["euler"].step(lambda t, q: -q, 0.0, 1.0, 0.1)
         0.9
@@ -120,7 +121,7 @@ class Scheme:
         return self.outer.added(q, h, found)
 
     def _fault(self) -> str:
-        """Return what is wrong with the numbers, "" where nothing is."""
+        """Return what is wrong with the numbers; an empty string if nothing is wrong."""
         stages = len(self.nodes)
         if len(self.weights) != stages or [len(row) for row in self.rows] != list(range(stages)):
             return f"{stages} nodes need as many weights, and rows of 0 to {stages - 1} numbers."
@@ -177,14 +178,14 @@ def _trees(size: int) -> Iterator[Tree]:
 
 
 def _forests(size: int, largest: int) -> Iterator[Tree]:
-    """Yield every collection of rooted trees with `size` vertices in all, none with more than `largest`, larger ones first."""
+    """Yield every collection of rooted trees with `size` vertices in all, none with more than `largest`, larger trees first."""
     if size == 0:
         yield ()
         return
     for first in range(min(size, largest), 0, -1):
         for tree in _trees(first):
             for others in _forests(size - first, first):
-                # Trees of one size stand in the order of `repr`, so that no collection comes twice.
+                # Trees of equal size are ordered by `repr`, so that no collection is yielded twice.
                 if not others or _vertices(others[0]) < first or repr(others[0]) <= repr(tree):
                     yield (tree, *others)
 
@@ -221,21 +222,21 @@ RK4 = Scheme(
 """Four slopes, order 4, the classical scheme.  Common mistake: k3 computed from k1, or the sum divided by 4."""
 
 SCHEMES: dict[str, Scheme] = {scheme.name: scheme for scheme in (EULER, MIDPOINT, HEUN, RALSTON, RK4)}
-# Only for what forces move, where a state has rates: v + h a(q, v, t) first, then q + h v with the new rates.  Beside the
-# tableaux: its slopes are those of Euler, and so is its order.
+# Only for motion under forces, where the state holds rates: first v + h a(q, v, t), then q + h v with the new rates.  It is not
+# in `SCHEMES`; its slopes and its order are those of Euler.
 SEMI_IMPLICIT = Scheme("semi-implicit", "semi-implicit Euler", nodes=(0,), rows=((),), weights=(1,), order=1)
-# What a table is made with where nothing else is said: the scheme of the coursework.
+# The scheme used if none is named: the scheme of the coursework.
 DEFAULT_SCHEME = EULER
-# What finds a motion to round-off by halving its steps, and what the accuracy study calls the better scheme.
+# The scheme that finds a motion to round-off by halving its steps, and that the accuracy study calls the better scheme.
 PRECISE = RK4
 
 
-# What a lesson compares where forces move a mechanism: three orders, and the scheme that keeps a pendulum's energy bounded.
+# The schemes a lesson compares for motion under forces: three orders, and the scheme that keeps a pendulum's energy bounded.
 COMPARED = (EULER, SEMI_IMPLICIT, HEUN, RK4)
 
 
 def scheme_of(name: str, also: tuple[str, ...] = ()) -> Scheme:
-    """Return a scheme by its name; `also` are names known beside the others.  Raises `InputError` for a name that is none.
+    """Return a scheme by its name; `also` are further names that are allowed.  Raises `InputError` for an unknown name.
 
     >>> scheme_of("rk4").slopes
     4
@@ -248,11 +249,11 @@ def scheme_of(name: str, also: tuple[str, ...] = ()) -> Scheme:
 
 
 def scheme_named(name: str) -> Scheme | None:
-    """Return the scheme of a name, None for the exact motion, which no tableau makes."""
+    """Return the scheme with this name; None for the exact motion, which has no tableau."""
     return SEMI_IMPLICIT if name == SEMI_IMPLICIT.name else SCHEMES.get(name)
 
 
 def title_of(scheme: Scheme) -> Sentence:
-    """Return what a scheme is called: by its record, or where a words file says so by the key `scheme.NAME`."""
+    """Return the title of a scheme: the sentence `scheme.NAME` of the words file if it exists, else the title in the record."""
     key = f"scheme.{scheme.name}"
     return say(key) if load_phrases().has(key) else Sentence(scheme.title, key, {})

@@ -16,11 +16,11 @@ from coursework.variant.record.vocabulary import EXACT, OF_FORCES
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
-MOST_CORRECTIONS = 20  # Newton's method has settled long before
+MOST_CORRECTIONS = 20  # Newton's method converges in far fewer
 
 
 def scheme_for(variant: Variant, scheme: str | None = None) -> str:
-    """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
+    """Return the scheme of a run: the one asked for, else that of the file, else exact for a chain, else the default."""
     is_exact = variant.motor is None and is_chain(variant)
     return scheme or variant.time.scheme or (EXACT if is_exact else DEFAULT_SCHEME.name)
 
@@ -34,9 +34,10 @@ def stepping(variant: Variant, scheme: str | None) -> str:
 
 @frozen
 class Settings:
-    """`project` Newton corrections a step; `gain` Baumgarte's gain (1/s); `columns` of the table asked for, () for all.
+    """The settings of one run.
 
-    `order` of the highest derivative of the motion that is asked for: 1 velocities, 2 accelerations.
+    `project` is the number of Newton corrections a step, `gain` Baumgarte's gain (1/s), `columns` the table columns asked for
+    (empty for all), `order` the highest derivative of the motion asked for: 1 for velocities, 2 for accelerations.
     """
 
     scheme: str = DEFAULT_SCHEME.name
@@ -46,9 +47,9 @@ class Settings:
     order: int = 1
 
     def checked(self, step: float, *, by_forces: bool = False) -> Settings:
-        """Return the settings; `by_forces`: of a motion that forces make, which has a scheme more and no drift.
+        """Return the settings after checking them; `by_forces` marks motion under forces, which has one more scheme and no drift.
 
-        Raises `InputError` for a scheme that does not exist and gains that grow the error.
+        Raises `InputError` for an unknown scheme, for options that exclude each other and for gains that make the error grow.
         """
         if self.scheme != EXACT:
             scheme_of(self.scheme, OF_FORCES if by_forces else ())
@@ -65,7 +66,7 @@ class Settings:
         return self
 
     def correction(self, closure: Closure | None) -> Correction | None:
-        """Return what keeps the positions closed, None where nothing does.  Raises `InputError` where it cannot be had."""
+        """Return the correction that keeps positions closed, None if not asked for.  Raises `InputError` if it is impossible."""
         if not (self.project or self.gain):
             return None
         if closure is None or not closure.complete:

@@ -1,1 +1,1 @@
-"""One variant, lazily: the way to its motion, what follows from it, and what can be asked for."""
+"""One variant, computed lazily: the way to its motion, its results, and what can be asked for."""

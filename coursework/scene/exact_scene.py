@@ -1,6 +1,6 @@
-"""A scene whose table is the motion of the mechanism itself, without a scheme's error, and a scheme's rows beside it.
+"""A scene whose table is the exact motion of the mechanism, with a scheme's rows beside it.
 
-Enters: a `Variant` and `Settings` with the scheme "exact".  Leaves: `ExactScene`; `scene_of` gives whichever is asked for.
+Enters: a `Variant` and `Settings` with the scheme "exact".  Leaves: `ExactScene`; `scene_of` gives the kind that is asked for.
 Used by `api.py` and `scene/model/model.py`; everything that reads a `Scene` reads it too.
 """
 
@@ -24,7 +24,7 @@ from coursework.words.sentences import say
 
 
 def scene_of(variant: Variant, settings: Settings) -> Scene:
-    """Return the scene of a variant: with rows of a scheme, or with the motion itself for its table."""
+    """Return the scene of a variant: with the rows of a scheme, or with the exact motion as its table."""
     if variant.motor is not None:
         from coursework.scene.motor_scene import MotorScene
 
@@ -38,10 +38,10 @@ class ExactScene(Scene):
 
     @computed("stop", "equations", "closure", "exact", "rates", "flow", "search")
     def motion(self) -> Motion:
-        """The rows of the exact motion, for the columns asked for.  Raises `InputError` where positions are not closed."""
+        """Return the rows of the exact motion, for the columns asked for.  Raises `InputError` if positions are not closed."""
         variant, stop, rates = self.variant, self.stop, self.passing(self.rates)
         if not is_chain(variant) and (self.closure is None or not self.closure.complete):
-            line = variant.line_of("time", "scheme") if variant.time.scheme else 1  # what is missing has no line of its own
+            line = variant.line_of("time", "scheme") if variant.time.scheme else 1  # a missing entry has no line of its own
             raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), variant.file, line)])
         refuse_aliasing(self.equations, variant.time.step, self.fastest_wave)
         exact = self.exact
@@ -64,5 +64,5 @@ class ExactScene(Scene):
 
     @computed("equations", "closure", "start", "rates", "reduction", "stop", "flow", "search")
     def scheme_rows(self) -> Motion:
-        """The rows of the coursework's scheme with the same step: what the exact table is compared with."""
+        """Return the rows of the coursework's scheme with the same step, for comparison with the exact table."""
         return self.march(self.variant.time.step, DEFAULT_SCHEME.name)

@@ -1,7 +1,7 @@
-"""What follows from one motion of a scene: the rows of a scheme, the exact ones, or a student's own table, by the same code.
+"""The results of one motion of a scene: rows of a scheme, exact rows, or a student's own table, by the same code.
 
 Enters: the `WayToMotion` of a scene and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed
-when looked at, once.
+once, when it is first read.
 Used by `scene.py`, which makes it, `quantities.py`, `scene_run.py`, `report/` and `grading/marking/key/key.py`.
 """
 
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
     from coursework.results.kinematics.extra import ExtraTable
 
 Named = tuple[tuple[str, ...], Array]
-# More rows than this are not marched in extended numbers: a row there costs a hundred times one of the table.
+# Largest number of rows for a march in extended precision: a row there costs a hundred times one of the table.
 MOST_EXTENDED = 2001
 
 
 def given_constants(variant: Variant, names: Sequence[str], rows: Array) -> dict[str, float]:
-    """Return the rates that the drive keeps at one value in all rows (n, m + r): no column says more; none where all are."""
+    """Return the rates that the drive keeps constant in all rows (n, m + r), as name -> value; empty if all are constant."""
     found = {
         name: float(rows[0, place])
         for place, name in enumerate(names)
@@ -44,7 +44,7 @@ def given_constants(variant: Variant, names: Sequence[str], rows: Array) -> dict
     return found if len(found) < len(names) else {}
 
 
-# What another process can read; drawings and evidence hold programs, which are made again there.
+# What another process can read; drawings and evidence contain programs, which are made again there.
 PLAIN = {
     "scene", "motion", "ledger", "by_scheme", "accelerations", "points", "point_accelerations", "checks", "accuracy",
     "analogs", "invariants", "table", "plots", "extended_precision",
@@ -53,7 +53,7 @@ PLAIN = {
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionResults:
-    """`motion` and the `scene` it is a motion of; what is asked of it is kept here and nowhere else."""
+    """The results of the `motion` of a `scene`; every result is kept here and nowhere else."""
 
     scene: WayToMotion
     motion: Motion
@@ -66,12 +66,12 @@ class MotionResults:
         return {name: value for name, value in vars(self).items() if name in PLAIN}
 
     def charged(self, error: Exception) -> Exception | None:
-        """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
+        """Return the fault of a formula that has no value somewhere on the way, None if every formula has one."""
         return self.scene.charged(error)
 
     @cached_property
     def by_scheme(self) -> MotionResults:
-        """What follows from rows that a scheme has made: these, or those beside a table that is exact."""
+        """Return the results of rows made by a scheme: these rows, or those beside an exact table."""
         rows = self.scene.scheme_rows
         return self if rows is None else MotionResults(self.scene, rows, Ledger())
 
@@ -115,7 +115,7 @@ class MotionResults:
 
     @computed("forces", "motion", "exact")
     def exact_forces(self) -> ForceAnalysis | None:
-        """The forces of the exact motion on the same rows; None where it is not known."""
+        """Return the forces of the exact motion on the same rows; None if it is unknown."""
         exact = self.scene.exact
         if self.motion.scheme == EXACT:
             return self.forces
@@ -123,14 +123,14 @@ class MotionResults:
 
     @computed("forces", "exact_forces")
     def force_checks(self) -> tuple[Finding, ...]:
-        """The checks of forces: three ways that must agree, power, what the joints bear."""
+        """Return the checks of forces: agreement of three methods, power, what the joints bear."""
         from coursework.effects.kinetostatics.checks import check_forces
 
         return check_forces(self.forces, self.exact_forces)
 
     @computed("motion", "rates", "reduction", "start", "search")
     def extended_precision(self) -> Array | None:
-        """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
+        """Return the same rows in extended precision, which shows the effect of round-off; None if they cannot be computed."""
         from coursework.motion.integration.extended_precision import has_extended, march_in
 
         motion, scene = self.motion, self.scene
@@ -145,7 +145,7 @@ class MotionResults:
         "motion", "exact", "extended_precision", "equations", "rates", "start", "closure", "stop", "reduction", "search", "flow"
     )
     def evidence(self) -> Evidence:
-        """What the checks may look at: the rows beside the exact ones, and ways to make them again."""
+        """Return the evidence for the checks: the rows beside the exact ones, and ways to make them again."""
         from coursework.motion.geometry.swings import drive_frequency
         from coursework.motion.integration.replay import Replay
         from coursework.results.checks.evidence import Evidence

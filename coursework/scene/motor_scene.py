@@ -1,4 +1,4 @@
-"""A scene that forces move: the rows of a scheme in the free coordinates, the motion itself beside them.
+"""A scene moved by forces: the rows of a scheme in the free coordinates, with the exact motion beside them.
 
 Enters: a `Variant` with [motor] and `Settings`.  Leaves: `MotorScene`; everything that reads a `Scene` reads it too.
 Used by `exact_scene.py`, for a file with a motor only.
@@ -45,11 +45,11 @@ _SAID = {"dead point": "dead", LIMIT: "limit", "not finite": "far", "too steep":
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotorResults(MotionResults):
-    """What follows from rows that forces have made: judged by energy and by the exact motion, not by velocity laws."""
+    """The results of a motion under forces, judged by energy and by the exact motion, not by velocity laws."""
 
     @computed("motion", "exact", "energy", "free_equations")
     def checks(self) -> tuple[Finding, ...]:
-        """The checks of a motion under forces: its energy, how far it is from the motion itself, what its step is for it."""
+        """Return the checks of a motion under forces: energy, distance from the exact motion, stability of the step."""
         scene = self.scene
         assert isinstance(scene, MotorScene)
         return check_dynamics(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, scene.variant.time.step)
@@ -57,19 +57,19 @@ class MotorResults(MotionResults):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotorScene(Scene):
-    """A scene whose motion follows from forces; its velocities are states of their own."""
+    """A scene whose motion follows from forces; its velocities are part of the state."""
 
     follows_laws: ClassVar[bool] = False
     kind_of_results: ClassVar[type[MotionResults]] = MotorResults
 
     @property
     def scheme(self) -> Scheme | None:
-        """Return the scheme of the rows, None for the motion itself."""
+        """Return the scheme of the rows, None for exact rows."""
         return scheme_named(self.settings.scheme)
 
     @computed("mechanism", "equations", "reduction", "start")
     def free_equations(self) -> EquationsOfMotion:
-        """The equations of motion in the free coordinates."""
+        """Return the equations of motion in the free coordinates."""
         writer = MotionWriter(self.equations, self.reduction, read_scheme(self.mechanism), tuple(self.start))
         if writer.scheme.forces.friction:
             from coursework.effects.dynamics.rubbed_motion import rubbed_motion
@@ -88,13 +88,13 @@ class MotorScene(Scene):
 
     @property
     def unit_of_rates(self) -> str:
-        """Return the unit of the free rates, of unlike ones each: "rad/s or m/s"."""
+        """Return the unit of the free rates; "rad/s or m/s" if they differ."""
         assert self.variant.motor is not None
         return either(list(dict.fromkeys(map(self.variant.unit_of, self.variant.motor.rates))))
 
     @cached_property
     def regime(self) -> Regime | None:
-        """The steady motion of a crank that forces turn, None where there is none that the exact rows tend to."""
+        """Return the steady motion of a crank turned by forces, None if the exact rows tend to none."""
         motion, forces = self.exact, self.variant.forces
         assert forces is not None and forces.motor is not None
         torques = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
@@ -107,7 +107,7 @@ class MotorScene(Scene):
 
     @computed("equations")
     def search(self) -> Search:
-        """Nothing is known of singular positions before the motion is."""
+        """Return an empty search: singular positions are not known before the motion is."""
         return Search(None, None, self.variant.time.end)
 
     @cached_property
@@ -122,7 +122,7 @@ class MotorScene(Scene):
         return [start.get(rate, 0.0) for rate in motor.rates]
 
     def energy_study(self, progress: Callable[[str], None] | None = None) -> AccuracyStudy:
-        """Return what accuracy costs here: the error of the energy against slopes."""
+        """Return the study of accuracy: the error of the energy against slopes."""
         from coursework.effects.dynamics.energy_study import energy_study
 
         own = self.scheme or DEFAULT_SCHEME
@@ -148,7 +148,7 @@ class MotorScene(Scene):
 
     @computed("free_equations")
     def stop(self) -> Stop | None:
-        """Why the motion itself ends early: links that would have to stretch, or a limit of its free coordinates."""
+        """Return why the exact motion ends early: links that would have to stretch, or a limit of its free coordinates."""
         return self._stop_of(self._true)
 
     def _stop_of(self, found: FreeMotion) -> Stop | None:
@@ -157,7 +157,7 @@ class MotorScene(Scene):
         step, coordinates = self.variant.time.step, self.variant.coordinates
         last = dict(zip([c.name for c in coordinates], found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
         key = "still" if found.ended == "held" and not found.at else _SAID.get(found.ended, found.ended)
-        means = "far" if key == "wide" else key  # a shorter step helps in both
+        means = "far" if key == "wide" else key  # a shorter step helps in both cases
         free = self.free_equations.free
         turned = tuple(coordinates[place].name for place in free)
         others = [one.rate for place, one in enumerate(coordinates) if place not in free]
@@ -168,7 +168,7 @@ class MotorScene(Scene):
         )  # fmt: skip
 
     def _ended_as(self, found: FreeMotion) -> FreeMotion:
-        """Return the rows of a scheme: where no position closes, the motion itself says whether the links or the step is why."""
+        """Return the rows of a scheme; if no position closes, the exact motion decides whether links or step are the cause."""
         if found.ended != "dead point":
             return found
         return replace(found, ended={"": TOO_LARGE, LIMIT: LIMIT}.get(self._true.ended, found.ended))
@@ -192,7 +192,7 @@ class MotorScene(Scene):
 
     @computed("free_equations", "stop", "start")
     def motion(self) -> Motion:
-        """The rows of the scheme, or of the motion itself."""
+        """Return the rows of the scheme, or of the exact motion."""
         scheme, time = self.scheme, self.variant.time
         if scheme is None:
             return self._exact_rows
@@ -201,7 +201,7 @@ class MotorScene(Scene):
 
     @computed("free_equations", "stop", "start")
     def exact(self) -> Motion:
-        """The motion without a scheme's error, on the same rows."""
+        """Return the motion without a scheme's error, on the same rows."""
         return self._exact_rows
 
     def accelerations_of(self, motion: Motion) -> Array:
@@ -210,27 +210,27 @@ class MotorScene(Scene):
         return self._table(motion.t, motion.coordinates, rates_of(self.free_equations, motion))[:, size : 2 * size].copy()
 
     def energy_of(self, motion: Motion) -> Array:
-        """Return kinetic and potential energy together (n,) J."""
+        """Return the sum of kinetic and potential energy (n,) J."""
         equations = self.free_equations
         return energy_of_rows(equations, motion.t, motion.coordinates, rates_of(equations, motion))[0]
 
     @computed("exact")
     def exact_accelerations(self) -> Array:
-        """The accelerations of the exact rows."""
+        """Return the accelerations of the exact rows."""
         return self.accelerations_of(self.exact)
 
     @computed("exact")
     def extremes(self) -> dict[str, tuple[float, float]]:
-        """The least and the largest value of every column of the rows of the exact motion."""
+        """Return the smallest and the largest value of every column in the rows of the exact motion."""
         exact = self.exact
         return {name: (float(exact.column(name).min()), float(exact.column(name).max())) for name in exact.names}
 
     @property
     def one_period(self) -> Motion:
-        """The exact rows: a motion under forces repeats nothing."""
+        """Return the exact rows: a motion under forces has no period."""
         return self.exact
 
     @cached_property
     def exact_analysis(self) -> ForceAnalysis:
-        """The forces of the exact rows."""
+        """Return the forces of the exact rows."""
         return self.over(self.exact).forces

@@ -1,10 +1,10 @@
-"""Everything that can be asked for, one record a quantity.
+"""Everything that can be asked for, one record for each quantity.
 
 Enters: the results of a motion.  Leaves: `QUANTITIES`, which table, page, plan, run.json and `--quantities` iterate over.
 Used by `scene_run.py`, `api.py` and the command line.
 
 To add one: write a function of a `MotionResults`, marked `@computed` with what it needs, and a record in `QUANTITIES`.
-Heavy imports stand inside.  Steps on the way that nobody may ask for are properties of `Scene` and `MotionResults`.
+Heavy imports stand inside.  Intermediate steps that nobody may ask for are properties of `Scene` and `MotionResults`.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True)  # mypy takes a `Computed` for an attribute of another kind elsewhere
 class Quantity(Generic[T]):
-    """What can be asked for by name.
+    """A quantity that can be asked for by name.
 
-    `compute` carries the name, what it needs and the function; `shows` is where a reader finds it.  `restrictable`: can be
-    had for some columns alone; `usual`: computed where nobody says what is wanted; `order` of the highest derivative of the
-    motion that it shows, 2 for accelerations; `refuses` returns why a variant cannot
-    have it, None where it can; `beside` maps another quantity to the record that takes this one's place where both are asked for;
-    `only_pages`: no file but a page shows it.
+    `compute` carries the name, the needs and the function; `shows` is where a reader finds it.  `restrictable`: it can be
+    computed for some columns alone; `usual`: it is computed if nothing is asked for; `order` is the highest derivative of the
+    motion it shows, 2 for accelerations; `refuses` returns why a variant cannot have it, None if it can; `beside` maps another
+    quantity to the record that replaces this one if both are asked for; `only_pages`: it is shown on pages only, in no other
+    file.
     """
 
     compute: Computed[T]
@@ -65,12 +65,12 @@ class Quantity(Generic[T]):
 
     @property
     def about(self) -> str:
-        """Return what it is, in a line."""
+        """Return a description in one line."""
         return (self.compute.__doc__ or "").partition("\n")[0]
 
     @property
     def needs(self) -> tuple[str, ...]:
-        """Return what it is computed from."""
+        """Return the names of what it is computed from."""
         return self.compute.needs
 
 
@@ -128,7 +128,7 @@ def flowchart(results: MotionResults) -> Motion:
 
 
 def problem_of(variant: Variant, rates: Rates, start: list[float], exact: Motion, closure: Closure | None) -> Problem:
-    """Return what a study of accuracy works on: as many rows as the exact motion has."""
+    """Return the problem of an accuracy study, with as many rows as the exact motion."""
     from coursework.results.accuracy.problem import Problem
 
     units = tuple(coordinate.unit for coordinate in variant.coordinates)
@@ -147,7 +147,7 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
         assert isinstance(scene, MotorScene)
         return None if scene.stop is not None else scene.energy_study()
     if scene.stop is not None or scene.settings.columns or scene.search.passages:
-        return None  # no scheme has an error that its step alone decides where it goes through a singular position
+        return None  # through a singular position the error of a scheme does not depend on its step alone
     problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     results = results.by_scheme
     settings = scene.settings
@@ -195,7 +195,7 @@ def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
     names, unit_of = results.motion.velocity_names, results.scene.variant.unit_of
     units = tuple(unit_of(f"d{name}") for name in names)
     turning = np.abs(results.motion.velocities[:, [unit_of(name) == "rad/s" for name in names]]).max(initial=0.0)
-    # A velocity changes as fast as the links turn; what adds up to nothing leaves its round-off.
+    # The size of an acceleration is that of the velocity times the rotation of the links; where terms cancel, round-off remains.
     sizes = tuple(np.abs(results.motion.velocities).max(axis=0, initial=0.0) * turning)
     return ExtraTable(say("extra.accelerations"), tuple(f"d{name}" for name in names), units, rows, sizes)
 
@@ -209,7 +209,7 @@ def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
 
 
 def _moving(table: ExtraTable) -> ExtraTable:
-    """Return the columns of the points that move: a page of zeros for a fixed pivot helps nobody."""
+    """Return the columns of the points that move: nobody needs a page of zeros for a fixed pivot."""
     points = [name.partition(".")[0] for name in table.names]
     columns = zip(points, table.names, table.rows.T, strict=True)
     moving = {point for point, name, column in columns if ".v" in name and np.any(column)}
@@ -280,7 +280,7 @@ def known_quantities() -> dict[str, Quantity[Any]]:
 
 
 def no_quantity(name: str, columns: Iterable[str] = ()) -> Sentence:
-    """Return that there is no quantity of a name, and which there are."""
+    """Return the sentence that there is no quantity with this name, and which there are."""
     known = list(known_quantities())
     return say("fault.C002", name=name, hint=closest(name, [*known, *columns]), known=", ".join(known))
 
@@ -292,5 +292,5 @@ def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:
 
 
 def all_needs(scene: type[Scene] = Scene) -> dict[str, tuple[str, ...]]:
-    """Return what every quantity of a kind of scene needs: steps on the way first, then what can be asked for."""
+    """Return the needs of every quantity for a kind of scene: first intermediate steps, then what can be asked for."""
     return {**needs_of(scene), **needs_of(MotionResults), **{name: one.needs for name, one in known_quantities().items()}}

@@ -1,6 +1,6 @@
-"""One variant with its settings: the way to its motion, and what follows from that or any other motion of it.
+"""One variant with its settings: the way to its motion, and the results of that or any other motion of it.
 
-Enters: a `Variant` and `Settings`.  Leaves: `Scene`; what depends on a motion is `scene.over(motion)`, for any motion.
+Enters: a `Variant` and `Settings`.  Leaves: `Scene`; `scene.over(motion)` gives the results of any motion.
 Used by `quantities.py`, `exact_scene.py`, `scene/model/model.py`, and by readers who want more than a table.
 """
 
@@ -26,7 +26,7 @@ PLAIN = {
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Scene(WayToMotion):
-    """A variant and how it is to be run, with the results of its rows."""
+    """A variant with the settings of its run, and the results of its rows."""
 
     kind_of_results: ClassVar[type[MotionResults]] = MotionResults
 
@@ -35,20 +35,20 @@ class Scene(WayToMotion):
         return f"<{type(self).__name__} of {name}: {self.settings.scheme}, h = {self.variant.time.step:g} s>"
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what travels to another process: what was computed as numbers and words; programs are made again there."""
+        """Return what travels to another process: computed numbers and words; programs are made again there."""
         return {name: value for name, value in vars(self).items() if name in PLAIN}
 
     @property
     def last_time(self) -> float:
-        """Return until when the motion is known (s): the end asked for, or shortly before it stops."""
+        """Return the time (s) up to which the motion is known: the end asked for, or shortly before it stops."""
         end = self.variant.time.end
         return end if self.stop is None else min(end, self.stop.time * (1 - AT_EVENT))
 
     def over(self, motion: Motion) -> MotionResults:
-        """Return what follows from a motion, any motion of this scene's mechanism, with a ledger of its own."""
+        """Return the results of any motion of this scene's mechanism, with a ledger of its own."""
         return self.kind_of_results(self, motion, Ledger())
 
     @cached_property
     def results(self) -> MotionResults:
-        """What follows from the rows of the coursework."""
+        """Return the results of the rows of the coursework."""
         return self.kind_of_results(self, self.motion, self.ledger)

@@ -1,4 +1,4 @@
-"""One run of one scene: what was asked for of it, computed when it is looked at, and whose work it is.
+"""One run of one scene: what was asked for, computed when it is read, and whose work it is.
 
 Enters: a `Scene` and the names asked for.  Leaves: `SceneRun`, from which pages and files are made.
 Used by `live/`, `output/`, `report/` and `run.py`, which hands it to a person.
@@ -42,7 +42,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True, repr=False)
 class SceneRun:
-    """`scene` (variant, settings and the way to the motion), and the names `asked` for, computed when looked at.
+    """`scene` (variant, settings and the way to the motion), and the names `asked` for, computed when they are read.
 
     `checks` are the judged facts; `stop` is why the motion ended early, or None; `of(QUANTITY)` is anything that can be asked
     for.  `timed` replaces the study of accuracy by one with seconds.
@@ -70,7 +70,7 @@ class SceneRun:
 
     @property
     def results(self) -> MotionResults:
-        """Return what follows from the rows."""
+        """Return the results of the rows."""
         return self.scene.results
 
     def asks(self, quantity: Quantity[Any]) -> bool:
@@ -93,12 +93,12 @@ class SceneRun:
 
     @property
     def checks(self) -> tuple[Finding, ...]:
-        """Return what each check has found, those of forces where they are asked for."""
+        """Return the findings of all checks, with those of forces if forces are asked for."""
         return self.results.checks + (self.results.force_checks if self.asks(FORCES) else ())
 
     @property
     def summary(self) -> str:
-        """Return the findings in two or three sentences, "" where no checks were asked for."""
+        """Return the findings in two or three sentences, "" if no checks were asked for."""
         return self._summed(lambda finding: finding.code)
 
     @property
@@ -117,18 +117,18 @@ class SceneRun:
         return self.motion.stop
 
     def status(self, strict: bool = False) -> int:
-        """Return the exit status: 3 where the tool could not judge, 1 for a stop or a FAIL (`strict`: a COARSE too), else 0."""
+        """Return the exit status: 3 if the tool could not judge, 1 for a stop or a FAIL (`strict`: also for a COARSE), else 0."""
         verdicts = {check.verdict for check in self.checks} if self.asks(CHECKS) else set()
         if "ERROR" in verdicts:
             return 3
         return int(self.stop is not None or "FAIL" in verdicts or (strict and "COARSE" in verdicts))
 
     def columns(self) -> tuple[tuple[str, ...], Array]:
-        """Return names and rows of the table after t, accelerations and points included where asked for."""
+        """Return names and rows of the table after t, with accelerations and points if they were asked for."""
         return self.columns_of(self.results)
 
     def columns_of(self, results: MotionResults) -> tuple[tuple[str, ...], Array]:
-        """Return the same columns of any motion of the scene."""
+        """Return the same columns for any motion of the scene."""
         names, rows = results.motion.names, [results.motion.rows]
         for *_, table in self._beside(results):
             names += table.names
@@ -136,23 +136,23 @@ class SceneRun:
         return names, np.hstack(rows)
 
     def _beside(self, results: MotionResults) -> Iterator[tuple[str, Columns[Any], ExtraTable]]:
-        """Yield the name, record and columns of each quantity asked for whose columns stand beside those of the table."""
-        for name, quantity in quantities_for(self.asked).items():  # of points with accelerations another record
+        """Yield name, record and columns of each quantity asked for that is shown as columns beside those of the table."""
+        for name, quantity in quantities_for(self.asked).items():  # points with accelerations have another record
             if isinstance(quantity.shows, Columns):
                 yield name, quantity.shows, quantity.shows.of(results, quantity.compute.of(results))
 
     def _shown(self, *ways: type[Any]) -> Iterator[tuple[Quantity[Any], Any]]:
-        """Yield each quantity asked for that is shown in one of some ways, and how."""
+        """Yield each quantity asked for that is shown in one of the given ways, and how it is shown."""
         asked = quantities_for(self.asked).values()
         return ((one, one.shows) for one in asked if isinstance(one.shows, ways))
 
     @property
     def units(self) -> dict[str, str]:
-        """Return the unit of each column of the results table, t and those beside it included."""
+        """Return the unit of each column of the results table, including t and the columns beside it."""
         return self.units_of(self.results)
 
     def units_of(self, results: MotionResults) -> dict[str, str]:
-        """Return the units of the same columns of any motion of the scene."""
+        """Return the units of the same columns for any motion of the scene."""
         units = {name: self.variant.unit_of(name) for name in ("t", *results.motion.names)}
         for *_, table in self._beside(results):
             units |= dict(zip(table.names, table.units, strict=True))
@@ -170,13 +170,13 @@ class SceneRun:
 
     @property
     def partials(self) -> dict[str, tuple[str, str]]:
-        """Return the derivatives of drives and functions that the solutions name: name -> (of what, by what)."""
+        """Return the derivatives of drives and functions that occur in the solutions: name -> (of what, by what)."""
         shown = dict.fromkeys(name for solution in self.solutions for _, formula in solution for name in formula.names())
         return self.scene.equations.symbols.derivatives_among(shown)
 
     @property
     def solutions(self) -> tuple[Solution, ...]:
-        """Return for every block the velocities as formulas, nothing where it is solved numerically."""
+        """Return the velocities of every block as formulas, empty for a block that is solved numerically."""
         return self.scene.solutions
 
     @property
@@ -191,12 +191,12 @@ class SceneRun:
 
     @property
     def tableau(self) -> Scheme | None:
-        """Return the scheme itself, None where the table is the exact motion."""
+        """Return the scheme itself, None if the table is the exact motion."""
         return scheme_named(self.settings.scheme)
 
     @property
     def distance_to_exact(self) -> Distance | None:
-        """Return how far the coursework's scheme is from a table that is exact, None where a scheme has made the table."""
+        """Return how far the coursework's scheme is from an exact table, None if the table was made by a scheme."""
         from coursework.results.checks.close_to_motion.closeness import distance
 
         return distance(self.results.by_scheme.evidence) if self.scene.scheme_rows is not None else None
@@ -217,7 +217,7 @@ class SceneRun:
         tables: dict[str, ExtraTable] = {}
         t = self.motion.t
         if len(t) < 2:
-            return tables  # a motion that stops at once has nothing to tabulate beside its one row
+            return tables  # a motion that stops at once has nothing to tabulate besides its only row
         for name, shows, table in self._beside(self.results):
             printed = shows.on_page(table)
             if printed.names:
@@ -228,26 +228,26 @@ class SceneRun:
 
     @property
     def own_tables(self) -> dict[str, ExtraTable]:
-        """Return the tables asked for whose rows are not those of the results table."""
+        """Return the tables asked for that have their own rows."""
         return {one.name: shows.of(self.results, self.of(one)) for one, shows in self._shown(OwnTable)}
 
     @property
     def section_tables(self) -> dict[str, ExtraTable]:
-        """Return the tables of what has a section of its own, by the names of their files."""
+        """Return the tables of quantities with a section of their own, by the names of their files."""
         own = self._shown(OwnSection)
         return {one.name: shows.table(self.results, self.of(one)) for one, shows in own if shows.table is not None}
 
     @property
     def listings(self) -> tuple[Listing, ...]:
-        """Return the files in which drawings that were asked for keep their numbers."""
+        """Return the files that hold the numbers of the drawings asked for."""
         own = self._shown(OwnFigure, OwnSection)
         return tuple(shows.listing(self.of(one)) for one, shows in own if shows.listing is not None)
 
     def mechanism(self) -> Drawing | None:
-        """Return the mechanism with names, lengths, angles and drive, None where the file places no points.
+        """Return the mechanism with names, lengths, angles and drive, None if the file places no points.
 
-        It stands as it starts, or where links lie on one line there, in the row in which least coincides: of the exact motion
-        where something asked for needs that, else of the table.
+        It is drawn at the start; if links lie on one line there, in the row in which least coincides: a row of the exact motion
+        if something asked for needs that motion, else of the table.
         """
         from coursework.drawing.figures import draw_start
 
@@ -257,7 +257,7 @@ class SceneRun:
         return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start, clear)
 
     def at_stop(self) -> Drawing | None:
-        """Return the mechanism in the position in which its motion ends, None where it does not end or that is not known."""
+        """Return the mechanism in the position in which its motion ends, None if it does not end or the position is unknown."""
         from coursework.drawing.figures import draw_stop
 
         if self.stop is None:
@@ -265,29 +265,29 @@ class SceneRun:
         return draw_stop(self.scene.mechanism, self.scene.equations, self.motion, self.stop)
 
     def figures(self, written: Callable[[str], str] = str) -> dict[str, tuple[Drawing, ...]]:
-        """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""
+        """Return the drawings asked for that have no section of their own; `written` puts their words into a language."""
         return {one.name: shows.of(self.results, self.of(one), written) for one, shows in self._shown(OwnFigure)}
 
     @property
     def accuracy(self) -> AccuracyStudy | None:
-        """Return the study of accuracy against cost, None where it was not asked for."""
+        """Return the study of accuracy against cost, None if it was not asked for."""
         if self.timed is not None:
             return self.timed
         return self.of(ACCURACY) if self.asks(ACCURACY) else None
 
     @property
     def graph_check(self) -> GraphCheck | None:
-        """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
+        """Return the graph-analytical check, None if it was not asked for or if the motion stops before its row."""
         return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
 
     def plan_with(self, *more: str, pages: bool = True) -> Plan:
-        """Return the plan with `more` besides what was asked for; without `pages`, without what only they show."""
+        """Return the plan with `more` besides what was asked for; without `pages`, leave out what only pages show."""
         asked = [one.name for one in quantities_for(self.asked).values() if pages or not one.only_pages]
         plan = make_plan(all_needs(type(self.scene)), [*asked, *more])
         return replace(plan, needed_by={**plan.needed_by, **{name: say("plan.pages") for name in more if name not in asked}})
 
     @property
     def versions(self) -> dict[str, str]:
-        """Return the versions that made the numbers, of SymPy where it is installed."""
+        """Return the versions that made the numbers; that of SymPy only if it is installed."""
         made = {"coursework": VERSION, "python": platform.python_version(), "numpy": np.__version__, "sympy": sympy_version()}
         return {name: version for name, version in made.items() if version}

@@ -1,6 +1,6 @@
-"""Where a reader finds what can be asked for: columns, a table or drawings of its own, a section of the page.
+"""The ways in which a quantity is shown: as columns, as a table or drawings of its own, in a section of the page.
 
-Enters: the results of a motion.  Leaves: the kinds of showing.  Used by `quantities.py` and `scene_run.py`.
+Enters: the results of a motion.  Leaves: one class for each way.  Used by `quantities.py` and `scene_run.py`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ T = TypeVar("T")
 
 @frozen
 class Columns(Generic[T]):
-    """Shown as columns beside those of the results table; `on_page` says which of them a page prints."""
+    """Shown as columns beside those of the results table; `on_page` selects the columns that a page prints."""
 
     kind: ClassVar[str] = "columns"
     of: Callable[[MotionResults, T], ExtraTable]
@@ -49,7 +49,7 @@ class Listing:
 class OwnFigure(Generic[T]):
     """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page.
 
-    `listing` is the file in which their numbers stand with every digit, None where they have none of their own.
+    `listing` makes the file with their numbers in full precision, None if they have none of their own.
     """
 
     kind: ClassVar[str] = "figure"
@@ -59,7 +59,7 @@ class OwnFigure(Generic[T]):
 
 @frozen
 class OwnSection(Generic[T]):
-    """Shown in a section that the page has for it (`report/sections.py`); `table` is what its CSV file holds, None for none."""
+    """Shown in a section of its own on the page (`report/sections.py`); `table` gives its CSV file, None if it has none."""
 
     kind: ClassVar[str] = "section"
     table: Callable[[MotionResults, T], ExtraTable] | None = None

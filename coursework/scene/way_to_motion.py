@@ -1,6 +1,6 @@
-"""One variant with its settings, and the way to its motion: every step a typed property, computed when looked at, once.
+"""One variant with its settings, and the way to its motion: every step a typed property, computed once, when it is first read.
 
-Enters: a `Variant` and `Settings`.  Leaves: `WayToMotion`, of which a `Scene` is made with what follows from the motion.
+Enters: a `Variant` and `Settings`.  Leaves: `WayToMotion`, the base of `Scene`, which adds the results of the motion.
 Used by `motion_results.py` and `scene.py`.
 """
 
@@ -51,71 +51,71 @@ from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-# A periodic motion that lasts for many periods is looked at for dead points over the first two.
+# A periodic motion of many periods is searched for dead points over this many periods only.
 PERIODS_LOOKED_AT = 2.2
-PLACES = 10  # times between two of the twelve positions of a period
-MOST_LOOKED_AT = 4096  # times at which a formula without a value is looked for
+PLACES = 10  # number of intervals between two of the twelve positions of a period
+MOST_LOOKED_AT = 4096  # number of times at which a formula without a value is searched for
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class WayToMotion:
-    """A variant and how it is to be run, as far as its motions; the properties in the order in which they build on each other."""
+    """A variant with the settings of its run, up to its motions; each property builds on those above it."""
 
     variant: Variant
     settings: Settings
     ledger: Ledger = field(default_factory=Ledger)
-    follows_laws: ClassVar[bool] = True  # velocities follow from time and positions alone, as driven ones do
+    follows_laws: ClassVar[bool] = True  # velocities follow from time and positions alone
 
     @cached_property
     def structure(self) -> Structure:
-        """What the variant has in common with all that differ in their data only."""
+        """Return what the variant shares with all variants that differ only in their data."""
         return structure_of(self.variant)
 
     @computed()
     def mechanism(self) -> Mechanism:
-        """Points in order, chains written out, mobility."""
+        """Return the mechanism: points in order, chains written out, mobility."""
         return self.structure.mechanism(self.variant)
 
     @computed("mechanism")
     def equations(self) -> VelocityEquations:
-        """The velocity equations A(q, t) u = b(q, t)."""
+        """Return the velocity equations A(q, t) u = b(q, t)."""
         return self.structure.equations(self.mechanism)
 
     @computed("equations")
     def start(self) -> list[float]:
-        """The coordinates at t = 0 (rad, m)."""
+        """Return the coordinates at t = 0 (rad, m)."""
         return start_values(self.equations)
 
     @computed("equations", "start")
     def closure(self) -> Closure | None:
-        """The position equations, if the file has any; checked against start and written equations."""
+        """Return the position equations, if the file has any, after checking them against start and written equations."""
         closure = compile_closure(self.equations, self.start)
         require_start(closure)
         return judged(self.equations, closure)
 
     @computed("equations", "start")
     def reduction(self) -> Reduction:
-        """The blocks, their solutions and determinants."""
+        """Return the blocks, their solutions and determinants."""
         return reduce(self.equations, self.start)
 
     @computed("equations", "reduction")
     def solutions(self) -> tuple[Solution, ...]:
-        """The velocities of every block as a textbook writes them."""
+        """Return the velocities of every block as a textbook writes them."""
         return solve_blocks(self.equations, self.reduction)
 
     @computed("equations", "reduction")
     def rates(self) -> Rates:
-        """The right-hand side as a plain function, for the columns asked for."""
+        """Return the right-hand side as a plain function, for the columns asked for."""
         return compile_rates(self.equations, self.reduction, self.settings.columns or None)
 
     @computed("equations", "reduction", "start")
     def flow(self) -> Flow:
-        """The determinant-scaled flow that finds dead points."""
+        """Return the determinant-scaled flow that finds dead points."""
         return compile_flow(self.equations, self.reduction, self.start)
 
     @computed("closure", "flow", "start", "equations")
     def search(self) -> Search:
-        """The true motion followed to its first dead or change point; it starts closed also where the file's start is rounded."""
+        """Return the true motion followed to its first dead or change point, from a closed start even if the file rounds it."""
         refuse_short_tables(self.equations)
         time, closure = self.variant.time, self.closure
         horizon = min(time.end, PERIODS_LOOKED_AT * (time.period or np.inf))
@@ -123,7 +123,7 @@ class WayToMotion:
         start = self.start if closed is None else closed.tolist()
         try:
             found = search_event(self.flow, start, horizon, breaks=breaks(self.variant))
-            if found.passages and horizon < time.end:  # each of them must be known
+            if found.passages and horizon < time.end:  # every passage must be known
                 found = search_event(self.flow, start, time.end, breaks=breaks(self.variant))
             if (until := found.given_up) is not None:
                 found = replace(found, goes_round=goes_round(self.flow, start))
@@ -137,7 +137,7 @@ class WayToMotion:
 
     @computed("search", "flow", "equations", "reduction")
     def stop(self) -> Stop | None:
-        """The event in words: where the motion ends and why."""
+        """Return where the motion ends and why, in words; None if it does not end early."""
         if (event := self.search.event) is None:
             return None
         from coursework.motion.singular.change_point import branches_at
@@ -148,7 +148,7 @@ class WayToMotion:
 
     @computed("search", "equations", "reduction", "start")
     def phases(self) -> str:
-        """For a motion that stops: the phases of the drive with which the whole motion would be possible, in a sentence."""
+        """Return, for a motion that stops, the sentence about the phases of the drive for which the whole motion is possible."""
         if self.search.event is None:
             return ""
         from coursework.motion.singular.phases import phase_sentence
@@ -166,40 +166,40 @@ class WayToMotion:
         return replace(rows, scaled=np.asarray(scaled), notes=self.passed)
 
     def passing(self, rates: Rates) -> Rates:
-        """Return rates that know the limit where a determinant vanishes and one motion only goes on."""
+        """Return rates that know the limits at the singular positions with only one continuation."""
         return through(rates, self.search.passages)
 
     @property
     def passed(self) -> tuple[str, ...]:
-        """Return what is told of the singular positions that the motion goes through."""
+        """Return the sentences about the singular positions that the motion passes through."""
         return tuple(explain_passage(passage, self.equations, self.reduction) for passage in self.search.passages)
 
     def rerun(self, scheme: str, step: float) -> Motion | None:
-        """Return the rows made otherwise, None where they do not reach the end of the motion."""
+        """Return the rows for another scheme or step, None if they do not reach the end of the motion."""
         with suppress(ArithmeticError, ValueError, OutsideTable):
             return rows if (rows := self.march(step, scheme)).stop is self.stop else None
         return None
 
     @property
     def correction(self) -> Correction | None:
-        """What keeps the positions closed, None where nothing does.  Raises `InputError` where it cannot be had."""
+        """Return the correction that keeps positions closed, None if not asked for.  Raises `InputError` if it is impossible."""
         return self.settings.correction(self.closure)
 
     @property
     def begin(self) -> list[float]:
-        """The start of the coordinates that are integrated."""
+        """Return the start of the integrated coordinates."""
         pairs = zip(self.variant.coordinates, self.start, strict=True)
         return [value for coordinate, value in pairs if coordinate.name in self.rates.coordinates]
 
     @cached_property
     def fastest_wave(self) -> float:
-        """The largest frequency (rad/s) in the formulas of the drives."""
+        """Return the largest frequency (rad/s) in the formulas of the drives."""
         return fastest(self.equations)
 
     @computed("stop", "equations", "closure", "rates", "reduction", "start", "flow", "search")
     def motion(self) -> Motion:
-        """The rows of the coursework."""
-        _ = self.stop  # a start that does not close is told before a step that is too coarse
+        """Return the rows of the coursework."""
+        _ = self.stop  # an open start is reported before a step that is too coarse
         refuse_aliasing(self.equations, self.variant.time.step, self.fastest_wave)
         refuse_unbounded(self.variant)
         motion = self.march(self.variant.time.step, self.settings.scheme)
@@ -214,7 +214,7 @@ class WayToMotion:
 
     @computed("stop", "equations", "reduction", "rates", "closure", "start", "search")
     def exact(self) -> Motion:
-        """The motion without a scheme's error, on the same rows."""
+        """Return the motion without a scheme's error, on the same rows."""
         time, stop, last = self.variant.time, self.stop, self.variant.time.steps
         if stop is not None:
             last = min(last, rows_before(stop.time, time.step) - 1)
@@ -224,12 +224,12 @@ class WayToMotion:
 
     @computed("equations", "reduction", "exact", "search")
     def exact_accelerations(self) -> Array:
-        """The accelerations of the exact rows."""
+        """Return the accelerations of the exact rows."""
         return self.accelerations_of(self.exact)
 
     @computed("exact", "equations", "reduction", "rates", "search")
     def extremes(self) -> dict[str, tuple[float, float]]:
-        """The least and the largest value of every column of the exact motion up to its last row, between rows too."""
+        """Return the smallest and largest value of every column of the exact motion up to its last row, also between rows."""
         from coursework.motion.integration.extremes import extremes
 
         return extremes(self.exact, self.every_rate, self.accelerations_of)
@@ -242,23 +242,26 @@ class WayToMotion:
 
     @property
     def scheme_rows(self) -> Motion | None:
-        """The rows of a scheme beside a table that is exact; none beside a table that a scheme has made."""
+        """Return the rows of a scheme beside an exact table; None if the table itself was made by a scheme."""
         return None
 
     @computed("exact", "stop", "equations", "reduction", "rates", "closure", "start", "search")
     def one_period(self) -> Motion:
-        """The exact motion at `12 * PLACES + 1` equal times over a period; up to the last row where there is none or it stops."""
+        """Return the exact motion at `12 * PLACES + 1` equal times over a period.
+
+        They end at the last row if there is no period or the motion stops within it.
+        """
         last, period = float(self.exact.t[-1]) if len(self.exact.t) else 0.0, self.variant.time.period
         end = last if period is None or (self.stop is not None and last < period) else period
         return self.exact_at(np.linspace(0.0, end, 12 * PLACES + 1)) if end > 0 else self.exact
 
     @property
     def every_rate(self) -> Rates:
-        """The rates of all coordinates, whatever columns are asked for."""
+        """Return the rates of all coordinates, whatever columns are asked for."""
         return self.passing(compile_rates(self.equations, self.reduction) if self.settings.columns else self.rates)
 
     def exact_at(self, times: Array) -> Motion:
-        """Return the exact motion at times (s) that grow from 0, no row where it cannot be had."""
+        """Return the exact motion at times (s) that grow from 0; it has no rows if it cannot be computed."""
         equations, every = self.equations, self.every_rate
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         with suppress(OutOfReach):
@@ -270,7 +273,7 @@ class WayToMotion:
         return no_rows(every)
 
     def charged(self, error: Exception) -> InputError | None:
-        """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
+        """Return the fault of a formula that has no value somewhere on the way, None if every formula has one."""
         variant, last = self.variant, self.variant.time.end
         if isinstance(error, FormulaRefused):
             return InputError([Fault(error.faults[0].message, variant.file, 1)])

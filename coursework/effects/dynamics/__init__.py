@@ -1,1 +1,1 @@
-"""The motion that forces make: its equations, rows by a scheme, the motion itself, what a step costs."""
+"""Motion under forces: its equations, rows by a scheme, the exact motion, the cost of a step."""

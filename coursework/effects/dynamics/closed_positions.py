@@ -1,6 +1,6 @@
 """Newton's correction of the coordinates that follow from others by closed positions, as lines of code.
 
-Enters: velocity equations with their positions, the start, the places of those coordinates.  Leaves: statements.
+Enters: velocity equations with their positions, the start, the indices of those coordinates.  Leaves: statements.
 Used by `motion_writer.py`.
 """
 
@@ -29,7 +29,10 @@ _RANK = 1e-9
 def newton_statements(
     equations: VelocityEquations, start: Sequence[float], others: Sequence[int]
 ) -> tuple[list[Statement], tuple[float, ...], list[Expression]]:
-    """Return what gives Newton's correction of the other coordinates, the values that the positions keep, and what has them."""
+    """Return the statements for Newton's correction of the coordinates `others`, the values positions keep, and their formulas.
+
+    A formula is 0 if its position is kept at zero.
+    """
     if not others:
         return [], (), []
     variant, symbols = equations.variant, equations.symbols
@@ -64,7 +67,7 @@ def newton_statements(
 
 
 def _independent(matrix: Any) -> list[int]:
-    """Return the first rows that are independent of those before them."""
+    """Return the first rows that are linearly independent of the rows before them."""
     kept: list[int] = []
     for row in range(len(matrix)):
         if np.linalg.matrix_rank(matrix[[*kept, row]], tol=_RANK * max(1.0, float(np.abs(matrix).max()))) > len(kept):

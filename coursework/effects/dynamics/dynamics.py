@@ -3,7 +3,7 @@
 Enters: `EquationsOfMotion`, the start.  Leaves: `FreeMotion`: times, coordinates, free rates, and why it ended.
 Used by `scene/motor_scene.py`.
 
-Each slope closes the positions of all other coordinates first (Newton), so links keep their length whatever the scheme does.
+Each slope first closes the positions of all other coordinates (Newton), so links keep their length whatever the scheme does.
 """
 
 from __future__ import annotations
@@ -26,25 +26,25 @@ from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, Sum
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-# Corrections of a slope, and how small the last one is (rad, or of the mechanism): what it leaves is of the size of its square.
+# Number of Newton corrections; size at which the last one is accepted (relative, or rad): it leaves an error of its square.
 MOST_NEWTON, CLOSED = 12, 1e-8
-FARTHEST = 1.0  # rad, or of the mechanism: a correction beyond it leads to another assembly
+FARTHEST = 1.0  # relative, or rad: a larger correction leads to another assembly
 TOLERANCE = 1e-13
-Take = Callable[[float, list[float]], list[float]]  # time and state of a row -> the state of the next one
-MOST_STEPS = 3000  # from a row to the next one: more are taken where forces are too steep alone
-_LEAST = 1e-11  # of the whole time: a shorter step is none
-_ALONE = ((0, 1),)  # the first slope, nothing beside it
-_LOOKS = 1000  # times at which it is looked whether friction still holds
-_RUNAWAY = 1e9  # rad, m, rad/s or m/s: what is beyond has left the paper
+Take = Callable[[float, list[float]], list[float]]  # time and state of a row -> state of the next row
+MOST_STEPS = 3000  # largest number of steps between two rows; only very steep forces need more
+_LEAST = 1e-11  # share of the whole time: smaller steps are not taken
+_ALONE = ((0, 1),)  # the first slope alone
+_LOOKS = 1000  # number of times at which it is tested whether friction still holds
+_RUNAWAY = 1e9  # rad, m, rad/s or m/s: larger values are treated as not finite
 
 
 @frozen
 class FreeMotion:
-    """Rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f); `slopes` evaluated.
+    """The rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f), and the number of `slopes` evaluated.
 
-    `ended`: "" where it reached its end, "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by friction
-    at the point `by`), "sensitive" (beyond it is not known), "limit position" (of the free coordinates alone), at the time
-    `at` (s).
+    `ended` is "" if it reached its end, else "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by
+    friction at the point `by`), "sensitive" (unknown beyond), "limit position" (of the free coordinates alone); `at` is the time
+    (s).
     """
 
     t: Array
@@ -60,7 +60,7 @@ class FreeMotion:
 class Dynamics:
     """The slopes of one mechanism; `q` is the last closed position, from which the next one is found.
 
-    `rests_until`: to this time (s) friction holds it where it stands.
+    `rests_until` is the time (s) until which friction holds the mechanism at rest.
     """
 
     motion: EquationsOfMotion
@@ -72,7 +72,7 @@ class Dynamics:
     _first: tuple[float, ...] = ()
 
     def closed(self, t: float, free: Sequence[float]) -> list[float]:
-        """Return the closed position with these free coordinates.  Raises `Open` where none lies near."""
+        """Return the closed position with these free coordinates.  Raises `Open` if there is none nearby."""
         q, motion = list(self.q), self.motion
         for place, value in zip(motion.free, free, strict=True):
             q[place] = value
@@ -104,7 +104,7 @@ class Dynamics:
         return [*rates, *found[:count]]
 
     def _followed(self, t: float, free: Sequence[float]) -> list[float]:
-        """Return the closed position, looked for where the others get with their rates of the last slope."""
+        """Return the closed position, searched from where the last slope's rates move the other coordinates."""
         moved = free[0] - self.q[self.motion.free[0]]
         share = moved / self._rates[0] if self._rates[0] else 0.0
         kept = list(self.q)
@@ -117,19 +117,19 @@ class Dynamics:
             return self.closed(t, free)
 
     def rows(self, scheme: Scheme, state: Sequence[float], step: float, steps: int) -> FreeMotion:
-        """Return the rows of a scheme, up to where no position closes or a number leaves the paper."""
+        """Return the rows of a scheme, up to where no position closes or a number becomes too large."""
         one = _semi_implicit if scheme is SEMI_IMPLICIT else _stepper(scheme)
 
         def take(t: float, now: list[float]) -> list[float]:
             if not self.motion.breaks:
                 return one(self.slope, t, now, step)
-            latest = may_look_until(self.motion.breaks, t + step)  # what ends at a break does not know what comes after it
+            latest = may_look_until(self.motion.breaks, t + step)  # a step that ends at a break uses the formula before it
             return one(lambda at, there: self.slope(min(at, latest), there), t, now, step)
 
         return self._march(state, step, steps, take)
 
     def exact(self, state: Sequence[float], step: float, steps: int) -> FreeMotion:
-        """Return the rows of the motion itself: Dormand and Prince 8(5,3) to 1e-13, every row hit by a step."""
+        """Return the rows of the exact motion: Dormand and Prince 8(5,3) to 1e-13, each row at the end of a step."""
         length, breaks, acting = [step], self.motion.breaks, self.motion.acting
 
         def take(t: float, now: list[float]) -> list[float]:
@@ -148,7 +148,7 @@ class Dynamics:
                 self.motion.rubbing.held = ()
 
     def _over(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
-        """Return the state at a goal: what friction holds stands there until what acts with time sets it going."""
+        """Return the state at time `goal`; a mechanism held by friction rests until the forces that vary with time release it."""
         rubbing, acting = self.motion.rubbing, self.motion.acting
         while goal > self.rests_until:
             try:
@@ -207,7 +207,7 @@ class Dynamics:
         return [float(value) for value in state[:-1]]
 
     def _where(self, *state: float) -> tuple[float, ...]:
-        """Return time, closed position and free rates of a state with its time behind it."""
+        """Return time, closed position and free rates from a state that has its time at the end."""
         self.slope(state[-1], state[:-1])
         return (state[-1], *self.q, *state[len(self.motion.free) : -1])
 
@@ -245,7 +245,7 @@ class Dynamics:
 
 
 def _stepper(scheme: Scheme) -> Callable[..., list[float]]:
-    """Return one step of a tableau over a list of numbers."""
+    """Return a function that makes one step of a tableau on a list of numbers."""
 
     def take(f: Callable[[float, Sequence[float]], list[float]], t: float, now: list[float], h: float) -> list[float]:
         found: list[list[float]] = []
@@ -266,7 +266,7 @@ def _added(row: Sum, now: list[float], h: float, found: list[list[float]]) -> li
 
 
 def _semi_implicit(f: Callable[[float, Sequence[float]], list[float]], t: float, now: list[float], h: float) -> list[float]:
-    """Rates first, then the coordinates with the new rates: v + h a(q, v, t), q + h v."""
+    """Return the next state: first the rates, v + h a(q, v, t), then the coordinates with the new rates, q + h v."""
     count = len(now) // 2
     slope = f(t, now)
     rates = [value + h * a for value, a in zip(now[count:], slope[count:], strict=True)]

@@ -1,4 +1,4 @@
-"""The checks of a motion under forces: its energy, how far it is from the motion itself, what its step is for it.
+"""The checks of a motion under forces: its energy, its distance from the exact motion, whether its step is stable.
 
 Enters: the forces of the rows and of the exact ones, the equations of motion.  Leaves: a `Finding` of each kind.
 Used by `scene/motor_scene.py`.  Words stand under [check.CODE].
@@ -25,17 +25,17 @@ from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.sentences import joined, say
 
 LIMIT = 0.05
-_TELLING = 0.5  # with a larger share the error has long left the straight line of its order
-_TINY = 1e-6  # of a rate or coordinate: by so much it is moved to see what that does
-_ROUND_OFF = 1e-12  # of the energy there is: less of it moves nothing
-_LOOKED_AT = 40  # rows
-_NEAR = 0.3  # of a determinant: nearer to where the free coordinates can go no further inertia itself makes every slope steep
-_RK4_SWINGS = 2.8  # h w up to which Runge-Kutta 4 keeps a swing; the schemes of order one and two let every swing grow
+_TELLING = 0.5  # with a larger share the error no longer follows the order of the scheme
+_TINY = 1e-6  # relative change of a rate or coordinate for difference quotients
+_ROUND_OFF = 1e-12  # share of the energy: a smaller exchange counts as none
+_LOOKED_AT = 40  # number of rows examined
+_NEAR = 0.3  # of a determinant: nearer to a limit position of the free coordinates, inertia alone makes every slope steep
+_RK4_SWINGS = 2.8  # h w up to which Runge-Kutta 4 does not amplify a swing; schemes of order one and two amplify every swing
 
 
 @frozen
 class Evidence:
-    """What the checks look at: both analyses, the equations of motion, the scheme (None: the motion itself), the step (s)."""
+    """The input of the checks: both analyses, the equations of motion, the scheme (None for exact rows), the step (s)."""
 
     own: ForceAnalysis
     exact: ForceAnalysis
@@ -47,13 +47,13 @@ class Evidence:
 def check_dynamics(
     own: ForceAnalysis, exact: ForceAnalysis, dynamics: EquationsOfMotion, scheme: Scheme | None, step: float
 ) -> tuple[Finding, ...]:
-    """Return what every check finds."""
+    """Return the findings of all checks."""
     evidence = Evidence(own, exact, dynamics, scheme, step)
     return _advised(evidence, [check.finding(evidence) for check in CHECKS])
 
 
 def _advised(e: Evidence, findings: list[Finding]) -> tuple[Finding, ...]:
-    """Return the findings, the worst of them with a step that would do; STABLE tells its own where each deviation grows."""
+    """Return the findings, with advice on the step in the worst of them; if STABLE is coarse, it gives its own advice."""
     coarse = {one.value or 0.0: place for place, one in enumerate(findings) if one.verdict == "COARSE"}
     if coarse and e.scheme is not None and findings[-1].verdict != "COARSE":
         share = max(coarse)
@@ -66,7 +66,7 @@ def _advised(e: Evidence, findings: list[Finding]) -> tuple[Finding, ...]:
 
 
 def remainder(found: ForceAnalysis) -> tuple[Array, float]:
-    """Return the energy (n,) J that a motion has and nothing gave it, and the energy that was exchanged (J)."""
+    """Return the unexplained energy (n,) J, which nothing gave to the motion, and the energy that was exchanged (J)."""
     energy, t = found.energy, found.rows.motion.t
     if not len(t):
         return np.zeros(0), 0.0
@@ -78,7 +78,7 @@ def remainder(found: ForceAnalysis) -> tuple[Array, float]:
 
 
 def _areas(values: Array, t: Array) -> Array:
-    """Return the integral (n - 1,) over each interval, of the cubic through four neighbours where there are so many."""
+    """Return the integral over each interval (n - 1,), by the cubic through four neighbours if there are four."""
     h = np.diff(t)
     if len(values) < 4:
         return np.asarray(h * (values[1:] + values[:-1]) / 2)
@@ -96,7 +96,7 @@ def _energy(e: Evidence) -> Finding:
     if max(exchanged, given) <= _ROUND_OFF * (moving + stored):
         return skipped(say("check.ENERGY.rest" if moving <= _ROUND_OFF * stored else "check.forces.none"))
     row = int(np.argmax(np.abs(left)))
-    if np.abs(unseen).max(initial=0.0) > LIMIT * given:  # what the motion itself seems to make the rows do not show of the work
+    if np.abs(unseen).max(initial=0.0) > LIMIT * given:  # even the exact rows do not show the work
         return skipped(say("check.POWER.coarse", row=int(np.argmax(np.abs(unseen))) + 1))
     share = float(abs(left[row]) / exchanged) if exchanged else 0.0
     key = "pass" if share <= LIMIT else "coarse" if left[row] > 0 else "lost"
@@ -105,7 +105,7 @@ def _energy(e: Evidence) -> Finding:
 
 
 def _graded(code: str, key: str, share: float, row: int, column: str | None = None, /, **told: object) -> Finding:
-    """Return the finding of a share."""
+    """Return the finding for a share."""
     verdict: Verdict = "PASS" if key == "pass" else "COARSE"
     return Finding(verdict, say(f"check.{code}.{key}", **told), share, LIMIT, say("unit.relative"), column, row + 1)
 
@@ -130,9 +130,9 @@ def _accuracy(e: Evidence) -> Finding:
 
 
 def _scales(true: Motion, variant: Variant, count: int) -> Array:
-    """Return the scale of each column: the range of a coordinate, an angle's at most a turn; the largest size of a velocity.
+    """Return the scale of each column: the range of a coordinate (of an angle at most a turn), the largest size of a velocity.
 
-    A range is at least what the steps of a period may turn: over fewer rows none has shown itself.
+    A range is at least what the steps of one period may turn, because a shorter run does not show the whole range.
     """
     units = [variant.unit_of(name) for name in true.coordinate_names]
     sizes = np.abs(true.velocities[:count]).max(axis=0)
@@ -142,7 +142,7 @@ def _scales(true: Motion, variant: Variant, count: int) -> Array:
 
 
 def stiffness(e: Evidence) -> tuple[float, float]:
-    """Return the largest rates (1/s) at which deviations die out and swing: of -da/dv and of the root of -da/dq."""
+    """Return the largest rates (1/s) at which deviations decay and swing: from -da/dv and the root of -da/dq."""
     motion, dynamics = e.exact.rows.motion, e.dynamics
     motor = e.exact.equations.variant.forces
     assert motor is not None and motor.motor is not None
@@ -160,7 +160,7 @@ def stiffness(e: Evidence) -> tuple[float, float]:
 
 
 def _slopes(dynamics: EquationsOfMotion, t: float, q: list[float], v: list[float]) -> tuple[Array, Array]:
-    """Return how the free accelerations (f, f) change with the free rates and with the free coordinates."""
+    """Return the derivatives (f, f) of the free accelerations by the free rates and by the free coordinates."""
     count = len(dynamics.free)
     by_rates, by_places = np.zeros((count, count)), np.zeros((count, count))
     for k, place in enumerate(dynamics.free):
@@ -182,7 +182,7 @@ def _slopes(dynamics: EquationsOfMotion, t: float, q: list[float], v: list[float
 
 
 def _step(e: Evidence) -> Finding:
-    """Whether the step is so long for a steep motor or a stiff spring that a deviation grows."""
+    """Return whether the step is too long for a steep motor or a stiff spring, so that deviations grow."""
     if e.scheme is None:
         return skipped(say("check.STABLE.skip"))
     damped, swinging = stiffness(e)
@@ -193,7 +193,7 @@ def _step(e: Evidence) -> Finding:
     if e.scheme.order > 2 and e.step * swinging >= _RK4_SWINGS:
         told |= {"rate": swinging, "product": e.step * swinging, "limit": _RK4_SWINGS, "step": 0.9 * _RK4_SWINGS / swinging}
         return Finding("COARSE", say("check.STABLE.stiff", **told), e.step * swinging, _RK4_SWINGS, "", step=told["step"])
-    if e.exact.rows.count < e.own.rows.count:  # what steepens where nobody followed the motion is not known
+    if e.exact.rows.count < e.own.rows.count:  # unknown: it may become steeper where the motion could not be followed
         return skipped(say("check.unknown"))
     return Finding("PASS", say("check.STABLE.pass", **told, swing=e.step * swinging), product, limit)
 

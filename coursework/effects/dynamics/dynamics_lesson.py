@@ -1,4 +1,4 @@
-"""What a step costs when forces move a mechanism: schemes beside each other, error of the rates against slopes, energy gained.
+"""The cost of a step under forces: schemes side by side, with the error of the rates and the energy gained against slopes.
 
 Enters: equations of motion, the start, the exact rows.  Leaves: `Row`s, and each `Trial` they are made of.
 Used by `report/sections/effects/dynamics.py`, `energy_study.py` and `motor_scene.py`.
@@ -19,14 +19,14 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Time
 
-PARTS = (1, 4, 16)  # of the step
-MOST_SLOPES = 20_000  # altogether: a quarter of a second
+PARTS = (1, 4, 16)  # numbers of parts of the step
+MOST_SLOPES = 20_000  # of all runs together: a quarter of a second
 Begin = tuple[Sequence[float], Sequence[float]]  # all coordinates at t = 0, and the free state
 
 
 @frozen
 class Row:
-    """A scheme with so many `slopes`: its largest `error` of a free rate, and the energy (J) it has more than the motion."""
+    """A scheme with its number of `slopes`, largest `error` of a free rate, and surplus of energy (J) over the exact motion."""
 
     title: str
     slopes: int
@@ -36,7 +36,10 @@ class Row:
 
 @frozen
 class Trial:
-    """A scheme tried: `slopes`, largest `error` of a free rate, `energy` (n,) J in the rows of the table; `ended` in a `row`."""
+    """One trial of a scheme: number of `slopes`, largest `error` of a free rate, `energy` (n,) J in the rows of the table.
+
+    If it `ended` early, that is the reason, and `row` the number of rows.
+    """
 
     slopes: int
     error: float
@@ -46,7 +49,7 @@ class Trial:
 
 
 def lesson(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion) -> list[Row]:
-    """Return the rows; none for a long table."""
+    """Return the rows of the lesson; empty for a long table."""
     steps, most = len(exact.t) - 1, MOST_SLOPES // equations.dear
     if steps < 1 or steps * sum(PARTS) * sum(one.slopes for one in COMPARED) > 12 * most:
         return []
@@ -63,7 +66,7 @@ def lesson(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion
 
 
 def attempt(dynamics: Dynamics, begin: Begin, time: Time, exact: Motion, scheme: Scheme, parts: int) -> Trial:
-    """Return what a scheme makes of the motion with the `parts` of each step."""
+    """Return the trial of a scheme with each step divided into `parts`."""
     steps, equations = len(exact.t) - 1, dynamics.motion
     made = dynamics.rows(scheme, begin[1], time.step / parts, steps * parts)
     if made.ended:
@@ -79,7 +82,7 @@ def rates_of(equations: EquationsOfMotion, motion: Motion) -> Array:
 
 
 def energy_of_rows(equations: EquationsOfMotion, t: Array, q: Array, v: Array) -> tuple[Array, Array]:
-    """Return the whole energy and the kinetic one (n,) J."""
+    """Return the total and the kinetic energy (n,) J."""
     found = equations.table(t, *q.T, *v.T)
     last = len(found) - equations.determinants
     kinetic = np.broadcast_to(found[last - 2], t.shape)
@@ -87,16 +90,16 @@ def energy_of_rows(equations: EquationsOfMotion, t: Array, q: Array, v: Array) -
 
 
 def is_heavy(equations: EquationsOfMotion, start: Sequence[float]) -> bool:
-    """Return whether something that has a mass moves at the start with whatever free rates there are (two at most).
+    """Return whether, at the start, every motion of the free coordinates (two at most) moves a mass.
 
-    The kinetic energies of each rate alone and of all together give the determinant of the masses.
+    The kinetic energies of each rate alone and of all together give the determinant of the mass matrix.
     """
     count = len(equations.free)
     v = np.vstack([np.eye(count), np.ones(count)])
     try:
-        with np.errstate(all="ignore"):  # forces without a value there have their part of the table
+        with np.errstate(all="ignore"):  # forces without a value there only spoil their own part of the table
             *alone, together = energy_of_rows(equations, np.zeros(count + 1), np.tile(start, (count + 1, 1)), v)[1]
-    except ZeroDivisionError:  # of plain numbers, no array: no link that moves has a mass at all
+    except ZeroDivisionError:  # raised by plain numbers, not arrays: no moving link has a mass at all
         return False
     masses = 4 * math.prod(alone) - (together - sum(alone)) ** 2 if count == 2 else alone[0]
     return bool(masses > 1e-12 * math.prod(alone))

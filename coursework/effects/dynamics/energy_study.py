@@ -1,4 +1,4 @@
-"""What accuracy costs when forces move a mechanism: the error of the energy against slopes, every scheme at several steps.
+"""The cost of accuracy under forces: the error of the energy against slopes, for every scheme at several steps.
 
 Enters: equations of motion, the start, the exact rows.  Leaves: `AccuracyStudy` with errors in J.
 Used by `scene/motor_scene.py`.
@@ -22,16 +22,16 @@ from coursework.variant.record.variant import Time
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-PARTS = (1, 2, 4, 8, 16, 32)  # of the step
-MOST_SLOPES = 6400  # of one run; where the table's own step has more, its half is tried too and nothing finer
-MOST_ROWS = 20_000  # slopes of the table: with more there is no study
+PARTS = (1, 2, 4, 8, 16, 32)  # numbers of parts of the step
+MOST_SLOPES = 6400  # in one run; if the table's own step needs more, only it and its half are tried
+MOST_ROWS = 20_000  # slopes for the table: with more there is no study
 
 
 def energy_study(
     equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion, own: Scheme, unit: str,
     *, progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
-    """Return the study, never timed: slopes are what a scheme costs here.
+    """Return the study; it is never timed, because slopes are the cost here.
 
     `own` is the scheme of the table, `unit` that of the free rates.
     """
@@ -59,7 +59,7 @@ def energy_study(
 
 
 def _parts(scheme: Scheme, steps: int, most: int) -> list[int]:
-    """Return into how many parts a step is divided: the whole and its half at least."""
+    """Return the numbers of parts into which a step is divided: at least 1 and 2."""
     return [parts for parts in PARTS if parts <= PARTS[1] or steps * parts * scheme.slopes <= most]
 
 
@@ -72,7 +72,7 @@ def _row(scheme: Scheme, tried: Trial, energy: Array, steps: int) -> StudyRow:
 
 
 def _told(rows: Sequence[StudyRow], rates: dict[str, float], unit: str, own: StudyRow, scale: float) -> Iterator[Sentence]:
-    """Yield what the table's own step costs in energy, and what better schemes do with it."""
+    """Yield what the table's own step costs in energy, and what better schemes achieve with it."""
     known = {"steps": own.steps_or_tolerance, "method": own.method}
     if own.failed:
         yield say("study.energy_failed", **known, why=own.failed)

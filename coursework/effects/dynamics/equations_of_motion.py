@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 
 @frozen
 class EquationsOfMotion:
-    """`free` the places of the free coordinates, `others` of those that follow from closed positions.
+    """Equations of motion as functions; `free` are the indices of the free coordinates, `others` those of the closed positions.
 
     `slope(t, *q, *v)` -> free accelerations, then the rates of the others; `newton(t, *q, *kept)` -> corrections of the others,
     with `kept` the values that positions keep; `table(t, *q, *v)` over arrays -> velocities, their derivatives, kinetic and
-    potential energy, determinants.  `rubbing`: the friction that is in both.  `sizes`: a correction of each of the others that
-    would be a large one (1 rad, m of the mechanism).  `breaks`: times (s) at which what acts changes its formula; `acting`: edges
-    of stretches of time (s) in each of which it does little.
+    potential energy, determinants (`determinants` of them).  `rubbing` is the friction contained in both.  `sizes` are large
+    corrections of the others (1 rad, m of the mechanism).  `breaks` are the times (s) at which a force changes its formula;
+    `acting` the edges (s) of stretches of time in each of which the forces vary little.
     """
 
     free: tuple[int, ...]
@@ -40,5 +40,5 @@ class EquationsOfMotion:
 
     @property
     def dear(self) -> int:
-        """Return how many times as much a slope costs as one without friction."""
+        """Return the cost of a slope as a multiple of one without friction."""
         return 1 if self.rubbing is None else 6

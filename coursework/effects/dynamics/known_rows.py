@@ -1,4 +1,4 @@
-"""How far the motion under forces is known: where it doubles what it is off again and again, its last rows are any motion.
+"""How far the motion under forces is known: if errors double again and again, its last rows mean nothing.
 
 Enters: the rows of the motion, and some of them with a coarser tolerance.  Leaves: the rows that are known.
 Used by `scene/motor_scene.py`.
@@ -12,15 +12,15 @@ import numpy as np
 
 from coursework.effects.dynamics.dynamics import FreeMotion
 
-# Ten thousand times what the motion itself may be off in a step: where that has grown to this part of the range of a column,
-# the motion is off by a millionth of it, and soon by all.
+# COARSER is ten thousand times the tolerance of a step.  If the difference has grown to LOST of a column's range, the motion
+# itself is off by a millionth of the range, and soon by all of it.
 COARSER, LOST = 1e-9, 0.01
-LOOKS = 40  # rows that are followed again
-_LEAST = 1e-6  # rad, m, rad/s or m/s: a smaller range is no scale for a tolerance
+LOOKS = 40  # number of rows that are followed again
+_LEAST = 1e-6  # rad, m, rad/s or m/s: the smallest range used as a scale
 
 
 def known_rows(found: FreeMotion, coarser: FreeMotion, pace: int) -> FreeMotion:
-    """Return the rows up to the last one that agrees with those of the coarser tolerance, `pace` rows apart."""
+    """Return the rows up to the last one that agrees with those of the coarser tolerance, which are `pace` rows apart."""
     count = min(len(coarser.t), (len(found.t) - 1) // pace + 1)
     own, other = (np.concatenate([one.coordinates, one.rates], axis=1) for one in (found, coarser))
     if count < 2:

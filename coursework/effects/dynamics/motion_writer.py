@@ -3,9 +3,9 @@
 Enters: velocity equations, their blocks, a `ForceScheme`, the start.  Leaves: `EquationsOfMotion`, plain functions.
 Used by `rubbed_motion.py`, `scene/motor_scene.py`, `report/live/by_forces.py` and `takeaway/listing/by_forces.py`.
 
-Each velocity is U v with the analogs U, which the blocks give for a unit of each free rate; so is the velocity of each centre of
-mass, S v.  M = sum (m S S + J w w), h what the accelerations without v' take, Q the power of loads, weight, springs and
-motors over each of these motions.  Lines of code as everywhere, each value once.
+Each velocity is U v, where the blocks give the analogs U for a unit of each free rate; likewise the velocity of each centre of
+mass is S v.  M = sum (m S S + J w w), h is the part of the inertia without v', Q the power of loads, weight, springs and
+motors in each of these motions.  The code is straight-line, each value computed once.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from coursework.words.sentences import say
 
 @dataclass(slots=True)
 class MotionWriter:
-    """What a mechanism's equations of motion are as statements; `weights` its masses and inertias, `numbers` their values."""
+    """Writes a mechanism's equations of motion as statements; `weights` are masses and inertias, `numbers` their values."""
 
     equations: VelocityEquations
     reduction: Reduction
@@ -54,18 +54,18 @@ class MotionWriter:
 
     @property
     def acting(self) -> ActingWriter:
-        """Return what writes what acts on the bodies."""
+        """Return the writer of the forces that act on the bodies."""
         return ActingWriter(self.equations, self.scheme)
 
     @property
     def free(self) -> tuple[int, ...]:
-        """Return the places of the free coordinates."""
+        """Return the indices of the free coordinates."""
         by_rate = {c.rate: place for place, c in enumerate(self.equations.variant.coordinates)}
         return tuple(by_rate[rate] for rate in self.rates)
 
     @property
     def others(self) -> tuple[int, ...]:
-        """Return the places of the coordinates that follow from closed positions."""
+        """Return the indices of the coordinates that follow from closed positions."""
         return tuple(place for place in range(len(self.equations.variant.coordinates)) if place not in self.free)
 
     @property
@@ -79,7 +79,7 @@ class MotionWriter:
         return [local(f"_acc{k}") for k in range(len(self.rates))]
 
     def statements(self) -> list[Statement]:
-        """Return what gives all velocities and the free accelerations where masses and inertias are known."""
+        """Return the statements for all velocities and the free accelerations, for known masses and inertias."""
         self._weigh()
         return [*self._velocities(), *self._motion(), *self._solved(self.solved)]
 
@@ -106,7 +106,7 @@ class MotionWriter:
         self, name: str, statements: Sequence[Statement], results: Sequence[Expression], arguments: Sequence[str] = (),
         numpy: bool = False,
     ) -> Callable[..., Any]:  # fmt: skip
-        """Return results behind statements as a function, of t, coordinates and free rates where no arguments are named."""
+        """Return a function for `results` after the statements; by default its arguments are t, coordinates and free rates."""
         known = {**constants(self.equations.variant), **self.numbers}
         definitions = self.equations.symbols.definitions.without({symbol(rate) for rate in self.rates})
         outs = [Assign(local(f"_out{place}"), value) for place, value in enumerate(results)]
@@ -116,7 +116,7 @@ class MotionWriter:
         )
 
     def _velocities(self) -> Iterator[Statement]:
-        """Yield the analogs of all velocities, the velocities, and their derivatives for free accelerations of 0."""
+        """Yield statements for all analogs and velocities, and for the velocities' derivatives at zero free accelerations."""
         earlier: list[str] = []
         both = zip(self.reduction.blocks, accelerated(self.equations, self.reduction), strict=True)
         for index, (block, changes) in enumerate(both):
@@ -133,7 +133,7 @@ class MotionWriter:
             earlier += block.unknowns
 
     def _weigh(self) -> None:
-        """Put masses and inertias among the numbers: they do not change with the motion."""
+        """Collect masses and inertias as numbers: they do not change with the motion."""
         symbols, wanted = self.equations.symbols, self.weights
         for place, body in enumerate(self.scheme.bodies):
             with placed(self.equations.variant, "masses", 1):
@@ -146,20 +146,20 @@ class MotionWriter:
                 wanted[f"_j{place}"] = inertia
 
     def _analog_of(self, expression: Expression, k: int) -> Expression:
-        """Return how fast an expression of the positions changes with the free rate k."""
+        """Return the derivative of the rate of an expression of the positions by the free rate k."""
         slopes = [
             (c.rate, self.equations.symbols.partial(expression, symbol(c.name))) for c in self.equations.variant.coordinates
         ]
         return add(ZERO, *[slope * self.rate_of(rate, k) for rate, slope in slopes if slope is not ZERO])
 
     def rate_of(self, rate: str, k: int) -> Expression:
-        """Return how fast a velocity changes with the free rate k."""
+        """Return the derivative of a velocity by the free rate k."""
         if rate in self.rates:
             return ONE if rate == self.rates[k] else ZERO
         return _analog(k, rate) if rate else ZERO
 
     def _turning(self, body: Body) -> tuple[list[Expression], Expression]:
-        """Return the analogs of a body's rate and its acceleration for free accelerations of 0."""
+        """Return the analogs of a body's rate, and its acceleration for zero free accelerations."""
         if not body.rate and body.span is not None and body.inertia is not None:
             line = self.scheme.forces.lines.get(("masses", body.name), 1)
             raise InputError([Fault(say("fault.V741", name=body.name), self.equations.variant.file, line)])
@@ -167,7 +167,7 @@ class MotionWriter:
         return [self.rate_of(body.rate, k) for k in range(len(self.rates))], bias
 
     def _motion(self) -> Iterator[Statement]:
-        """Yield M, Q - h, kinetic and potential energy."""
+        """Yield the statements for M, Q - h, kinetic and potential energy."""
         symbols, count = self.equations.symbols, len(self.rates)
         matrix = [[ZERO for _ in range(count)] for _ in range(count)]
         right = [ZERO for _ in range(count)]
@@ -204,7 +204,7 @@ class MotionWriter:
         yield Assign(local("_potential"), add(*potential))
 
     def _powers(self, k: int) -> Iterator[Expression]:
-        """Yield the power of each load, spring and motor over the motion of the free rate k alone."""
+        """Yield the power of each load, spring and motor in the motion of the free rate k alone, for a rate of 1."""
         forces = self.scheme.forces
         for load in (*forces.loads, *(forces.motor.torques if forces.motor else ())):
             with placed(self.equations.variant, f"forces.{load.name}", 1):
@@ -228,7 +228,7 @@ class MotionWriter:
         return self.rate_of(self.scheme.by_name[self.scheme.body_named(name)].rate, k)
 
     def _solved(self, targets: Sequence[Expression]) -> Iterator[Statement]:
-        """Yield the free accelerations."""
+        """Yield the statements for the free accelerations."""
         if len(targets) == 1:
             yield Assign(targets[0], local("_force0") / local("_mass00"))
             return
@@ -239,7 +239,7 @@ class MotionWriter:
         yield Assign(targets[1], (a * second - b * first) / local("_mass"))
 
     def acceleration_of(self, name: str, free: Sequence[Expression] = ()) -> Expression:
-        """Return the derivative of a velocity, behind the statements, with these or the solved free accelerations."""
+        """Return the derivative of a velocity, for use after the statements, with the free accelerations given or solved."""
         free = free or self.solved
         if name in self.rates:
             return free[self.rates.index(name)]
@@ -247,7 +247,7 @@ class MotionWriter:
 
     def _table(self, common: Sequence[Statement]) -> Callable[..., Any]:
         variant = self.equations.variant
-        # With friction it is told what that adds to the free accelerations.
+        # With friction, its contribution to the free accelerations is a further argument.
         taken = [f"_rub{k}" for k in range(len(self.rates))] if self.scheme.forces.friction else []
         free = [add(one, *map(local, taken[k : k + 1])) for k, one in enumerate(self.solved)]
         names = (*variant.rates, *(name for name, _ in variant.unknowns))

@@ -1,10 +1,10 @@
-"""The steady motion of a crank that forces drive: the speed that repeats after a turn, its period, its unevenness.
+"""The steady motion of a crank driven by forces: the speed that repeats after a turn, its period, its unevenness.
 
 Enters: `EquationsOfMotion` in one free coordinate, a start.  Leaves: `Regime`.  Computed on request only.
 Used by `scene/motor_scene.py`.
 
-The crank angle stands for the time: dw/dphi = a/w, dt/dphi = 1/w over a turn; the speed at its begin is found by shooting
-(secant) on what a turn changes of it.
+The crank angle replaces the time: dw/dphi = a/w, dt/dphi = 1/w over a turn.  The speed at its start is found by shooting: the
+secant method makes the change of speed in a turn zero.
 """
 
 from __future__ import annotations
@@ -20,13 +20,17 @@ from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-PIECES = 180  # of a turn: Dormand and Prince 8 leaves 1e-12 in each
-MOST_SHOTS, REPEATS = 30, 1e-11  # of the speed: so well it repeats
+PIECES = 180  # parts of a turn: Dormand and Prince 8 leaves 1e-12 in each
+MOST_SHOTS, REPEATS = 30, 1e-11  # largest number of trials; relative accuracy with which the speed must repeat
 
 
 @frozen
 class Regime:
-    """Speed at the first angle (rad/s), `period` (s), mean, largest and least by size, where (rad), `delta` the unevenness."""
+    """The steady motion over a turn.
+
+    `speed` is that at the first angle (rad/s), `period` in s, `mean` the mean speed; `largest` and `least` are the extreme speeds
+    by size, at the angles `largest_at` and `least_at` (rad).
+    """
 
     speed: float
     period: float
@@ -38,14 +42,14 @@ class Regime:
 
     @property
     def delta(self) -> float:
-        """Return (w_max - w_min)/w_mean, of sizes: which way it turns is not said."""
+        """Return the unevenness (w_max - w_min)/w_mean, computed from sizes, for either sense of rotation."""
         return (abs(self.largest) - abs(self.least)) / self.mean
 
 
 def find_regime(motion: EquationsOfMotion, places: list[float], speed: float) -> Regime | None:
-    """Return the steady motion near a speed (rad/s) at the angle where `places` stand; None where no turn is completed.
+    """Return the steady motion near a speed (rad/s), at the angle in `places`; None if no full turn is made.
 
-    A force that depends on the time has none.
+    The forces must not depend on time.
     """
     try:
         tried = [(w, _turn(motion, places, w)[-1][1] - w) for w in (speed, 0.99 * speed)]
@@ -67,7 +71,7 @@ def _turn(motion: EquationsOfMotion, places: list[float], speed: float) -> list[
 
     def moving(w: float, t: float, phi: float) -> list[float]:
         if w * speed <= 0:
-            raise Open  # it turns back: no turn
+            raise Open  # it turns back: not a full turn
         return [dynamics.slope(0.0, [phi, w])[1] / w, 1 / w, 1.0]
 
     state, length = np.array([speed, 0.0, begin]), math.copysign(2 * math.pi / PIECES, speed)
@@ -93,7 +97,7 @@ def _told(motion: EquationsOfMotion, places: list[float], speed: float) -> Regim
 
 
 def _between(angle: Array, w: Array, slope: Array, k: int) -> tuple[float, float]:
-    """Return where between two rows the slope is zero and the speed there: the cubic through four slopes, integrated."""
+    """Return the angle between two rows at which the slope is zero, and the speed there, by the quintic through six slopes."""
     low = min(max(k - 2, 0), len(angle) - 6)
     x = (angle[low : low + 6] - angle[k]) / (angle[k + 1] - angle[k])
     cubic = np.polynomial.Polynomial.fit(x, slope[low : low + 6], 5).convert()

@@ -1,6 +1,6 @@
-"""The states of a motion with friction: which reactions a mechanism has where forces move it, as functions of its state.
+"""Motion with friction: the states of a mechanism moved by forces, with its reactions as functions of the state.
 
-Enters: a `MotionWriter`.  Leaves: equations of motion that know of friction.  Raises `InputError`.
+Enters: a `MotionWriter`.  Leaves: equations of motion that include friction.  Raises `InputError`.
 Used by `scene/motor_scene.py`, for a file with [friction] only.
 """
 
@@ -28,11 +28,11 @@ from coursework.motion.geometry.time_derivatives import derivative
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-Entries = dict[tuple[int, int], Expression]  # row and column of the equations of the unknown forces
+Entries = dict[tuple[int, int], Expression]  # row and column in the equations of the unknown forces -> entry
 
 
 def rubbed_motion(writer: MotionWriter) -> EquationsOfMotion:
-    """Return equations of motion with the friction of the file.  Raises `InputError` where reactions are not unique."""
+    """Return the equations of motion with the friction of the file.  Raises `InputError` if reactions are not unique."""
     ideal, own = writer.made(), _Writer(writer, writer.acting).made()
 
     def table(*rows: Any) -> Any:
@@ -43,7 +43,7 @@ def rubbed_motion(writer: MotionWriter) -> EquationsOfMotion:
 
 @dataclass(slots=True)
 class _Writer:
-    """The state as expressions: columns of the unknowns, what acts, a unit of friction of each pair."""
+    """Writes the state as expressions: the columns of the unknowns, the acting forces, a unit of friction for each pair."""
 
     motion: MotionWriter
     acting: ActingWriter
@@ -96,13 +96,13 @@ class _Writer:
         return [symbol(coordinates[place].rate) for place in self.motion.others]
 
     def by_free(self, value: Expression, k: int) -> Expression:
-        """Return how a value that is straight in the accelerations changes with the free one k."""
+        """Return the derivative by the free acceleration k of a value that is linear in the accelerations."""
         variant = self.motion.equations.variant
         names = dict.fromkeys([*variant.rates, *(name for name, _ in variant.unknowns)])
         return add(ZERO, *[derivative_by(value, derivative(name)) * self.motion.rate_of(name, k) for name in names])
 
     def acts(self, entries: Entries, places: Mapping[str, int], column: int, name: str, one: Unknown, sign: Expression) -> None:
-        """Add what a unit of an unknown does to the equations of a body or pin."""
+        """Add the entries of a unit of an unknown in the equations of a body or pin."""
         if name not in places:
             return  # the frame
         if one.direction.kind == "couple":
@@ -122,7 +122,7 @@ class _Writer:
         return {"x": (ONE, ZERO), "y": (ZERO, ONE)}.get(one.direction.kind) or self.acting.along(one)
 
     def turns(self, entries: Entries, places: Mapping[str, int], column: int, one: Unknown) -> Expression:
-        """Write a couple on two bodies that turn about each other, and return how fast they do."""
+        """Enter a couple on two bodies that turn about each other, and return their relative angular velocity."""
         speed = ZERO
         for name, sign in ((one.on, ONE), (partner(self.motion.scheme, one), -ONE)):
             if (body := self.motion.scheme.by_name.get(name)) is not None:
@@ -131,7 +131,7 @@ class _Writer:
         return speed
 
     def slides(self, entries: Entries, places: Mapping[str, int], column: int, one: Unknown) -> Expression:
-        """Write a force along a guide on block and guide, and return how fast the block slides."""
+        """Enter a force along a guide on block and guide, and return the sliding speed of the block."""
         assert one.at is not None
         (x, y), at, speed = self.unit(one), self.acting.vector(one.at), ZERO
         along = y, -x
@@ -151,7 +151,7 @@ def _state(
     drives: tuple[int, ...],
     *state: float,
 ) -> State:
-    """Return a state from what its expressions are; `sizes`: of unknown forces, free rates and other coordinates."""
+    """Return the state computed by the compiled expressions; `sizes` count unknown forces, free rates and other coordinates."""
     found, (count, free, beside_free) = compiled(*state), sizes
     begin, width = free + beside_free, 4 + free
     a, others = list(found[:free]), list(found[free:begin])

@@ -1,6 +1,6 @@
 """Why a motion under forces cannot be followed any further: its links, its free coordinates alone, or the forces.
 
-Enters: `EquationsOfMotion`, the states that a step into the end has passed.  Leaves: `Open`.
+Enters: `EquationsOfMotion`, the states passed since the last row.  Leaves: `Open`.
 Used by `dynamics.py`, `scene/motor_scene.py`, `regime.py` and `grading/marking/key/free_rows.py`.
 """
 
@@ -15,14 +15,14 @@ from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.system.arrays import Array
 
 LIMIT = "limit position"  # of the free coordinates alone: a dead point that the links pass
-_SMALL = 0.1  # of a determinant: what is left of it at a dead point
+_SMALL = 0.1  # a determinant below this share of its largest value counts as vanishing
 
 
 class Open(ArithmeticError):
-    """No closed position lies near: the mechanism is at a dead point, or a step was too wide; `at` (s), where that is known.
+    """No closed position is nearby: the mechanism is at a dead point, or a step was too wide; `at` is the time (s), if known.
 
-    `kind`: "too steep" where not the links, but the forces let nobody follow the motion, `LIMIT` where the links move
-    on and only the free coordinates turn back.
+    `kind` is "too steep" if the forces, not the links, make the motion impossible to follow, and `LIMIT` if the links move on and
+    only the free coordinates turn back.
     """
 
     def __init__(self, at: float = math.nan, kind: str = "dead point") -> None:
@@ -31,11 +31,11 @@ class Open(ArithmeticError):
 
 
 def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[float]]) -> Open:
-    """Return why a motion ends behind its last state at `at` (s): a determinant vanishes there, or forces are too steep.
+    """Return why a motion ends after its last state at `at` (s): a determinant vanishes, or the forces are too steep.
 
-    `passed`: time, all coordinates and free rates of the first row and of each state since the last one.  Where a determinant
-    vanishes the other velocities are those of the free coordinates divided by it.  What has mass cannot become that fast: then
-    the free ones come to rest there, and turn back.
+    `passed` holds time, all coordinates and free rates of the first row and of each state since the last row.  Near a vanishing
+    determinant the other velocities are those of the free coordinates divided by it.  A link with mass cannot become that fast;
+    then the free coordinates come to rest there and turn back.
     """
     rows = np.array(passed)
     if motion.others and len(rows) > 2:
@@ -43,14 +43,14 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
         least = min(found[-motion.determinants :], key=lambda one: float(one[-1] / one.max()))
         if least[-1] < _SMALL * least.max():
             fastest = np.max([found[place] for place in motion.others], axis=0)
-            # Two powers of the determinant lie between: rates of links without mass grow as its inverse, others not at all.
+            # The limit lies halfway: rates of massless links grow as 1/determinant, other rates do not grow at all.
             as_fast = fastest[-1] ** 2 * least[-1] < fastest[1] ** 2 * least[1]
             return Open(_vanishes(rows[:, 0], least), LIMIT if as_fast else "dead point")
     return Open(at, "too steep")
 
 
 def _vanishes(t: Array, sizes: Array) -> float:
-    """Return when (s) sizes vanish that get smaller to the last of the times: as any power of what is left until then."""
+    """Return when (s) decreasing sizes vanish, extrapolated from the last times as a power of the time left."""
     twice, four = (float(t[np.flatnonzero(sizes >= times * sizes[-1])[-1]]) for times in (2, 4))
     later, before = float(t[-1]) - twice, twice - four
     return float(t[-1]) + (later**2 / (before - later) if before > later else 0.0)

@@ -1,1 +1,1 @@
-"""Friction: of pins, guides and wheels in the rows of a motion, of a state that forces move, and where it stops everything."""
+"""Friction: of pins, guides and wheels in the rows of a motion, in a state moved by forces, and where it stops everything."""

@@ -3,8 +3,9 @@
 Enters: `Rows`, the reactions.  Leaves: `Action`s of friction.  Imported for a file with [friction] only.
 Used by `kinetostatics.py`, `scheme.py`.
 
-Pin: couple coefficient radius |R| against the relative turning; guide: coefficient |N| against the sliding, with a couple in it
-max(|N|, 2 |K|/length); wheel: couple arm |N| against its turning.  What stands still (sign 0) has none in that row.
+Pin: a couple coefficient * radius * |R| against the relative rotation.  Guide: a force coefficient * |N| against the sliding;
+with a couple in it, max(|N|, 2 |K|/length) replaces |N|.  Wheel: a couple arm * |N| against its rotation.  A pair at rest (sign
+0) has no friction in that row.
 """
 
 from __future__ import annotations
@@ -21,18 +22,18 @@ from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array, Flags
 from coursework.variant.record.forces import Friction
 
-# Looked at after so many rounds: what shrinks goes on, slowly where friction nearly locks; the rest has no solution.
+# Convergence is tested every ROUNDS rounds: what shrinks goes on (slowly near locking), anything else has no solution.
 ROUNDS, MOST_ROUNDS = 50, 2000
-SETTLED, LEFT = 1e-13, 1e-9  # change of a round, of the largest reaction: at rest, and where round-off lets it go no further
+SETTLED, LEFT = 1e-13, 1e-9  # change in a round, relative to the largest reaction: converged; accepted if round-off stops it
 
 
 def friction_of(rows: Rows, values: Array) -> tuple[Action, ...]:
-    """Return what friction does where the unknown forces are `values` (n, unknowns)."""
+    """Return the friction actions for unknown forces with the given `values` (n, unknowns)."""
     return tuple(action for rubs in rows.scheme.forces.friction for action in _at(rows, values, rubs))
 
 
 def rubbing(unknowns: Sequence[Unknown], rubs: Friction) -> Iterator[tuple[int, str]]:
-    """Yield the place of each unknown force by which an entry of [friction] rubs, and whether at a pin, a wheel or a guide."""
+    """Yield, for an entry of [friction], the index of each unknown force that causes friction, and "pin", "wheel" or "guide"."""
     rolls = {one.name[1:] for one in unknowns if one.name[0] == "T"}
     for place, one in enumerate(unknowns):
         if one.is_drive or one.at is None or one.at.name != rubs.at:
@@ -46,7 +47,7 @@ def rubbing(unknowns: Sequence[Unknown], rubs: Friction) -> Iterator[tuple[int, 
 
 
 def partner(scheme: ForceScheme, one: Unknown) -> str:
-    """Return what a body turns about in a joint: a pin of more than two links turns with the first of them, or stands."""
+    """Return the partner of a body in a joint: for a pin of more than two links its first link, else the other body."""
     held = [other.on for other in scheme.unknowns if other.off == one.off and one.off in scheme.pins]
     return held[0] if held else one.off
 
@@ -64,7 +65,7 @@ def _at(rows: Rows, values: Array, rubs: Friction) -> Iterator[Action]:
 
 
 def _turning(rows: Rows, one: Unknown, couple: Array) -> Iterator[Action]:
-    """Yield a couple against the turning of two bodies about each other."""
+    """Yield a couple against the relative rotation of two bodies."""
     bodies = rows.scheme.by_name
     other = partner(rows.scheme, one)
     if one.on == other or one.on not in bodies:
@@ -96,7 +97,7 @@ def _sliding(rows: Rows, one: Unknown, values: Array, place: int, rubs: Friction
 
 
 def standing(found: Sequence[Action]) -> Flags:
-    """Return in which rows (n,) a pair that rubs in others stands still: there the sign is 0, and so is its friction."""
+    """Return in which rows (n,) a rubbing pair is at rest although it moves in others: its sign and friction are 0 there."""
     sizes = [np.abs(acting) for one in found for acting in (one.force, one.couple) if acting is not None]
     return np.asarray(np.any([(size == 0.0) & (size.max(initial=0.0) > 0.0) for size in sizes], axis=0))
 

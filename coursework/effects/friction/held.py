@@ -1,4 +1,4 @@
-"""What friction stops: nothing balances it, or a pair that stands still does not go on.
+"""Friction that stops a motion: no equilibrium exists, or a pair at rest does not start to slide.
 
 Used by `dynamics.py`, which tells where a motion ends, `rubbing.py`, which finds it, and `friction.py`.
 """
@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import math
 
-STILL = 1e-12  # of the largest speed: slower is still
+STILL = 1e-12  # share of the largest speed: slower counts as at rest
 
 
 class Held(ArithmeticError):
-    """Friction holds: nothing balances (`locked`), or a pair that stands still does not go on; at the point `at`, `time` (s).
+    """Friction holds the mechanism at the point `at` and `time` (s): no equilibrium (`locked`), or a pair at rest does not start.
 
-    `state` is the one in which it does not go on, its time last, () where that is not known; `at` is "" where nothing pulls.
+    `state` is the state in which it does not start, its time last, () if unknown; `at` is "" if no force pulls.
     """
 
     def __init__(self, at: str, locked: bool) -> None:
@@ -22,6 +22,6 @@ class Held(ArithmeticError):
         self.state: tuple[float, ...] = ()
 
     def seen(self, time: float) -> Held:
-        """Return the same with its time (s), where none is known yet."""
+        """Return the exception with its time (s) set, unless it is known already."""
         self.time = time if math.isnan(self.time) else self.time
         return self

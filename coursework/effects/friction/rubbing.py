@@ -1,11 +1,11 @@
-"""Friction while forces move a mechanism: what it takes from the free accelerations of a state, and which way pairs go.
+"""Friction while forces move a mechanism: its effect on the free accelerations of a state, and the sliding direction of pairs.
 
 Enters: a `State` without friction.  Leaves: `Rubbing`; raises `Held`.  Imported for a file with [friction] only.
 Used by `rubbed_motion.py`, which finds the states, and `equations_of_motion.py`, which carries it.
 
-At a state the reactions are straight in the free accelerations, R = R0 + D a, and every pair adds its own share, R += s f G,
-with the size f of its friction, which the reactions give, and the sign s of its sliding.  The drives keep what the motor
-gives, so sizes alone are looked for, in a fixed point as in `friction.py`.
+In a state the reactions are linear in the free accelerations, R = R0 + D a, and every pair adds its own share, R += s f G,
+where the reactions determine the size f of its friction, and s is the sign of its sliding.  The drives keep the torques of the
+motor, so only the sizes are unknown; they are found as a fixed point as in `friction.py`.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-ROUNDS, SETTLED = 200, 4e-16  # of a fixed point that shrinks by a third or more a round
-MOST_TURNS = 4  # guesses which way pairs go that stand still
-LATER = 1e-5  # s
-SHARP = 1e-14  # of a step: so well is known where a pair turns round
-STANDS = 1e-9  # of the speeds: a pair stands there
-Moving = Callable[..., list[float]]  # a state, its time last -> how it changes
-Where = Callable[..., tuple[float, ...]]  # the same -> time, closed position, free rates
+ROUNDS, SETTLED = 200, 4e-16  # for a fixed point that shrinks by a third or more a round
+MOST_TURNS = 4  # number of guesses for the directions of pairs at rest
+LATER = 1e-5  # s; how far ahead a pair with zero speed and acceleration is examined
+SHARP = 1e-14  # share of a step: accuracy of the time at which a pair reverses
+STANDS = 1e-9  # share of the speeds: below it a pair is at rest at a reversal
+Moving = Callable[..., list[float]]  # a state, its time last -> its derivative
+Where = Callable[..., tuple[float, ...]]  # a state, its time last -> time, closed position, free rates
 
 
 @frozen
 class Pair:
-    """What rubs at a point: `kind` "pin", "wheel" or "guide", the place of its first reaction, whether a couple follows it."""
+    """A rubbing pair at a point: `kind` "pin", "wheel" or "guide", index of its first reaction, whether a couple follows it."""
 
     at: str
     kind: str
@@ -44,8 +44,12 @@ class Pair:
 
 @frozen
 class State:
-    """A state without friction: free accelerations `a`, rates of the others, reactions `loose` (k,), what a unit of each pair's
-    friction adds to reactions (pairs, k) and to `a` (pairs, f); speeds of the pairs, their derivatives for `a` and by it (f,).
+    """A state without friction.
+
+    `a` are the free accelerations, `others` the rates of the other coordinates, `loose` the reactions (k,).  A unit of a pair's
+    friction adds `reactions` (pairs, k) to the reactions and `changes` (pairs, f) to `a`; `factors` are its (factor, length).
+    `speeds` are the sliding speeds of the pairs, `turning` their derivatives for zero free accelerations, `by_free` (pairs, f)
+    the derivatives of these by the free accelerations.
     """
 
     a: list[float]
@@ -61,7 +65,7 @@ class State:
 
 @dataclass(slots=True)
 class Rubbing:
-    """The pairs that rub; `held` the signs of their speeds while the motion itself is looked for, () where speeds tell."""
+    """The rubbing pairs; `held` are the signs of their speeds while the exact motion is computed, () if the speeds decide."""
 
     pairs: tuple[Pair, ...]
     state: Callable[..., State]
@@ -69,7 +73,7 @@ class Rubbing:
 
     @contextmanager
     def sliding_as(self, *state: float) -> Iterator[None]:
-        """Keep the signs of a state, what stands still there included, whatever is asked of states near it."""
+        """Keep the signs of a state (0 for pairs at rest) for all states that are evaluated inside the `with` block."""
         before = self.held
         self.held = tuple(_signs(self.state(*state).speeds))
         try:
@@ -78,12 +82,12 @@ class Rubbing:
             self.held = before
 
     def slope(self, *state: float) -> tuple[float, ...]:
-        """Return free accelerations, then the rates of the others, of t, coordinates and free rates.  Raises `Held`."""
+        """Return free accelerations, then the rates of the others, for t, coordinates and free rates.  Raises `Held`."""
         now = self.state(*state)
         return (*self.free(now, self.held or _signs(now.speeds)), *now.others)
 
     def free(self, now: State, signs: Sequence[float]) -> list[float]:
-        """Return the free accelerations where pairs slide with these signs.  Raises `Held` where nothing settles."""
+        """Return the free accelerations if pairs slide with these signs.  Raises `Held` if the fixed point does not converge."""
         sizes = self._settled(now, signs)
         return [a + sum(s * f * row[k] for s, f, row in zip(signs, sizes, now.changes, strict=True)) for k, a in enumerate(now.a)]
 
@@ -114,7 +118,7 @@ class Rubbing:
         return factor * abs(first)
 
     def signs(self, *state: float, still: Sequence[bool] = ()) -> tuple[float, ...]:
-        """Return which way each pair goes, those that stand `still` as their accelerations tell.  Raises `Held`."""
+        """Return the sign of each pair's sliding; for pairs at rest (`still`) their accelerations decide.  Raises `Held`."""
         now = self.state(*state)
         rest = list(still) or [not v for v in now.speeds]
         signs = [0.0 if here else math.copysign(1.0, v) for v, here in zip(now.speeds, rest, strict=True)]
@@ -123,22 +127,22 @@ class Rubbing:
             if begun == signs:
                 return tuple(signs)
             if any(here and x * y < 0 for x, y, here in zip(begun, signs, rest, strict=True)):
-                break  # what would slide one way slides the other way with the friction of that
+                break  # with the friction for one direction it would slide in the other: it does not slide
             signs = begun
         raise Held(next(pair.at for pair, here in zip(self.pairs, rest, strict=True) if here), locked=False)
 
     def _beginning(self, now: State, a: Sequence[float], rest: Sequence[bool]) -> list[float]:
-        """Return the signs of the speeds, of pairs at rest those of what they begin with."""
+        """Return the signs of the speeds; for pairs at rest, of the speeds they start with."""
         found = []
         for v, change, slopes, here in zip(now.speeds, now.turning, now.by_free, rest, strict=True):
             parts = [change, *(c * x for c, x in zip(slopes, a, strict=True))]
             way = sum(parts) if here else v
-            none = here and abs(way) <= STILL * max(map(abs, parts))  # turned by both alike: it does not slide at all
+            none = here and abs(way) <= STILL * max(map(abs, parts))  # both bodies turn alike: no sliding at all
             found.append(0.0 if none else math.copysign(1.0, way))
         return found
 
     def begin(self, moving: Moving, where: Where, state: Array, still: Sequence[bool] = ()) -> None:
-        """Hold the signs with which every pair goes on, those that stand `still` too.  Raises `Held`."""
+        """Hold the signs with which every pair goes on, including those at rest (`still`).  Raises `Held`."""
         try:
             self._begin(moving, where, state, still)
         except Held as error:
@@ -149,8 +153,8 @@ class Rubbing:
         signs = self.held = self.signs(*where(*state.tolist()), still=still)
         if all(signs):
             return
-        # A pair whose speed and acceleration both are 0, as in a dead position from rest or under a force that grows from 0, is
-        # seen to go a little later, or to be held there.
+        # A pair with zero speed and acceleration (at rest in a dead position, or under a force that grows from 0) is examined a
+        # little later: it then slides or is held.
         later, _ = dormand_prince_8(moving, state, np.array(moving(*state.tolist())), LATER)
         rates = _rates(state)
         if not (state[rates].any() or later[rates].any()):
@@ -159,7 +163,7 @@ class Rubbing:
         self.held = tuple(sign or other for sign, other in zip(signs, found, strict=True))
 
     def goes_on(self, where: Where, *state: float) -> bool:
-        """Return whether what stands still in a state begins to slide, by more than round-off leaves of what drives it."""
+        """Return whether pairs at rest in a state start to slide, by more than the round-off of the driving forces."""
         found = where(*state)
         try:
             signs = self.signs(*found)
@@ -170,7 +174,7 @@ class Rubbing:
         return any(signs) and any(begins)
 
     def loose(self, where: Where, rest: Sequence[float], times: Sequence[float]) -> float | None:
-        """Return when (s) what rests from the first of the times on begins to slide, None where it does not by the last."""
+        """Return when (s) a mechanism at rest from the first of the `times` on starts to slide; None if not by the last."""
         held = times[0]
         for time in times[1:]:
             if self.goes_on(where, *rest, time):
@@ -181,11 +185,11 @@ class Rubbing:
         return None
 
     def speeds(self, where: Where, state: Array) -> list[float]:
-        """Return how fast the pairs slide in a state."""
+        """Return the sliding speeds of the pairs in a state."""
         return self.state(*where(*state.tolist())).speeds
 
     def turned(self, moving: Moving, where: Where, begin: tuple[Array, Array], taken: float, after: Array) -> tuple[float, Array]:
-        """Return a step from a state and its slope, as far as the first pair that turns round in it: there it begins anew."""
+        """Return length and end of a step from a state and its slope; it is cut, and restarted, where the first pair reverses."""
         (state, slope), ends = begin, {}
 
         def left(length: float) -> float:
@@ -207,7 +211,7 @@ class Rubbing:
         return length, end
 
     def taken(self, count: int, *rows: Array) -> Array:
-        """Return what friction adds to the `count` free accelerations (f, n) of t, coordinates and free rates, each (n,)."""
+        """Return what friction adds to the `count` free accelerations (f, n), for t, coordinates and free rates, each (n,)."""
         states = [self.state(*map(float, row)) for row in zip(*rows, strict=True)]
         speeds = np.array([one.speeds for one in states]).reshape(len(states), len(self.pairs))
         signs = np.where(np.abs(speeds) > STILL * np.abs(speeds).max(axis=0, initial=0.0), np.sign(speeds), 0.0)
@@ -217,12 +221,12 @@ class Rubbing:
                 way = way if any(way) or count > 1 else self.signs(*(float(one[row]) for one in rows))
                 found[:, row] = np.array(self.free(now, way)) - np.array(now.a)
             except Held as error:
-                found[:, row] = np.nan if error.locked else -np.array(now.a)  # it stands, and goes on standing
+                found[:, row] = np.nan if error.locked else -np.array(now.a)  # it is at rest and stays at rest
         return found
 
 
 def _rates(state: Array) -> slice:
-    """Return where the free rates stand in a state: behind the free coordinates, before the time."""
+    """Return the slice of the free rates in a state: after the free coordinates, before the time."""
     return slice((len(state) - 1) // 2, -1)
 
 

@@ -1,1 +1,1 @@
-"""The forces of a motion that is known: reactions and drive in three ways, energy, flywheel, and the checks of all of them."""
+"""The forces of a known motion: reactions and drive in three ways, energy, flywheel, and the checks of all of them."""

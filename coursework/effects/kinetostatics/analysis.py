@@ -1,4 +1,4 @@
-"""The force analysis of a motion: reactions and drive in every row, found in three ways, and what belongs to them.
+"""The force analysis of a motion: reactions and drive in every row, found in three ways, and related results.
 
 Enters: a mechanism, its equations, a motion with its accelerations.  Leaves: `ForceAnalysis`.  Raises `InputError`.
 Used by `scene/quantities.py`, which computes it on request only.
@@ -30,13 +30,13 @@ from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-# A point that moves otherwise than the link it is said to be of, by this share of the largest speed, is none of it.
+# A point belongs to a link only if its velocity differs from the link's by less than this share of the largest speed.
 _OFF_AXES = 1e-7
 
 
 @dataclass(frozen=True, eq=False)
 class ForceAnalysis:
-    """`reactions` of all `rows` by Newton and Euler; the same by virtual power (drives alone) and group by group."""
+    """The `reactions` in all `rows` by Newton and Euler; also by virtual power (drives only) and group by group."""
 
     rows: Rows
     reactions: Reactions
@@ -44,7 +44,7 @@ class ForceAnalysis:
 
     @property
     def actions(self) -> tuple[Action, ...]:
-        """Return every known force and couple, those of friction too."""
+        """Return every known force and couple, including friction."""
         return (*actions_of(self.rows), *self.reactions.friction)
 
     @property
@@ -53,28 +53,28 @@ class ForceAnalysis:
         return self.reactions.names[len(self.reactions.names) - len(drives_of(self.rows.scheme)) :]
 
     def column(self, name: str) -> Array:
-        """Return one reaction or drive (n,) by name.  Raises `ValueError` for a name that is none."""
+        """Return one reaction or drive (n,) by its name.  Raises `ValueError` for an unknown name."""
         return self.reactions.rows[:, self.reactions.names.index(name)]
 
     @cached_property
     def by_power(self) -> Array | None:
-        """What drives (n, drives) by virtual power, None where the geometry does not tell."""
+        """Return the drives (n, drives) by virtual power, None if the geometry does not determine them."""
         return drive_by_power(self.rows, self.equations, self.reactions.wrench)
 
     @cached_property
     def by_groups(self) -> Array | None:
-        """The unknowns (n, k) group by group, None where the order of the groups is not known."""
+        """Return the unknowns (n, k) group by group, None if the order of the groups is unknown."""
         return by_groups(self.rows.scheme, self.reactions)
 
     @cached_property
     def energy(self) -> Energy:
-        """Energies and powers of every row."""
+        """Return energies and powers of every row."""
         drives = zip(drives_of(self.rows.scheme), self.drive_names, strict=True)
         return energy_of(self.rows, {one: self.column(name) for one, name in drives}, self.reactions.friction)
 
     @cached_property
     def beside(self) -> dict[str, Array]:
-        """What helps to follow the forces: accelerations of the centres of mass and of the links, the force along the path."""
+        """Return columns that help to follow the forces: accelerations of mass centres and links, force along the path."""
         found: dict[str, Array] = {}
         for body in self.rows.scheme.bodies:
             if body.mass is not None:
@@ -103,18 +103,18 @@ class ForceAnalysis:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Return the columns of `forces.csv` after t."""
+        """Return the names of the columns of `forces.csv` after t."""
         return (*self.reactions.names, *self.beside)
 
     @property
     def table(self) -> Array:
-        """Return its rows (n, names), nan where a reaction is not unique."""
+        """Return the rows (n, names) of `forces.csv`, nan where a reaction is not unique."""
         return np.column_stack([self.reactions.rows, *self.beside.values()])
 
     @property
     def units(self) -> tuple[str, ...]:
         """Return the unit of each column."""
-        # What drives a coordinate that no link has is a couple or a force, as the coordinate is an angle or a length.
+        # The drive of a coordinate that no link has is a couple for an angle and a force for a length.
         unknowns = self.rows.scheme.unknowns
         found = ["N·m" if one.direction.kind == "couple" or one.name[0] == "M" else "N" for one in unknowns]
         return (*found, *map(_unit_beside, self.beside))
@@ -144,7 +144,7 @@ def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, 
 
 
 def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
-    """Refuse centres of mass that are not fixed in their links, and forces on a link at points that are none of it."""
+    """Raise `InputError` for centres of mass not fixed in their links, and for forces on a link at points outside it."""
     scheme, variant = rows.scheme, equations.variant
     centres = {body.name: body.centre for body in scheme.bodies}
     listed: list[tuple[tuple[str, ...], str, Formula | None]] = [
@@ -157,7 +157,7 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         own = scheme.own_point(name)
         if own is None or at is None or own == at or not rows.count:
             continue
-        # Positions of a scheme drift apart, and with them the links; only its first row is closed.
+        # Positions of a scheme drift, and the links with them; only its first row is closed.
         kept = slice(None) if rows.motion.scheme == EXACT else slice(1)
         turned = (1j * rows.omega(body) * (rows.vector(at) - rows.vector(own)))[kept]
         moved = rows.vector(at, RATE)[kept]

@@ -1,6 +1,6 @@
-"""The checks of forces, one record each: whether they agree with themselves, with power, with what joints can bear.
+"""The checks of forces, one record each: agreement of the methods, power, and what the joints can bear.
 
-Enters: a `ForceAnalysis`, that of the exact rows where there are any.  Leaves: a `Finding` of each kind.
+Enters: a `ForceAnalysis`, and that of the exact rows, if any.  Leaves: a `Finding` of each kind.
 Used by `scene/motion_results.py`.  Words stand under [check.CODE]; to add one: write its function and a record in `FORCE_CHECKS`.
 """
 
@@ -18,17 +18,17 @@ from coursework.results.checks.result import Check, Finding, Verdict, floored, s
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
-AGREE = 1e-10  # two ways that compute the same, as a share of the largest
+AGREE = 1e-10  # largest difference of two methods for the same result, as a share of the largest
 POWER_SHARE = 1e-3
 LEAST_DIGITS = 6.0
 _ALL_DIGITS = 16.0
-_CLOSE = 0.05  # of the largest drive
+_CLOSE = 0.05  # share of the largest drive
 
 
 def _graded(
     key: str, value: float, limit: float, worse: Verdict, row: int, column: str | None = None, /, **told: object
 ) -> Finding:
-    """Return the finding of a share that is to stay below a limit; beyond it the verdict is the worse one."""
+    """Return the finding for a share with an upper limit; beyond the limit the verdict is `worse`."""
     verdict = "PASS" if value <= limit else worse
     sentence = say(f"check.{key}.{verdict.lower()}", row=row, **told)
     return Finding(verdict, sentence, value, limit, say("unit.relative"), column, row)
@@ -48,7 +48,7 @@ def _agreement(found: Array | None, other: Array, names: tuple[str, ...], larges
 
 def _virtual_power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     found = _by_power(own)
-    # The links of a scheme's rows may have drifted apart, so that they move as no mechanism does; the exact ones close.
+    # The links in a scheme's rows may have drifted, so that they move as no mechanism can; the exact rows are closed.
     return _by_power(exact) if found.verdict == "FAIL" and exact is not None else found
 
 
@@ -62,7 +62,7 @@ def _groups(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 
 
 def outer_sum(own: ForceAnalysis) -> Array:
-    """Return what is left (n, 3) of all forces from outside and of inertia, and of their moments about the origin."""
+    """Return the sum (n, 3) of all outer and inertial forces, and of their moments about the origin; it should be zero."""
     rows = own.rows
     bodies = rows.scheme.by_name
     total = np.zeros((rows.count, 3))
@@ -106,8 +106,8 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     scale = float(max(np.abs(values).max() for values in (given, energy.drive, changed, moved)))
     if not scale:
         return skipped(say("check.forces.none"))
-    off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are coarser by far
-    for time in breaks(of.equations.variant):  # a change of formula bends the energy: five rows across it give no slope of it
+    off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are far less accurate
+    for time in breaks(of.equations.variant):  # a change of formula makes a kink in the energy: five rows across it give no slope
         off[np.abs(t[2:-2] - time) < 2 * step * (1 - AT_ROW)] = -1.0
     if off.max() < 0:
         return skipped(say("check.POWER.skip"))
@@ -116,7 +116,7 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
 
 
 def contacts(own: ForceAnalysis) -> list[tuple[str, Array, Array]]:
-    """Return name, N and |T|/N (n,) of each contact that rolls."""
+    """Return name, N and |T|/N (n,) of each rolling contact."""
     names = own.reactions.names
     return [
         (name, own.column(name), np.abs(own.column(f"T{name[1:]}")) / np.abs(own.column(name)))
@@ -128,7 +128,7 @@ def _contact(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     found = contacts(own)
     if not found or not own.reactions.rows.size:
         return skipped(say("check.CONTACT.skip"))
-    # The worst of several: it lifts, or asks for the most friction.
+    # The worst contact: one that lifts off, or that needs the most friction.
     name, normal, share = max(found, key=lambda one: (bool((one[1] <= 0).any()), float(one[2].max())))
     lifted = int((normal <= 0).sum())
     told = say(
@@ -155,7 +155,7 @@ def _condition(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 
 
 def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
-    """What the scheme's rows make of the drive: where it is furthest from what the mechanism needs."""
+    """Return the finding about the drive computed from the scheme's rows, where it is furthest from the exact one."""
     if exact is own:
         return skipped(say("check.STABLE.skip"))
     if exact is None:
@@ -166,7 +166,7 @@ def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     pairs = [(name, own.column(name)[:count], exact.column(name)[:count]) for name in own.drive_names]
     name, found, true = max(pairs, key=lambda one: float(np.nan_to_num(np.abs(one[1] - one[2])).max()))
     if np.nanmax(np.abs(true)) < AGREE * exact.reactions.largest:
-        return skipped(say("check.forces.none"))  # nothing drives it
+        return skipped(say("check.forces.none"))  # no drive is needed
     row = int(np.nanargmax(np.abs(found - true)))
     share = float(abs(found[row] - true[row]) / np.nanmax(np.abs(true)))
     told = {
@@ -211,5 +211,5 @@ FORCE_CHECKS: tuple[Check, ...] = (
 
 
 def check_forces(own: ForceAnalysis, exact: ForceAnalysis | None) -> tuple[Finding, ...]:
-    """Return what every check of forces finds."""
+    """Return the findings of all checks of forces."""
     return tuple(check.finding(own, exact) for check in FORCE_CHECKS)

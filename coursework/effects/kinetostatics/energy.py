@@ -1,6 +1,6 @@
 """Energy of the moving links and the power of everything that acts on them, row by row.
 
-Enters: `Rows` and what was found to drive them.  Leaves: `Energy`, J (T, potential) and W.  Computed on request only.
+Enters: `Rows` and the computed drives.  Leaves: `Energy`, J (T, potential) and W.  Computed on request only.
 Used by `analysis.py`.
 """
 
@@ -26,7 +26,7 @@ UNITS = ("s", "J", "J", "W", "W", "W", "W")
 
 @frozen
 class Energy:
-    """Kinetic and `potential` energy (n,) of weight and springs, and powers (n,) by what has them."""
+    """Kinetic energy, `potential` energy of weight and springs, and the powers by cause, each (n,)."""
 
     kinetic: Array
     potential: Array
@@ -42,7 +42,7 @@ class Energy:
 
 
 def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:
-    """Return the velocity (n,) that a driving couple or force has its power with, of what it drives against what it stands on."""
+    """Return the velocity (n,) that gives the power of a driving couple or force: of the driven body relative to its base."""
     bodies = rows.scheme.by_name
     if drive.direction.kind == "couple":
         turned = rows.omega(bodies[drive.off]) if drive.off in bodies else 0.0
@@ -59,7 +59,7 @@ def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:
 
 
 def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, ...] = ()) -> Energy:
-    """Return energies and powers; `drives` are the driving couples and forces (n,), `friction` what it does."""
+    """Return energies and powers; `drives` are the driving couples and forces (n,), `friction` its actions."""
     scheme, still = rows.scheme, np.zeros(rows.count)
     kinetic, potential, loads, dampers = still.copy(), still.copy(), still.copy(), still.copy()
     x, y = (rows.scalar(part) for part in scheme.forces.gravity or (None, None))
@@ -82,9 +82,9 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, 
 
 
 def reduced_inertia(rows: Rows, rate: Array, change: Array) -> tuple[Array, Array]:
-    """Return J(phi) = sum (m S'^2 + J phi'^2) and its derivative by phi (n,) kg m^2 of a crank with a `rate` that has a `change`.
+    """Return J(phi) = sum (m S'^2 + J phi'^2) and its derivative by phi, (n,) kg m^2.
 
-    Not a number where the crank stands still.
+    `rate` (n,) is that of the crank, `change` its derivative; the result is nan where the crank stands still.
     """
     total, slope = np.zeros(rows.count), np.zeros(rows.count)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -101,7 +101,7 @@ def reduced_inertia(rows: Rows, rate: Array, change: Array) -> tuple[Array, Arra
 
 
 def _power(rows: Rows, actions: Iterable[Action]) -> Array:
-    """Return the power (n,) of forces and couples on bodies that move."""
+    """Return the power (n,) of forces and couples on moving bodies."""
     bodies = rows.scheme.by_name
     total = np.zeros(rows.count)
     for action in actions:

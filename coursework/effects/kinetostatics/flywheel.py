@@ -1,10 +1,10 @@
-"""One driven crank at constant speed: reduced inertia, mean torque, and the flywheel that an unevenness asks for.
+"""One driven crank at constant speed: mean torque, and the flywheel needed for a given unevenness.
 
-Enters: a `ForceAnalysis` of exact rows over a period.  Leaves: `CrankEnergy`, `Flywheel`.  Computed on request only.
+Enters: a `ForceAnalysis` of exact rows over a period.  Leaves: `Flywheel`.  Computed on request only.
 Used by `told.py`.
 
-J(phi) = sum (m S'^2 + J phi'^2).  The largest excess of energy is the range of the integral of mean - M_d over a turn: it already
-holds the energy of the links (Merzalov); the same with the loads alone would be another number.
+J(phi) = sum (m S'^2 + J phi'^2).  The largest excess of energy is the range of the integral of mean - M_d over a turn.  It
+includes the energy of the links (Merzalov); the same integral with the loads alone would give another number.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 _GRID, _NEWTON = 2048, 6
-_STEADY = 1e-9  # a crank whose speed changes by less than this share turns evenly
+_STEADY = 1e-9  # relative change below which the speed of a crank is constant
 
 
 @frozen
 class Flywheel:
-    """`mean` torque (N m), `excess` of energy (J), the crank angles (rad) of the `crossings` of the mean.
+    """`mean` torque (N m), `excess` of energy (J), and the crank angles (rad) at which the torque crosses its mean (`crossings`).
 
-    `inertia` of the uniform group that keeps the unevenness, `own` that of the crank, `needed` what a flywheel adds (kg m²).
+    `inertia` (kg m²) is needed in the group that turns uniformly, `own` is that of the crank, `needed` the flywheel's.
     """
 
     mean: float
@@ -36,7 +36,7 @@ class Flywheel:
 
 
 def crank_of(own: ForceAnalysis) -> tuple[Array, Array, Array] | None:
-    """Return angle, torque and speed (n,) of the one driven crank, None where there is not exactly one."""
+    """Return angle, torque and speed (n,) of the only driven crank, None if there is not exactly one."""
     drives = drives_of(own.rows.scheme)
     variant = own.equations.variant
     if len(drives) != 1 or drives[0].direction.kind != "couple":
@@ -47,7 +47,7 @@ def crank_of(own: ForceAnalysis) -> tuple[Array, Array, Array] | None:
 
 
 def find_flywheel(own: ForceAnalysis, period: float | None) -> Flywheel | None:
-    """Return the flywheel of rows that hold one whole period at equal steps; None where they do not, it is uneven or locks."""
+    """Return the flywheel for rows over one whole period; None if they hold none, or the crank is not uniform or locks."""
     crank = crank_of(own)
     t = own.rows.motion.t
     if crank is None or period is None or len(t) < 3:
@@ -76,14 +76,14 @@ def _pivot(own: ForceAnalysis) -> complex:
 
 
 def _excess(wave: Array, begin: float, turn: float) -> tuple[float, tuple[float, ...]]:
-    """Return the range of the integral of a periodic wave given at equal angles, and where the wave crosses zero.
+    """Return the range of the integral of a periodic wave given at equal angles, and the angles at which it crosses zero.
 
-    The wave is its trigonometric interpolation, which is as exact as the trapezoid rule over a period.
+    The wave is interpolated by trigonometric functions, which is as accurate as the trapezoid rule over a period.
     """
     count = len(wave)
     series = np.fft.rfft(wave) / count
     if count % 2 == 0:
-        series[-1] = 0.0  # the highest harmonic of an even count has no phase
+        series[-1] = 0.0  # for an even count the highest harmonic has no phase
     orders = np.arange(1, len(series))
 
     def at(x: Array, power: int) -> Array:

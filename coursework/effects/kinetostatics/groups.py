@@ -1,10 +1,10 @@
-"""The same reactions group by group, the last first: what a student does by hand, Assur group after Assur group.
+"""The same reactions group by group, the last group first, as a student finds them by hand, one Assur group after another.
 
 Enters: `Reactions` and their scheme.  Leaves: the unknowns found group by group (n, k).  Computed on request only.
 Used by `analysis.py`.
 
-The equations of one group hold only its own joints and what later groups were found to do to it: three a link, two a pin.
-A pin that several groups hold belongs to the first of them in the order of assembly.
+The equations of one group contain only its own joints and the known forces of later groups: three a link, two a pin.
+A pin shared by several groups belongs to the first of them in the order of assembly.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from coursework.system.arrays import Array
 
 
 def sets_of(scheme: ForceScheme) -> list[tuple[tuple[str, ...], list[int], list[int]]]:
-    """Return for each group, the last first, its bodies, its equations and its unknowns; none where they do not fit."""
+    """Return bodies, equations and unknowns of each group, the last first; empty if their numbers do not match."""
     places, known = places_of(scheme), set[int]()
     owners = {pin: next(_first(scheme, pin), ()) for pin in scheme.pins}
     found = []
@@ -37,14 +37,14 @@ def sets_of(scheme: ForceScheme) -> list[tuple[tuple[str, ...], list[int], list[
 
 
 def _first(scheme: ForceScheme, pin: str) -> Iterator[tuple[str, ...]]:
-    """Yield the groups of the bodies at a pin in the order of assembly, nothing for the frame, which stands before them."""
+    """Yield the groups of the bodies at a pin in the order of assembly; none if it is on the frame, which comes before all."""
     held = {one.on for one in scheme.unknowns if one.off == pin}
     if FRAME not in held:
         yield from (group for group in scheme.groups if held & set(group))
 
 
 def by_groups(scheme: ForceScheme, reactions: Reactions) -> Array | None:
-    """Return the unknowns (n, k), each group solved for itself; None where the order of the groups is not known."""
+    """Return the unknowns (n, k), each group solved by itself; None if the order of the groups is unknown."""
     sets = sets_of(scheme)
     count, _, k = reactions.matrix.shape
     if sum(len(unknowns) for *_, unknowns in sets) != k:

@@ -1,10 +1,10 @@
-"""Newton and Euler, link by link: the reactions in every joint and what must drive the mechanism, in all rows at once.
+"""Newton and Euler, link by link: the reactions in every joint and the drive of the mechanism, in all rows at once.
 
 Enters: `Rows`.  Leaves: `Reactions`.  Computed on request only.
 Used by `analysis.py`, `groups.py` and `misread.py`.
 
-Three equations a body, two a pin that more than two links hold: m a_S = sum F, J eps = sum (p - S) x F + sum M.  What is not
-unique, in a support with more reactions than equations or at a dead point, is no number (nan), never one of many by chance.
+Three equations a body, two a pin that joins more than two links: m a_S = sum F, J eps = sum (p - S) x F + sum M.  A value that is
+not unique (a support with more reactions than equations, or a dead point) is nan, never one arbitrary solution.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from coursework.effects.rows import Rows
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# A direction of a null vector below this share is none: the unknown is unique.
+# An unknown is unique if all null vectors have a component below this in it.
 _NULL = 1e-9
-# Equations whose matrix is worse conditioned than this have no unique solution that doubles could find.
+# Largest condition number for which doubles can find a unique solution.
 _SINGULAR = 1e13
-_RANK, _CLOSED = 1e-11, 1e-6  # of singular values, and of what equations may leave that can be fulfilled
+_RANK, _CLOSED = 1e-11, 1e-6  # relative limits: for singular values, and for the residual of equations that can be satisfied
 
 
 def places_of(scheme: ForceScheme) -> dict[str, int]:
-    """Return the first equation of each body, then of each pin."""
+    """Return the index of the first equation of each body, then of each pin."""
     count = 3 * len(scheme.bodies)
     bodies = {body.name: 3 * place for place, body in enumerate(scheme.bodies)}
     return bodies | {pin: count + 2 * place for place, pin in enumerate(scheme.pins)}
@@ -36,10 +36,10 @@ def places_of(scheme: ForceScheme) -> dict[str, int]:
 
 @frozen
 class Reactions:
-    """`names` of the unknowns and their values `rows` (n, names), N and N m, nan where they are not unique.
+    """Reactions and drives: `names` of the unknowns and their values `rows` (n, names), N and N m, nan if they are not unique.
 
-    `wrench` (n, bodies, 3) what acts beside them, `matrix` (n, equations, names) whose columns they multiply, moments divided
-    by `length` (m); `condition` (n,) of it.
+    `wrench` (n, bodies, 3) are the other forces, `matrix` (n, equations, names) holds the columns of the unknowns, with moments
+    divided by `length` (m); `condition` (n,) is its condition number.
     """
 
     names: tuple[str, ...]
@@ -59,7 +59,7 @@ class Reactions:
 
 
 def matrix_of(rows: Rows) -> Array:
-    """Return the columns (n, equations, unknowns) of the unknowns, the equations of moments about the centres of mass."""
+    """Return the columns (n, equations, unknowns) of the unknowns; moments are about the centres of mass."""
     scheme, places = rows.scheme, places_of(rows.scheme)
     found = np.zeros((rows.count, 3 * len(scheme.bodies) + 2 * len(scheme.pins), len(scheme.unknowns)))
     centres = {body.name: rows.vector(body.centre) for body in scheme.bodies}
@@ -80,14 +80,14 @@ def matrix_of(rows: Rows) -> Array:
 
 
 def react(rows: Rows) -> Reactions:
-    """Return every reaction and the drive of each row; with friction what settles, nan in rows in which nothing does."""
+    """Return every reaction and the drive of each row; with friction the fixed point, nan in rows where it does not converge."""
     found, friction = _ideal(rows, ()), rows.scheme.forces.friction
     if not friction:
         return found
     from coursework.effects.friction.friction import LEFT, MOST_ROUNDS, ROUNDS, SETTLED, friction_of
 
     ideal, before = found.largest, np.full(rows.count, np.inf)
-    with np.errstate(over="ignore", invalid="ignore"):  # what never settles grows without bound
+    with np.errstate(over="ignore", invalid="ignore"):  # what does not converge grows without bound
         for count in range(MOST_ROUNDS):
             last, found = found, _ideal(rows, friction_of(rows, found.rows))
             change = np.abs(found.rows - last.rows).max(axis=1)
@@ -95,21 +95,21 @@ def react(rows: Rows) -> Reactions:
             if (share <= SETTLED).all():
                 return found
             if count % ROUNDS == 0 and count and not (2 * change < before)[~(share <= SETTLED)].any():
-                break  # what is still open shrinks no more
+                break  # the remaining changes no longer shrink
             before = change if count % ROUNDS == 0 else before
     open_rows = ~(share <= LEFT)
-    found.rows[open_rows] = np.nan  # self-locking: the drive cannot overcome what it presses together
+    found.rows[open_rows] = np.nan  # self-locking: the drive cannot overcome the friction it causes
     return replace(found, friction=tuple(_unknown(action, open_rows) for action in found.friction))
 
 
 def _unknown(action: Action, rows: Flags) -> Action:
-    """Return an action that is no number in some rows."""
+    """Return an action set to nan in some rows."""
     force, couple = (None if of is None else np.where(rows, np.nan, of) for of in (action.force, action.couple))
     return replace(action, force=force, couple=couple)
 
 
 def _ideal(rows: Rows, friction: tuple[Action, ...]) -> Reactions:
-    """Return the reactions where friction is known."""
+    """Return the reactions for known friction."""
     return replace(react_to(rows, (*actions_of(rows), *friction)), friction=friction)
 
 
@@ -136,7 +136,7 @@ def react_to(rows: Rows, actions: tuple[Action, ...]) -> Reactions:
 
 
 def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
-    """Return the unknowns (n, k), nan where they are not unique, and the condition (n,) of the matrices (n, m, k)."""
+    """Return the unknowns (n, k), nan if they are not unique, and the condition (n,) of the matrices (n, m, k)."""
     count, m, k = matrix.shape
     if m == k:
         both = np.concatenate([right[..., None], np.broadcast_to(np.eye(m), matrix.shape)], axis=-1)
@@ -155,14 +155,14 @@ def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
 
 
 def unique(matrix: Array, right: Array) -> Array:
-    """Return the unknowns (k,) of equations that do not determine them all: nan where the null vectors do not vanish."""
+    """Return the unknowns (k,) of an underdetermined system: nan where a null vector has a component."""
     found, null = least(matrix, right)
     found = np.where(np.abs(null).max(axis=0, initial=0.0) > _NULL, np.nan, found)
     return np.asarray(found)
 
 
 def least(matrix: Array, right: Array) -> tuple[Array, Array]:
-    """Return the smallest unknowns (k,) that fulfil equations, nan where none do, and the null vectors (r, k)."""
+    """Return the least-norm solution (k,), nan if the equations have no solution, and the null vectors (r, k)."""
     u, sizes, v = np.linalg.svd(matrix)
     rank = int((sizes > sizes.max(initial=0.0) * _RANK).sum())
     found = v[:rank].T @ ((u.T[:rank] @ right) / sizes[:rank])
@@ -172,7 +172,7 @@ def least(matrix: Array, right: Array) -> tuple[Array, Array]:
 
 
 def _across(matrix: Array, right: Array, rows: Flags, place: int) -> tuple[Array, Array]:
-    """Return of a force in columns `place` and the next the component (n,) that is unique, and its angle (n,); nan for none."""
+    """Return the unique component (n,) of the force in columns `place` and the next, and its angle (n,); nan if there is none."""
     value, angle = np.full(len(matrix), np.nan), np.full(len(matrix), np.nan)
     for row in np.flatnonzero(rows).tolist():
         found, null = least(matrix[row], right[row])

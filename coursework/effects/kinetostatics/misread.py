@@ -1,6 +1,6 @@
-"""Forces as somebody finds them who has one thing wrong: what a marker holds a wrong answer against.
+"""Forces as computed with one typical mistake, against which a marker compares a wrong answer.
 
-Enters: a `ForceAnalysis`.  Leaves: the unknown forces (n, unknowns) of each slip, by its code.  Computed on request only.
+Enters: a `ForceAnalysis`.  Leaves: the unknown forces (n, unknowns) for each slip, by its code.  Computed on request only.
 Used by `grading/marking/key/forces.py`.
 """
 
@@ -18,39 +18,39 @@ from coursework.effects.rows import PLACE, SECOND, Rows
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
-Slip = Callable[[Rows, Action], Action | None]  # what is made of an action, None where it is forgotten
+Slip = Callable[[Rows, Action], Action | None]  # maps an action to the mistaken one, or to None if it is forgotten
 
 
 def _no_weight(_: Rows, one: Action) -> Action | None:
-    """The weight is forgotten."""
+    """Return None for a weight, which is forgotten; other actions unchanged."""
     return None if one.effect == "weight" else one
 
 
 def _no_inertia(_: Rows, one: Action) -> Action | None:
-    """The forces of inertia are forgotten: statics."""
+    """Return None for an action of inertia, which is forgotten (statics); other actions unchanged."""
     return None if one.effect == "inertia" else one
 
 
 def _inertia_turned(rows: Rows, one: Action) -> Action | None:
-    """The forces and couples of inertia have the wrong sign."""
+    """Return forces and couples of inertia with the wrong sign."""
     if one.effect == "inertia" and one.couple is None and one.force is not None:
         return replace(one, force=-one.force)
     return _couple_turned(rows, one)
 
 
 def _couple_turned(_: Rows, one: Action) -> Action | None:
-    """The couples of inertia alone have the wrong sign."""
+    """Return couples of inertia with the wrong sign, forces unchanged."""
     return replace(one, couple=-one.couple) if one.effect == "inertia" and one.couple is not None else one
 
 
 def _joint_of(rows: Rows, one: Action, *effects: str) -> Formula | None:
-    """Return the joint of a link in which somebody may think what these effects do acts, None where it has no known place."""
+    """Return the joint of a link at which these effects may wrongly be placed, None if its place is unknown."""
     own = rows.scheme.own_point(one.body) if one.effect in effects else None
     return own if own is not None and (own, True, PLACE) in rows.values else None
 
 
 def _about_the_joint(rows: Rows, one: Action) -> Action | None:
-    """J is taken about a joint of the link, J + m d^2, although the force of inertia stands in S."""
+    """Return the couple of inertia with J about a joint of the link, J + m d^2, although the force of inertia acts in S."""
     if one.couple is None or (own := _joint_of(rows, one, "inertia")) is None:
         return one
     body = rows.scheme.by_name[one.body]
@@ -59,7 +59,7 @@ def _about_the_joint(rows: Rows, one: Action) -> Action | None:
 
 
 def _acceleration_of_the_joint(rows: Rows, one: Action) -> Action | None:
-    """The acceleration of a joint of the link stands for that of its centre of mass."""
+    """Return the force of inertia with the acceleration of a joint of the link in place of that of its centre of mass."""
     if one.force is None or (own := _joint_of(rows, one, "inertia")) is None:
         return one
     body = rows.scheme.by_name[one.body]
@@ -69,7 +69,7 @@ def _acceleration_of_the_joint(rows: Rows, one: Action) -> Action | None:
 
 
 def _arm_of_the_joint(rows: Rows, one: Action) -> Action | None:
-    """Forces of inertia and weight act in a joint of the link, not in S: their moment arms lead to the wrong point."""
+    """Return forces of inertia and weight that act in a joint of the link, not in S, so that their moment arms are wrong."""
     own = _joint_of(rows, one, "inertia", "weight")
     return one if one.force is None or own is None else replace(one, at=rows.vector(own))
 
@@ -82,7 +82,7 @@ SLIPS: dict[str, Slip] = {
 
 
 def slipped(found: ForceAnalysis) -> dict[str, Array]:
-    """Return the unknown forces that each slip gives."""
+    """Return the unknown forces that result from each slip."""
     rows, actions = found.rows, found.actions
     changed = {code: [slip(rows, one) for one in actions] for code, slip in SLIPS.items()}
     return {code: react_to(rows, tuple(one for one in kept if one is not None)).rows for code, kept in changed.items()}

@@ -1,10 +1,10 @@
-"""What drives the mechanism, without one reaction: the power of all forces over the motions that each drive alone would make.
+"""The drives of the mechanism without any reaction: from the power of all forces in the motion that each drive alone would make.
 
 Enters: `Rows`, equations.  Leaves: the driving couples and forces (n, drives).  Computed on request only.
 Used by `analysis.py`.
 
-A u + B v = 0 gives the velocities u that a unit of each drive v makes; sum F V + M w + F_d = 0 over each (Zhukovsky's lever is
-the same sum, drawn).  A and B are those of the geometry: written equations may have dropped a drive that is 0.
+A u + B v = 0 gives the velocities u for a unit of each drive v; for each, sum F V + M w + F_d = 0 (Zhukovsky's lever is the
+same sum, drawn).  A and B come from the geometry, because written equations may have dropped a drive that is 0.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from coursework.system.arrays import Array
 
 
 def geometric(equations: VelocityEquations) -> list[VelocityEquation]:
-    """Return the velocity equations that follow from points, links and closures, none that was written."""
+    """Return the velocity equations derived from points, links and closures, without the written ones."""
     derived = [one for one in equations.equations if one.written is None]
     return [*derived, *equations.from_closure, *equations.bound]
 
 
 def unit_motions(rows: Rows, equations: VelocityEquations) -> Array | None:
-    """Return the velocities (n, names, drives) of unknowns and driven rates that a unit of each drive makes.
+    """Return the velocities (n, names, drives) of unknowns and driven rates for a unit of each drive.
 
-    The names are `equations.unknowns`, then the driven rates; None where the geometry does not give all velocities.
+    The names are `equations.unknowns`, then the driven rates; None if the geometry does not give all velocities.
     """
     drives, names = [one.is_drive for one in drives_of(rows.scheme)], equations.unknowns
     own, motion = geometric(equations), rows.motion
@@ -58,7 +58,7 @@ def unit_motions(rows: Rows, equations: VelocityEquations) -> Array | None:
 
 
 def twists(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array:
-    """Return for each body the velocity of its centre and its rate (n, bodies, 3, k) that velocities (n, names, k) make."""
+    """Return the velocity of each body's centre and its rate (n, bodies, 3, k) for velocities (n, names, k)."""
     names = [*equations.unknowns, *equations.variant.known_rates]
     place = {name: velocities[:, index] for index, name in enumerate(names)}
     found = np.zeros((rows.count, len(rows.scheme.bodies), 3, velocities.shape[-1]))
@@ -73,7 +73,7 @@ def twists(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array
 
 
 def drive_by_power(rows: Rows, equations: VelocityEquations, wrench: Array) -> Array | None:
-    """Return what each drive must do (n, drives) against wrenches (n, bodies, 3); None where the geometry does not tell."""
+    """Return the drives (n, drives) needed against wrenches (n, bodies, 3); None if the geometry does not determine them."""
     velocities = unit_motions(rows, equations)
     if velocities is None or any(not body.rate and body.span and np.any(rows.omega(body)) for body in rows.scheme.bodies):
         return None
@@ -82,8 +82,9 @@ def drive_by_power(rows: Rows, equations: VelocityEquations, wrench: Array) -> A
 
 
 def _shares(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array:
-    """Return the power (n, k, drives) of a unit of each driving force over each unit motion: what stands between two links
-    that both move has the power of their difference.
+    """Return the power (n, k, drives) of a unit of each driving force in each unit motion.
+
+    A couple between two moving links has the power of their relative rotation.
     """
     drives = drives_of(rows.scheme)
     found = np.zeros((rows.count, len(drives), len(drives)))

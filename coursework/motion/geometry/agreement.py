@@ -1,7 +1,7 @@
-"""Whether the written velocity equations say what the geometry of the file says.
+"""Whether the written velocity equations agree with the geometry of the file.
 
-Enters: written equations, those the geometry gives, positions on the closure.  Leaves: `Agreement`, which equations agree and
-which are not judged.  Raises `InputError` naming each that does not.  Used by `unseen_signs.py`.
+Enters: the written equations, the equations derived from the geometry, closed positions.  Leaves: `Agreement`: which equations
+agree and which cannot be judged.  Raises `InputError` naming each equation that contradicts.  Used by `unseen_signs.py`.
 """
 
 from __future__ import annotations
@@ -23,17 +23,19 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# Compared after scaling each row to its length: far above round-off, far below a wrong coefficient or sign.
+# Rank tolerance for rows scaled to length 1: far above round-off, far below the effect of a wrong coefficient or sign.
 TOLERANCE = 1e-8
-# Data taken at random: each its own value moved by up to half of the spread, no two by the same part.
+# Pseudo-random data: each value is moved by up to half of `_SPREAD` of itself, each by a different share.
 _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
 _SMOOTH = {"number", "symbol", "pi", "+", "*", "sin", "cos", "tan", "exp"}
 
 
 @frozen
 class Agreement:
-    """The names of written equations that the geometry confirms, `agreed`, and of those that it does not judge, `unjudged`,
-    each with the velocities in it that nothing in the geometry gives.
+    """Which written equations the geometry confirms.
+
+    `agreed` holds their names; `unjudged` the names of those that it cannot judge, each with the velocities in it that the
+    geometry does not determine.
     """
 
     agreed: tuple[str, ...] = ()
@@ -41,10 +43,10 @@ class Agreement:
 
 
 def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreement:
-    """Return which written equations the geometry confirms; raises `InputError` naming each that it contradicts.
+    """Return which written equations the geometry confirms; raise `InputError` naming each that it contradicts.
 
-    Judged is an equation whose velocities the geometry knows: an unknown that it does not know could have any coefficient.
-    What is confirmed whatever the data is found once for all variants of a template.
+    An equation is judged only if the geometry determines its velocities: an undetermined unknown could have any coefficient.
+    A result that holds for all data is computed once for all variants of a template.
     """
     if not any(equation.written for equation in equations.equations):
         return Agreement()
@@ -54,12 +56,12 @@ def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreeme
 
 
 def agrees(equations: VelocityEquations, closure: Closure) -> bool:
-    """Return whether the geometry confirms every written equation, with the data they have.  Raises `InputError` as above."""
+    """Return whether the geometry confirms every written equation for the given data.  Raises `InputError` as above."""
     return not _judged(equations, *closure.configurations).unjudged
 
 
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:
-    """Return what the geometry confirms for all data but zeros, None where that is not certain.
+    """Return what the geometry confirms for all values of the data (zeros stay zero), None if that is not certain.
 
     Sums, products, sines and whole powers of the data that are equal for data taken at random are equal for all data.
     """
@@ -79,7 +81,7 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
 
 
 def _is_smooth(equations: VelocityEquations) -> bool:
-    """Return whether values at some data tell those at all others: not so with roots, sizes and the like."""
+    """Return whether all formulas are smooth (no roots, no absolute values), so that what holds for some data holds for all."""
     both = (*equations.from_closure, *equations.equations, *equations.bound)
     written = [position.expression for position in equations.positions]
     written += [part for equation in both for part in (*equation.coefficients.values(), equation.right_side)]
@@ -88,10 +90,10 @@ def _is_smooth(equations: VelocityEquations) -> bool:
 
 
 def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agreement:
-    """Return what the geometry confirms, comparing values and Jacobian at several closed positions (c, m).
+    """Return what the geometry confirms, by comparing the equations as rows at several closed positions (c, m).
 
-    All are rows (A | b); a written one whose A lies in the space of the derived ones must have their b as well, and what the
-    others leave open must not contradict itself.
+    Each equation is a row (A | b).  If the A of a written row lies in the row space of the derived ones, its b must agree with
+    theirs; the written rows that are left must not contradict each other.
     """
     _require_free(equations, times, positions)
     written = [equation for equation in equations.equations if equation.written]
@@ -103,7 +105,7 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     every = every / np.where(scale > 0, scale, 1.0)
     lengths = np.linalg.norm(every, axis=2, keepdims=True)
     every = every / np.where(lengths > 0, lengths, 1.0)
-    # Where the geometry alone cannot follow its drive there is a dead point, told as such.
+    # A dead point, where the geometry alone cannot follow its drive, is reported elsewhere.
     sound = every[~_contradictory(every[:, :first])]
     if _contradictory(sound).any():
         raise InputError(_faults(equations, derived, written, sound))
@@ -118,12 +120,12 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
 
 
 def given_by_geometry(equations: VelocityEquations) -> list[VelocityEquation]:
-    """Return the velocity equations that nobody has written."""
+    """Return the velocity equations that are derived from the geometry, not written in the file."""
     return [*equations.from_closure, *(one for one in equations.equations if not one.written), *equations.bound]
 
 
 def gives(rows: Array, one: Array) -> bool:
-    """Return whether rows (c, k, n) have another one, (n,) or (c, n), in their space at every configuration."""
+    """Return whether the row `one`, (n,) or (c, n), lies in the row space of `rows` (c, k, n) at every configuration."""
     with_it = np.concatenate([rows, np.broadcast_to(one, (len(rows), rows.shape[2]))[:, None]], axis=1)
     return bool(len(rows)) and bool(np.all(_ranks(with_it) == _ranks(rows)))
 
@@ -131,7 +133,7 @@ def gives(rows: Array, one: Array) -> bool:
 def _faults(
     equations: VelocityEquations, derived: Sequence[VelocityEquation], written: Sequence[VelocityEquation], every: Array
 ) -> list[Fault]:
-    """Return a fault for each written equation that the derived ones contradict, else one for those that do it together."""
+    """Return a fault for each written equation that alone contradicts the derived ones, else one for those that do together."""
     file, first = equations.variant.file, len(derived)
     alone = [place for place in range(first, every.shape[1]) if _contradictory(every[:, [*range(first), place]]).any()]
     if not alone:
@@ -156,16 +158,16 @@ def _faults(
 
 
 def _sections(equations: VelocityEquations) -> tuple[str, str]:
-    """Return the sections of a file that tell its geometry."""
+    """Return the names of the sections of the file that describe its geometry."""
     if equations.from_closure:
         return "[points]", "[closure]"
     return "[points]", "[[group]]" if equations.variant.groups else "closure = …" if equations.positions else "[unknowns]"
 
 
 def _of_bound(bound: Binding, equations: VelocityEquations, rows: Array) -> Sentence:
-    """Return what is told of an unknown that the last of the rows holds: whether it agrees where that counts the other way.
+    """Return a sentence about the bound unknown in the last row: whether the row would agree with the unknown's sign reversed.
 
-    That is asked of a velocity along a direction alone: the rate of a link has none that could be turned.
+    Only a velocity along a direction can have its sign reversed; the rate of a link cannot.
     """
     turned = rows.copy()
     turned[:, -1, equations.unknowns.index(bound.name)] *= -1
@@ -175,7 +177,7 @@ def _of_bound(bound: Binding, equations: VelocityEquations, rows: Array) -> Sent
 
 
 def _require_free(equations: VelocityEquations, times: Array, positions: Array) -> None:
-    """Raise `InputError` where what [closure] keeps or drives is moved otherwise by driven coordinates alone."""
+    """Raise `InputError` if driven coordinates alone move something that [closure] holds or drives otherwise."""
     bound = [equation for equation in equations.from_closure if not equation.coefficients]
     if not bound:
         return
@@ -191,14 +193,14 @@ def _require_free(equations: VelocityEquations, times: Array, positions: Array) 
 
 
 def _each_left_out(rows: Array, first: int) -> Array:
-    """Return the matrices (c, k, n) without one of their rows from `first` on, (c, k - first, k - 1, n)."""
+    """Return copies of the matrices (c, k, n), each without one row from `first` on: (c, k - first, k - 1, n)."""
     count = rows.shape[1]
     kept = [[row for row in range(count) if row != index] for index in range(first, count)]
     return rows[:, kept]
 
 
 def _contradictory(rows: Array) -> Flags:
-    """Return which of the systems (…, k, n), each with its right side in the last column, have no solution (…)."""
+    """Return which of the systems (…, k, n), with their right sides in the last column, have no solution (…)."""
     return np.asarray(_ranks(rows) > _ranks(rows[..., :-1]))
 
 

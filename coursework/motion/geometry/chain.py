@@ -1,7 +1,7 @@
-"""A chain of groups along a whole motion in closed form: positions, and the start values a file leaves out.
+"""The closed-form motion of a chain of groups: positions at all times, and the start values that a file leaves out.
 
 Enters: the chain's formulas and times.  Leaves: coordinates (n, m); velocities follow from the reduction.
-Raises `CannotAssemble` (groups) with the row at which a group cannot be put together.
+Raises `CannotAssemble` (groups) with the row at which a group cannot be assembled.
 Used by `geometry/`, `exact_scene.py`, `way_to_motion.py`, `settings.py` and `model/`.
 """
 
@@ -35,22 +35,23 @@ from coursework.words.sentences import joined, say
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
 
-# What a crank may turn from one position to the next (rad), so that a link that follows it is in the same turn.
+# The largest turn of a crank (rad) between two positions, so that the angles of its followers keep the right whole turn.
 _TURN = 1.0
 _MOST_HALVINGS, _MOST_TIMES = 50, 2_000_000
 
 
 def is_chain(variant: Variant) -> bool:
-    """Return whether groups give every coordinate that is not driven."""
+    """Return whether the groups give every coordinate that is not driven."""
     given = {name for group in variant.groups for name in group.coordinates}
     return bool(given) and all(c.name in given or c.rate in variant.known_rates for c in variant.coordinates)
 
 
 def chain_positions(equations: VelocityEquations, times: Array, *, advises: bool = True) -> Array:
-    """Return the coordinates (n, m) at `times` (s, growing from 0), angles continuous, group after group.
+    """Return the coordinates (n, m) at `times` (s, growing from 0), with continuous angles, one group after the other.
 
-    What neither a drive nor a group gives keeps its start value: that is right for all times in a chain, else at t = 0 only.
-    Where a group cannot be assembled at the start, it `advises` the other mode of an earlier one with which it can.
+    A coordinate that neither a drive nor a group gives keeps its start value: in a chain this is right at all times, else only at
+    t = 0.  If a group cannot be assembled at the start and `advises` is true, the message names another mode of an earlier group
+    that would help.
     """
     variant, rows = equations.variant, len(times)
     driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
@@ -68,12 +69,12 @@ def chain_positions(equations: VelocityEquations, times: Array, *, advises: bool
             continue
         try:
             mode = _mode(equations, group, q[:1])
-            assert mode is not None  # else the file has been refused
+            assert mode is not None  # a file without a mode has been refused before
             found = dyad(equations.symbols, group, mode, values).coordinates
         except (groups.CannotAssemble, groups.AtDeadPoint) as error:
             named = ", ".join(map(spelled, group.start_points))
             reason = _in_letters_of(group, error.reason)
-            if isinstance(error, groups.AtDeadPoint):  # of a place that is none the position is left open
+            if isinstance(error, groups.AtDeadPoint):  # at a dead point the position is not determined
                 reason = say("group.dead.undecided", found=reason)
             elif 0 < error.shortage < HIDDEN:
                 reason = joined([reason, say("group.nearly")])
@@ -92,7 +93,7 @@ def chain_positions(equations: VelocityEquations, times: Array, *, advises: bool
 
 
 def _other_mode(equations: VelocityEquations, number: int) -> Sentence | None:
-    """Return which group before this one, put together the other way, lets it close at the start; None where none does."""
+    """Return which earlier group, assembled in another mode, lets this one close at the start; None if there is none."""
     listed = equations.variant.groups
     for place, group in enumerate(listed[: number - 1]):
         for mode in group_kind(group.kind).modes if group.mode else ():
@@ -104,11 +105,10 @@ def _other_mode(equations: VelocityEquations, number: int) -> Sentence | None:
 
 
 def _close_together(equations: VelocityEquations, driven: Sequence[Coordinate], times: Array) -> tuple[Array, Array, Array]:
-    """Return times (s) between which no driven angle turns by more than `_TURN`, the places of those given among them, and how
-    far the driven coordinates have moved by then (n, k).
+    """Return a refined list of times (s), the indices of the given `times` in it, and the moves of the driven coordinates (n, k).
 
-    An angle that a group gives is known but for whole turns: what has turned further from one row to the next, in a pulse, is
-    counted on the way.
+    Between two of the refined times no driven angle turns by more than `_TURN`.  A group gives its angles only up to whole turns;
+    so larger turns between two rows, as in a pulse, must be followed on the way.
     """
     rates, angles = [coordinate.rate for coordinate in driven], [coordinate.unit == "rad" for coordinate in driven]
     found, moved = times, integrals(equations, rates, times)
@@ -127,7 +127,7 @@ def _fault(told: Sentence, number: int, group: Group, variant: Variant) -> Input
 
 
 def _in_letters_of(group: Group, reason: str) -> str:
-    """Return why a group does not close with the points of the file in the place of the textbook's letters."""
+    """Return why a group does not close, with the points of the file in place of the textbook's letters."""
     if not isinstance(reason, Sentence):
         return reason
     inner = {name: _in_letters_of(group, value) for name, value in reason.values.items() if isinstance(value, Sentence)}
@@ -143,7 +143,7 @@ def _continued(angles: Array, start: float | None) -> Array:
 
 
 def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
-    """Return the assembly mode: the one written, else the one nearest to the start values, None where these are not written."""
+    """Return the assembly mode: the one written, else the one nearest to the start values, None if these are not all written."""
     kind = group_kind(group.kind)
     if group.mode or not kind.modes:
         return group.mode
@@ -163,14 +163,14 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
 
 
 def _nearest(value: float, start: float, unit: str) -> float:
-    """Return an angle in the turn of `start`, anything else as it is."""
+    """Return an angle shifted by whole turns next to `start`; any other value unchanged."""
     return value + 2 * np.pi * round((start - value) / (2 * np.pi)) if unit == "rad" else value
 
 
 def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[Expression]], Array]) -> groups.GroupMotion:
-    """Return the positions of one dyad, row by row; `values` gives the numbers (n, k) of k expressions.
+    """Return the positions of one dyad, row by row; `values` evaluates k expressions to numbers (n, k).
 
-    Raises `CannotAssemble` with the first row at which it cannot be put together.
+    Raises `CannotAssemble` with the first row at which the dyad cannot be assembled.
     """
 
     def pair(formula: Formula) -> Pair:

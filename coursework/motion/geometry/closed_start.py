@@ -1,6 +1,6 @@
-"""The closed position nearest to the start values of a file, and the refusal of a start that is wide open.
+"""The closed position nearest to the start values of a file, and the refusal of a start that is far from closed.
 
-Enters: a `Closure`.  Leaves: what is open at the start, and a closed position.
+Enters: a `Closure`.  Leaves: the residual of the start and a closed position.
 Used by `scene/way_to_motion.py`, `open_loops.py`, START and `grading/marking/key/branches.py`.
 """
 
@@ -18,11 +18,11 @@ from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-OPEN = 0.01  # of the largest length: more than this is a wrong start, not a rounded one
+OPEN = 0.01  # share of the largest length; a larger residual means a wrong start, not a rounded one
 
 
 def require_start(closure: Closure | None) -> None:
-    """Raise `InputError` where the start values leave the mechanism wide open, with the nearest closed start."""
+    """Raise `InputError`, with the nearest closed start, if the start values leave the mechanism far from closed."""
     if closure is None or not closure.names:
         return
     residual, closed = closed_start(closure)
@@ -39,18 +39,18 @@ def require_start(closure: Closure | None) -> None:
 
 
 def typed_start(variant: Variant, start: Array, digits: int = 15) -> str:
-    """Return start values (m,) as they are typed into the file."""
+    """Return start values (m,) as a user would type them into the file."""
     return ", ".join(f"{c.name} = {_typed(c, q, digits)}" for c, q in zip(variant.coordinates, start.tolist(), strict=True))
 
 
 def _typed(coordinate: Coordinate, value: float, digits: int) -> str:
-    """Return a value (rad, m) in the unit that the file has for it; a bare number stays one."""
+    """Return a value (rad, m) in the unit that the file uses for it; without a unit if the file has none."""
     size = 0.0 if coordinate.start_has_no_unit else size_of(coordinate.written)
     return f"{value / size:.{digits}g} {coordinate.written}" if size else f"{value:.{digits}g}"
 
 
 def closed_start(closure: Closure) -> tuple[Array, Array | None]:
-    """Return the residual of the start as written (k,) and the nearest closed position (m,), None if there is none near."""
+    """Return the residual of the written start (k,) and the nearest closed position (m,), None if there is none nearby."""
     residual, _ = closure.residual(0.0, closure.start, closure.origin)
     found = closure.newton(0.0, closure.start, closure.origin)
     if found is None or np.max(np.abs(found - closure.start)) > 1:
@@ -59,9 +59,9 @@ def closed_start(closure: Closure) -> tuple[Array, Array | None]:
 
 
 def _downhill(closure: Closure) -> Array:
-    """Return a position from which Newton does not run off: each correction shortened until it leaves less open."""
+    """Return a position from which Newton's method should converge: corrections are shortened until each reduces the residual."""
     q, part = closure.start, 1.0
-    with suppress(ArithmeticError, ValueError, np.linalg.LinAlgError):  # a root or arc of a position on the way
+    with suppress(ArithmeticError, ValueError, np.linalg.LinAlgError):  # a root or arccosine may be undefined at a trial position
         size = np.linalg.norm(closure.residual(0.0, q, closure.origin)[0])
         for _ in range(2 * MAX_NEWTON):
             step = closure.linear(0.0, q, closure.origin)
@@ -72,7 +72,7 @@ def _downhill(closure: Closure) -> Array:
 
 
 def _without_turns(closure: Closure, q: Array) -> Array:
-    """Return a closed position whose angles are less than half a turn from the start, where the closure does not count turns."""
+    """Return a closed position with whole turns from the start removed from each angle for which the closure still holds."""
     for place in closure.free:
         turns = round((q[place] - closure.start[place]) / math.tau)
         if turns and closure.equations.variant.coordinates[place].unit == "rad":

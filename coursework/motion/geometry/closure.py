@@ -1,4 +1,4 @@
-"""Position equations as numbers: residual, Newton's correction, and what the drive has moved by a time.
+"""Position equations as numbers: residual, Newton correction, and how far the drive has moved by a given time.
 
 Enters: `VelocityEquations` with positions.  Leaves: `Closure`.  Used by `integration` and the checks.
 """
@@ -26,24 +26,24 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 MAX_NEWTON = 25
-# Sizes of a correction (rad or m): too far to be a correction at all; settled; small enough that round-off may stop its
-# shrinking; closed where the corrections run out.
+# Largest component of a Newton correction (rad or m).  FARTHEST: Newton is lost.  SETTLED: converged.  SHRINKING: small enough
+# that round-off may stop its shrinking.  CLOSED: still accepted when the iterations run out.
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
-_REMEMBERED = 4  # grids of times: a table, its exact rows and its checks ask for the same one
-CONFIGURATIONS = 5  # near the start, by which equations and links are judged
-MOST_COMBINED = 12  # equations; beyond it pairs are not tried
+_REMEMBERED = 4  # grids of times kept in the cache: a table, its exact rows and its checks ask for the same grid
+CONFIGURATIONS = 5  # number of positions near the start at which equations and links are judged
+MOST_COMBINED = 12  # largest number of equations for which sums and differences of pairs are tried
 
 
 @caching
 class Closure:
-    """The position equations g(q, t) = kept value of one scene, started at `start` (m,).
+    """The position equations g(q, t) = target of one scene, with start position `start` (m,).
 
-    `names` of the equations, `free` the places of the coordinates they determine, `driven` the places of known ones;
-    `drives` per equation the name of the drive it follows ("" for none); `origin` the value kept (m or rad).
+    `names` are the equations, `free` the indices of the coordinates they determine, `driven` those of the driven coordinates;
+    `drives` names for each equation the drive it follows ("" for none); `origin` is its target at t = 0 (m or rad).
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
-    `agreed` names the written velocity equations that these positions confirm, `unjudged` those that they cannot, with the
-    velocities that nothing gives, `unseen` those with terms whose signs do not show; `asked` are targets that were worked out.
+    `agreed` names the written velocity equations that the geometry confirms; `unjudged` those it cannot judge, each with its
+    undetermined velocities; `unseen` those with terms whose signs have no effect; `asked` caches computed targets.
     """
 
     names: tuple[str, ...]
@@ -69,12 +69,12 @@ class Closure:
 
     @property
     def scale(self) -> float:
-        """Return the largest length of the data (m), 1 without any: what a residual is measured against."""
+        """Return the largest length of the data (m), 1 if there is none; residuals are measured against it."""
         return largest_length(self.equations.variant)
 
     @cached_property
     def configurations(self) -> tuple[Array, Array]:
-        """Return times and positions near the start that close with the drive moved on; the start alone if none is found."""
+        """Return times and closed positions near the start, with the drive moved on; only the start if Newton finds none."""
         times = np.linspace(0.0, self.equations.variant.time.end / 50, CONFIGURATIONS)
         kept, known = self.targets(times)
         guess = np.tile(self.start, (len(times), 1))
@@ -87,11 +87,11 @@ class Closure:
         return (times[:count], q[:count]) if count else (times[:1], self.start[None])
 
     def at_zero(self, zero: Sequence[bool]) -> Closure:
-        """Return the closure that keeps these of its positions at zero, not at what the start gives."""
+        """Return the closure with target 0 for the equations flagged in `zero`; the others keep the value the start gives."""
         return replace(self, origin=np.where(zero, 0.0, self.origin), asked={})
 
     def targets(self, times: Array) -> tuple[Array, Array]:
-        """Return the kept values (n, equations) and the driven coordinates (n, driven) at times growing from 0."""
+        """Return the target values (n, equations) and the driven coordinates (n, driven) at times growing from 0."""
         key = times.tobytes()
         if key not in self.asked:
             if len(self.asked) == _REMEMBERED:
@@ -109,7 +109,7 @@ class Closure:
         return kept.T.reshape(len(times), len(self.names)), known.T.reshape(len(times), len(self.driven))
 
     def residual(self, t: float | Array, q: Array, target: Array) -> tuple[Array, Array]:
-        """Return g - target (k,) and its Jacobian by the free coordinates (k, f); for times (n,) and q (n, m) n of each."""
+        """Return g - target (k,) and its Jacobian by the free coordinates (k, f); for times (n,) and q (n, m), n of each."""
         if isinstance(t, np.ndarray):
             values = as_columns(self.rows(t, *q.T), t.shape)
         else:
@@ -118,7 +118,7 @@ class Closure:
         return values[..., :count] - target, values[..., count:].reshape(*values.shape[:-1], count, len(self.free))
 
     def correction(self, t: float | Array, q: Array, target: Array) -> Array:
-        """Return one Newton correction of the coordinates (m,), block after block; for n rows (n, m)."""
+        """Return one Newton correction of the coordinates (m,), block after block; (n, m) for n rows."""
         if not self.blocks:
             return self.linear(t, q, target)
         moved = q.copy()
@@ -130,14 +130,14 @@ class Closure:
         return moved - q
 
     def linear(self, t: float | Array, q: Array, target: Array) -> Array:
-        """Return the correction (m,) of all equations at once, linear in the residual: what Baumgarte's gain multiplies."""
+        """Return the correction (m,) from all equations at once; it is linear in the residual, as Baumgarte's gain needs."""
         residual, jacobian = self.residual(t, q, target)
         step = np.zeros_like(q)
         step[..., list(self.free)] = -(np.linalg.pinv(jacobian) @ residual[..., None])[..., 0]
         return step
 
     def newton(self, t: float, guess: Array, target: Array) -> Array | None:
-        """Return the position that closes the mechanism near `guess`, or None where Newton does not get there."""
+        """Return the position that closes the mechanism near `guess`, None if Newton's method does not converge."""
         q = guess.copy()
         last = np.inf
         for _ in range(MAX_NEWTON):
@@ -156,9 +156,9 @@ class Closure:
         return q if last < CLOSED else None
 
     def newton_rows(self, times: Array, guess: Array, targets: Array) -> tuple[Array, Flags]:
-        """Return n positions (n, m) by one Newton over all rows, and which of them close their mechanism (n,).
+        """Return n positions (n, m), found by Newton's method on all rows at once, and which of them are closed (n,).
 
-        The rules of `newton`, row by row; a row that has settled is left alone.  Raises `LinAlgError` where some row is singular.
+        Each row follows the rules of `newton`; converged rows are left alone.  Raises `LinAlgError` if any row is singular.
         """
         q = guess.copy()
         last = np.full(len(q), np.inf)
@@ -167,7 +167,7 @@ class Closure:
         for _ in range(MAX_NEWTON):
             step = self.correction(times[moving], q[moving], targets[moving])
             size = np.max(np.abs(step), axis=1, initial=0.0)
-            near = size <= FARTHEST  # false for what is no number
+            near = size <= FARTHEST  # false for nan
             lost[moving[~near]] = True
             q[moving[near]] += step[near]
             settled = (size < SETTLED) | ((size < SHRINKING) & (size >= last[moving] / 2))
@@ -179,17 +179,17 @@ class Closure:
 
 
 def largest_length(variant: Variant) -> float:
-    """Return the largest length of the data (m), 1 without any: what is large or small in the mechanism."""
+    """Return the largest length of the data (m), 1 if there is none: the size of the mechanism."""
     return max((abs(given.value) for given in variant.given if given.si == "m"), default=1.0) or 1.0
 
 
 def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Closure | None:
-    """Return the closure of a scene, None where the file gives no position equation and the drives leave coordinates free."""
+    """Return the closure of a scene, None if the file gives no position equation and the drives leave coordinates free."""
     positions = equations.positions
     variant = equations.variant
     known = set(variant.known_rates)
     free = tuple(i for i, c in enumerate(variant.coordinates) if c.rate not in known)
-    if not positions and (free or not equations.equations):  # a crank alone has its group
+    if not positions and (free or not equations.equations):  # a single crank is placed by its group
         return None
     driven = tuple(i for i, c in enumerate(variant.coordinates) if c.rate in known)
     names = [symbol(variant.coordinates[place].name) for place in free]
@@ -219,7 +219,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
 
 
 def _without_value(equations: VelocityEquations, wanted: list[Expression], start: Sequence[float]) -> list[str]:
-    """Return the names of the positions that cannot be computed, themselves or a derivative of theirs."""
+    """Return the names of the position equations whose value or derivatives cannot be computed at the start."""
     positions = equations.positions
     columns = len(wanted) // len(positions) - 1
     found = []
@@ -235,7 +235,10 @@ def _without_value(equations: VelocityEquations, wanted: list[Expression], start
 def _blocks(
     expressions: list[Expression], names: list[Expression], equations: VelocityEquations
 ) -> tuple[Array, tuple[tuple[list[int], list[int]], ...]]:
-    """Return sums and differences of the equations with fewer coordinates each, and the order to solve them in."""
+    """Return combinations of the equations (k, k) in which fewer coordinates occur, and the blocks in the order of solution.
+
+    There are no blocks if the equations cannot be matched one to one with the coordinates.
+    """
     places = {name: i for i, name in enumerate(names)}
     definitions = equations.symbols.definitions
 
@@ -245,7 +248,7 @@ def _blocks(
     count = len(expressions)
     combination = np.eye(count)
     rows = [inside(expr) for expr in expressions]
-    # Multiplied out once, sums and differences cancel by themselves.
+    # With products multiplied out once, equal terms cancel in sums and differences.
     flat = [expanded(expr) for expr in expressions] if count <= MOST_COMBINED else []
     for i in range(len(flat)):
         for j in range(count):

@@ -1,4 +1,4 @@
-"""The drive as numbers: its values, its integral from t = 0 with what that leaves open, its breaks and its fastest oscillation.
+"""The drive as numbers: its values, its integral from t = 0, its breaks and its fastest oscillation.
 
 Enters: the drive of a variant.  Leaves: plain functions of time.
 Used by `closure.py`, `chain.py`, the march, checks, `sets.py` and `report/live/page.py`.
@@ -27,10 +27,10 @@ from coursework.words.sentences import say
 
 
 def _gauss_legendre(count: int) -> tuple[Array, Array]:
-    """Return points and weights on (-1, 1): eigenvalues of the recurrence of the Legendre polynomials.
+    """Return Gauss-Legendre points and weights on (-1, 1), from the eigenvalues of the recurrence of the Legendre polynomials.
 
-    Source: G. H. Golub, J. H. Welsch, Mathematics of Computation 23 (1969) 221.  NumPy's own take the import of all its
-    polynomials, which is a twentieth of a run.
+    Source: G. H. Golub, J. H. Welsch, Mathematics of Computation 23 (1969) 221.  NumPy's own function would import all of its
+    polynomial package, which takes a twentieth of a run.
     """
     orders = np.arange(1, count)
     beside = np.diag(orders / np.sqrt(4.0 * orders**2 - 1), 1)
@@ -41,14 +41,14 @@ def _gauss_legendre(count: int) -> tuple[Array, Array]:
 # Gauss-Legendre with 12 points is exact to round-off for a sinusoid over a tenth of its period.
 _POINTS, _WEIGHTS = _gauss_legendre(POINTS)
 _PIECES_PER_RUN = 240
-_MANY_TURNS = 1e3  # rad
-_SAME_END = 1e-12  # part of the run by which rows counted otherwise end later
-_MOST_CELLS = 1_000_000  # stretches of all sets that are looked at together
-# Of the scenes that live, by the end of the time looked at.
+_MANY_TURNS = 1e3  # rad; beyond it the sum is made in extended precision
+_SAME_END = 1e-12  # relative: ends of the run that differ by less are the same, as row counts round differently
+_MOST_CELLS = 1_000_000  # largest number of stretches, over all data sets, that are examined at once
+# Cache for each living scene: end of the time span (s) -> its resolution.
 _resolved: WeakKeyDictionary[VelocityEquations, dict[float, Resolution]] = WeakKeyDictionary()
-# This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
+# A drive grows beyond bounds at a time if, within `_NEAR` of the run's length, it exceeds `_BEYOND` times its usual size.
 _NEAR, _BEYOND = 1e-6, 1e4
-# An oscillation that turns by less than this part of all is a ripple; at most so many rows and stretches tell.
+# A ripple turns by less than `_RIPPLE` of the whole motion; at most `_MOST_LOOKS` rows and stretches are examined.
 _RIPPLE, _MOST_LOOKS = 0.02, 10_000
 _OF_STRETCH = np.array([0.1, 0.3, 0.5, 0.7, 0.9])
 
@@ -60,22 +60,22 @@ def breaks(variant: Variant) -> tuple[float, ...]:
 
 
 def drive_values(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
-    """Return the named drives at times (*shape) as columns (*shape, len(names)); what has no value is not finite."""
+    """Return the named drives at times (*shape) as columns (*shape, len(names)); undefined values are not finite."""
     return values_of_time(equations, [symbol(name) for name in names], times)
 
 
 def values_of_time(equations: VelocityEquations, wanted: Sequence[Expression], times: Array) -> Array:
-    """Return expressions of time alone at times (*shape) as columns (*shape, len(wanted)); what has no value is not finite."""
+    """Return expressions of time alone at times (*shape) as columns (*shape, len(wanted)); undefined values are not finite."""
     _, rows = compile_values(equations, wanted)
     with np.errstate(all="ignore"):
         return as_columns(rows(times, *np.zeros(len(equations.variant.coordinates))), times.shape)
 
 
 def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
-    """Return the integrals from 0 to each time (n,) of the named drives, (n, len(names)).
+    """Return the integrals of the named drives from 0 to each time: (n, len(names)).
 
-    `times` grow from 0.  Composite Gauss-Legendre, split at rows, breaks and the nodes of tables over t, between which
-    a law is a polynomial, and wherever `resolution` finds more than the rule would see.
+    `times` (n,) grow from 0.  The rule is composite Gauss-Legendre, split at the rows, at breaks, at the nodes of tables over t
+    (between them a law is a polynomial) and wherever `resolution` needs shorter stretches.
     """
     if not names or not times[-1] > 0:
         return np.zeros((len(times), len(names)))
@@ -96,21 +96,21 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
         told = say("fault.V321", name=name, time=float(at[place[0], place[1]]))
         raise InputError([Fault(told, variant.file, variant.line_of("drive", name))])
     pieces = np.tensordot(values, _WEIGHTS, axes=(1, 0)) * half[:, None]
-    # Of thousands of turns the digits behind the point are lost in a sum of doubles.
+    # After thousands of turns a sum of doubles would lose the last digits.
     kind = np.longdouble if np.abs(pieces).sum() > _MANY_TURNS else np.float64
     total = np.vstack([np.zeros(len(names)), np.cumsum(pieces.astype(kind), axis=0).astype(np.float64)])
     return np.asarray(total[np.searchsorted(fine, times)])
 
 
 def _split(fine: Array, resolved: Array) -> Array:
-    """Return stretches (s) that end where some did, and where shorter ones than these do."""
+    """Return the edges `fine` (s), with those edges of `resolved` added that bound shorter stretches."""
     around = np.clip(np.searchsorted(fine, resolved, side="right") - 1, 0, len(fine) - 2)
     shorter = np.minimum(np.diff(resolved, prepend=-np.inf), np.diff(resolved, append=np.inf)) < np.diff(fine)[around]
     return distinct(fine, resolved[shorter & (resolved < fine[-1])]) if shorter.any() else fine
 
 
 def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
-    """Return the stretches that resolve every drive up to the end of the run, or further (s), and what integrals leave open."""
+    """Return the stretches that resolve every drive up to the end of the run, or up to `end` (s) if that is later."""
     kept, own = _resolved.setdefault(equations, {}), equations.variant.time.end
     last = end if end > own * (1 + _SAME_END) else own
     if last not in kept:
@@ -121,7 +121,7 @@ def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
 def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     laws, inner = _laws(equations, equations.variant.values), _joints(equations)
     moving = _moving(equations, laws)
-    if (forces := equations.variant.forces) is not None and forces.motor is not None:  # then forces are what drives
+    if (forces := equations.variant.forces) is not None and forces.motor is not None:  # then time-dependent forces count
         parts = [Law(f"acting {n}", one) for n, one in enumerate(forces.parts({"t", "pi", *laws.values, *moving}))]
         laws = replace(laws, laws=dict(laws.laws) | {law.name: law for law in parts})
         moving += [law.name for law in parts if _is_of_time(law, laws)]
@@ -134,9 +134,10 @@ def _resolution(equations: VelocityEquations, end: float) -> Resolution:
 def resolved(
     equations: VelocityEquations, data: Mapping[str, Array], times: Array, points: int = POINTS, wanted: float = WANTED
 ) -> Flags:
-    """Return for which sets of `data`, (n,) each, no drive does anything between `times` (k,) that the rule would not see.
+    """Return for which data sets the quadrature rule sees all that the drives do between `times` (k,).
 
-    `wanted`: what a rule of so many `points` may leave open between two of them (rad or m).
+    `data` holds one column (n,) per name.  `wanted` is the largest error (rad or m) allowed for a rule of `points` between two
+    times.
     """
     sets = max(map(len, data.values()), default=1)
     seen = np.ones(sets, dtype=bool)
@@ -159,13 +160,13 @@ def _laws(equations: VelocityEquations, values: Mapping[str, float | Array]) -> 
 
 
 def _moving(equations: VelocityEquations, laws: Laws) -> list[str]:
-    """Return the drives, and the functions of time, that change with it."""
+    """Return the drives and the functions of time alone whose values change with time."""
     drives = {law.name for law in equations.variant.drive}
     return [name for name, law in laws.laws.items() if (name in drives or law.of in {"", "t"}) and _is_of_time(law, laws)]
 
 
 def _is_of_time(law: Law, laws: Laws) -> bool:
-    """Return whether a law changes with time, and with nothing else."""
+    """Return whether a law changes with time and depends on nothing else."""
     if law.table:
         return law.of == "t"
     used = {name for formula in law.formulas for name in formula.names()}
@@ -176,7 +177,7 @@ def _is_of_time(law: Law, laws: Laws) -> bool:
 
 
 def _joints(equations: VelocityEquations) -> Array:
-    """Return the times (s) between which every law is one formula or one polynomial."""
+    """Return the times (s) between which every law is a single formula or polynomial."""
     return np.concatenate([breaks(equations.variant), *(law.nodes for law in _over_time(equations))])
 
 
@@ -187,7 +188,7 @@ def _over_time(equations: VelocityEquations) -> list[TableLaw]:
 
 
 def refuse_short_tables(equations: VelocityEquations) -> None:
-    """Raise `InputError` for laws whose table over t does not reach from 0 to the end of the run."""
+    """Raise `InputError` for each law whose table over t does not cover the whole run."""
     variant, faults = equations.variant, []
     for law in _over_time(equations):
         if not all(law.covers(time) for time in (0.0, variant.time.end)):
@@ -200,7 +201,7 @@ def refuse_short_tables(equations: VelocityEquations) -> None:
 
 
 def argument_slopes(equations: VelocityEquations) -> list[Expression]:
-    """Return d argument/dt (rad/s) of every sine and cosine in the drive whose argument moves."""
+    """Return d argument/dt (rad/s) of every sine and cosine in the drives, except where it is zero."""
     definitions = [equations.symbols.definitions[symbol(law.name)] for law in equations.variant.drive]
     slopes = (
         derivative(one.args[0], TIME) for definition in definitions for one in definition.walk() if one.op in {"sin", "cos"}
@@ -209,14 +210,14 @@ def argument_slopes(equations: VelocityEquations) -> list[Expression]:
 
 
 def refuse_aliasing(equations: VelocityEquations, step: float, frequency: float) -> None:
-    """Raise `InputError` where the step misses an oscillation (rad/s) that makes the motion (under two rows a period).
+    """Raise `InputError` if the step has under two rows a period of an oscillation (`frequency`, rad/s) that shapes the motion.
 
-    One that is a ripple on a larger motion is no other motion to the rows, which are judged as any.
+    A ripple on a larger motion is allowed: it changes the rows little, and they are judged as usual.
     """
     if frequency * step >= np.pi * (1 - 1e-12) and not _is_ripple(equations, step):
         variant = equations.variant
         own = variant.time.own_step in {None, step}
-        line = variant.nearest_line("time", "step") if own else 0  # a step of the command line stands in no file
+        line = variant.nearest_line("time", "step") if own else 0  # a step given on the command line has no line in the file
         most = float(np.pi / 10 / frequency)
         advice = (
             say("hint.step_at_most", most=most) if variant.time.end / most <= MAX_ROWS else say("hint.too_fast", most=MAX_ROWS)
@@ -226,27 +227,27 @@ def refuse_aliasing(equations: VelocityEquations, step: float, frequency: float)
 
 
 def _is_ripple(equations: VelocityEquations, step: float) -> bool:
-    """Return whether all that a drive may turn and turn back within two rows is little beside what it turns in the run.
+    """Return whether what a drive may turn back and forth between two rows is small compared with its motion in the run.
 
-    An oscillation of which a period has less than two rows turns at most its height times step/pi.
+    An oscillation with less than two rows a period turns at most its height times step/pi.
     """
     end, names = equations.variant.time.end, [law.name for law in equations.variant.drive]
     count = min(round(end / step), _MOST_LOOKS)
     try:
         turned = np.ptp(integrals(equations, names, np.linspace(0.0, end, count + 1)), axis=0)
-    except InputError:  # what has no value is told where the motion is followed
+    except InputError:  # an undefined value is reported where the motion is followed
         return False
     edges = resolution(equations).edges
     edges = edges[:: len(edges) // _MOST_LOOKS + 1]
-    looks = edges[:-1, None] + np.diff(edges)[:, None] * _OF_STRETCH  # one a stretch would meet a swing at one phase always
+    looks = edges[:-1, None] + np.diff(edges)[:, None] * _OF_STRETCH  # one look a stretch could always meet the same phase
     height = np.ptp(drive_values(equations, names, looks.ravel()), axis=0)
     return bool(np.all(height * step / np.pi <= _RIPPLE * turned))
 
 
 def refuse_endless(equations: VelocityEquations, time: float, *, goes_round: bool = False) -> None:
-    """Raise `InputError` where a drive has no finite value about `time` (s), or turns a crank by turns in one step.
+    """Raise `InputError` if a drive has no finite value near `time` (s), or turns a crank by whole turns in one step.
 
-    `goes_round`: it may, as the crank can be turned right round however fast.
+    `goes_round` allows the latter: the crank can turn right round, however fast.
     """
     variant = equations.variant
     names = [law.name for law in variant.drive]
@@ -260,7 +261,7 @@ def refuse_endless(equations: VelocityEquations, time: float, *, goes_round: boo
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
     for name, before, now in zip(names, usual, there, strict=True):
         told = None
-        if not now <= _BEYOND * before:  # also where it is nan; a drive that stands still is 0 here and there
+        if not now <= _BEYOND * before:  # also true for nan; false for a drive that is 0 throughout
             told = say("fault.V323", name=name, time=time)
         elif not goes_round and name in angles and now * variant.time.step > 2 * np.pi:
             told = say("fault.V324", name=name, turned=float(now * variant.time.step), most=float(0.1 / now))
@@ -271,9 +272,9 @@ def refuse_endless(equations: VelocityEquations, time: float, *, goes_round: boo
 
 
 def frequencies(equations: VelocityEquations) -> tuple[float, ...]:
-    """Return the slopes |d argument/dt| (rad/s) of the sines the drives are sums of, the slowest first.
+    """Return the frequencies |d argument/dt| (rad/s) of the sines that make up the drives, slowest first.
 
-    None are returned unless every drive is zero or a sum of sines and cosines of t, each times a constant.
+    The result is empty unless every drive is zero or a sum of sines and cosines of t, each times a constant.
     """
     slopes = equations.once("slopes of sums", lambda: _slopes_of_sums(equations))
     values = compile_values(equations, slopes)[0](0.0, *np.zeros(len(equations.variant.coordinates))) if slopes else ()
@@ -281,7 +282,7 @@ def frequencies(equations: VelocityEquations) -> tuple[float, ...]:
 
 
 def _slopes_of_sums(equations: VelocityEquations) -> list[Expression]:
-    """Return d argument/dt of the sines the drives are sums of, nothing where one of them is no such sum."""
+    """Return d argument/dt of the sines that make up the drives; empty if one of the drives is not such a sum."""
     laws = {symbol(law.name) for law in (*equations.variant.drive, *equations.variant.functions)}
     slopes = set()
     for law in equations.variant.drive:

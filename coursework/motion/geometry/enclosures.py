@@ -1,7 +1,7 @@
-"""A law of t over whole stretches of time: between which values it stays there, and in which disc beyond the real axis.
+"""Bounds of a law of t on whole stretches of time: of its real values, and of its values on a disc in the complex plane.
 
-Enters: the laws of a variant, stretches of time.  Leaves: `Enclosure`; what no bound holds is infinite.
-Used by `quadrature.py`.  Points can miss what lies between them, a pulse of a microsecond; enclosures of stretches that join
+Enters: the laws of a variant, stretches of time.  Leaves: `Enclosure`; an unknown bound is infinite.
+Used by `quadrature.py`.  Sample points can miss a pulse of a microsecond between them; enclosures of adjoining stretches
 cannot.  Source: R. E. Moore, Interval Analysis (1966); discs: I. Gargantini, P. Henrici, Numer. Math. 18 (1971) 305.
 """
 
@@ -18,19 +18,20 @@ from coursework.system.frozen import caching
 from coursework.variant.formula.tree import Formula, factors, product_of
 from coursework.variant.record.variant import Law
 
-# The disc about a stretch has so many times its half length for a radius.
+# Radius of the disc about a stretch, in half lengths of the stretch.
 REACH = 3.0
-# Gauss's rule of twelve points is off by this part of a disc's radius: beyond that the values alone say more.
+# Error of the twelve-point Gauss rule as a share of a disc's radius: where it exceeds the range of values, the values say more.
 _TOLD = 1e-18
-_LEAST = float(np.finfo(float).tiny)  # what a part that is real has at least, so that it is known for one
+_LEAST = float(np.finfo(float).tiny)  # smallest `rest` of a law bounded by its values alone, so that it is not taken for 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Enclosure:
-    """Of n stretches: `low` and `high` (n,) of the values on it; about `middle`, `radius` (n,) of those on its complex disc.
+    """Bounds of a law on n stretches of time, each an array (n,).
 
-    `rest` (n,): the disc is that of the law but for a part that is real, and no larger.  Where data are columns (sets, 1) all
-    are (sets, n).
+    The real values lie between `low` and `high`.  The law is the sum of an analytic part, whose values on the complex disc lie
+    within `radius` of `middle`, and of a real part of size at most `rest`.  If the data are columns (sets, 1), all arrays are
+    (sets, n).
     """
 
     low: Array
@@ -41,17 +42,17 @@ class Enclosure:
 
     @property
     def size(self) -> Array:
-        """Return the largest |value| possible (n,)."""
+        """Return the largest possible |value| (n,)."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
 
     @property
     def disc(self) -> Array:
-        """Return the radius of the values of the whole law."""
+        """Return the radius of the values of the whole law on the disc; infinite where there is a `rest`."""
         return np.where(np.asarray(self.rest) > 0, np.inf, self.radius)
 
     @property
     def parted(self) -> Enclosure:
-        """Return the enclosure with all of the law in `rest` where the disc tells less than the values do."""
+        """Return the enclosure with the whole law moved into `rest` where the disc bounds it less tightly than the values do."""
         is_value = (self.low <= self.middle) & (self.middle <= self.high)
         middle = np.where(is_value, self.middle, (self.low + self.high) / 2)
         around = np.maximum(np.maximum(self.high - middle, middle - self.low), _LEAST)
@@ -63,7 +64,7 @@ class Enclosure:
 
 
 def _checked(low: Array, high: Array, middle: Array, radius: Array, rest: Array | float = 0.0) -> Enclosure:
-    """Return an enclosure in which what is no number is anything: 0·∞, or what lies beyond the largest number."""
+    """Return an enclosure in which nan (from 0·∞ or overflow) is replaced by the widest bounds."""
     lost = np.isnan(low) | np.isnan(high)
     apart = ~np.isfinite(middle) | np.isnan(radius)
     return Enclosure(
@@ -106,14 +107,17 @@ def _inverse(a: Enclosure) -> Enclosure:
 def _monotone(
     a: Enclosure, function: Callable[[Array], Array], slope: Callable[[Enclosure], Array], domain: tuple[float, float]
 ) -> Enclosure:
-    """Return a growing function that is analytic where `slope`, a bound of its derivative on the disc, is finite."""
+    """Return the enclosure of an increasing `function` of `a`, whose argument is clipped to `domain`.
+
+    `slope` bounds its derivative on the disc; it is infinite where the function is not analytic.
+    """
     low, high = function(np.clip(a.low, *domain)), function(np.clip(a.high, *domain))
     return _checked(low, high, function(np.clip(a.middle, *domain)), a.disc * slope(a))
 
 
 def _exponential(a: Enclosure) -> Enclosure:
     middle = np.exp(a.middle)
-    # Far from a pulse both factors leave the numbers, and their product, which is as good as nothing, does not.
+    # Far from a pulse both factors over- or underflow, though their product is nearly zero.
     radius = np.where(a.disc < 1, middle * np.expm1(a.disc), np.exp(a.middle + a.disc) - middle)
     return _checked(np.exp(a.low), np.exp(a.high), middle, radius)
 
@@ -155,7 +159,7 @@ def _power(a: Enclosure, exponent: float) -> Enclosure:
 
 
 def _to_the(a: Enclosure, exponents: Array) -> Enclosure:
-    """Return a power with an exponent that does not move; of several, as sets of data may have them, nothing is known."""
+    """Return a power with a constant exponent; the bounds are infinite if data sets have different exponents."""
     if not exponents.size:
         return a
     if np.ptp(exponents) > 0:
@@ -186,7 +190,7 @@ def _arctangent(a: Enclosure) -> Enclosure:
 
 
 def _angle(y: Enclosure, x: Enclosure) -> Enclosure:
-    """Return atan2(y, x), which jumps where y is zero and x below it."""
+    """Return the enclosure of atan2(y, x), which jumps where y is zero and x negative."""
     corners = np.stack([np.arctan2(v, u) for v in (y.low, y.high) for u in (x.low, x.high)])
     jumps = (x.low <= 0) & (y.low <= 0) & (y.high >= 0)
     right, aside = x.middle > x.disc, np.abs(y.middle) > y.disc
@@ -207,9 +211,9 @@ _CALLS: Mapping[str, Callable[[Enclosure], Enclosure]] = {
 
 @caching
 class Laws:
-    """The drives and functions of one variant over stretches of time that no break and no node of a table parts.
+    """The drives and functions of one variant, on stretches of time without a break or a table node inside.
 
-    `values` are numbers, or columns (sets, 1) of them.
+    `values` are the data: numbers, or columns (sets, 1) of them.
     """
 
     values: Mapping[str, float | Array]
@@ -217,7 +221,7 @@ class Laws:
     tables: Mapping[str, TableLaw]
 
     def over(self, name: str, begin: Array, end: Array) -> Enclosure:
-        """Return the enclosure of a law on n stretches from `begin` to `end` (n,) s."""
+        """Return the enclosure of the named law on n stretches from `begin` to `end` (n,), in s."""
         with np.errstate(all="ignore"):
             return self._law(self.laws[name], begin, end)
 
@@ -267,7 +271,7 @@ class Laws:
         return _angle(*args) if tree.name == "atan2" else _CALLS[tree.name](args[0])
 
     def _quotient(self, tree: Formula, args: list[Enclosure], begin: Array, end: Array) -> Enclosure:
-        """Return a quotient; u/abs(u), as a sign is written, lies between -1 and 1 also where u is zero."""
+        """Return the enclosure of a quotient; u/abs(u), which writes a sign, lies between -1 and 1 even where u is zero."""
         above, below = list(factors(tree.args[0])), tree.args[1]
         if below.op == "call" and below.name == "abs" and (below.args[0], 1) in above:
             above.remove((below.args[0], 1))

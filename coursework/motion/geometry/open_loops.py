@@ -1,8 +1,8 @@
 """Whether written equations contradict the geometry only because the start leaves open what [closure] holds.
 
-Enters: velocity equations that do not agree, and their closure.  Leaves: nothing.  Raises `InputError` naming the start.
-Used by `unseen_signs.py`, `rigid.py`.  What is held keeps its start value: a slot whose pin starts beside it is a slot with an
-offset, and equations of the slot without one contradict it.
+Enters: velocity equations that disagree with the geometry, and their closure.  Leaves: nothing.  Raises `InputError` naming the
+start.  Used by `unseen_signs.py`, `rigid.py`.  A held quantity keeps its start value: a slot whose pin starts beside it becomes a
+slot with an offset, and equations written for no offset contradict it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,10 @@ from coursework.words.sentences import say
 
 
 def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None:
-    """Raise `InputError` where the equations agree once all that is held but single parts of points is zero at the start."""
+    """Raise `InputError` if the equations agree with the geometry once its loops are closed at the start.
+
+    Closed means that everything held is zero, except single components of points.
+    """
     if not closure.names:
         return
     near, residual = with_closed_loops(closure)
@@ -42,9 +45,9 @@ def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None
 
 
 def with_closed_loops(closure: Closure, most: float = math.inf) -> tuple[Closure | None, Array]:
-    """Return the closure from the nearest start that leaves nothing open, None for none, and what its own start leaves (k,).
+    """Return the closure moved to the nearest closed start (None if there is none), and the residual (k,) of its own start.
 
-    What is open by more than `most` is meant to be so, as the angle between two gears is, and is kept.
+    A residual larger than `most` is taken as intended, like the angle between two gears, and is kept.
     """
     equations, holds = closure.equations, iter(closure.equations.variant.holds)
     held = np.array([one.target == "start" and on_axes(next(holds)).op != "part" for one in equations.positions], dtype=bool)

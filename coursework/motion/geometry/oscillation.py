@@ -1,4 +1,4 @@
-"""How fast a drive oscillates, the highest harmonic that a table of it must not miss, and when steady cranks are back.
+"""How fast a drive oscillates, the highest harmonic that a table must resolve, and when cranks of constant speed are back.
 
 Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `way_to_motion.py`, `search.py` and `swings.py`.
 """
@@ -17,18 +17,18 @@ from coursework.equations.reduction.symbolic import TIME, local, symbol
 from coursework.motion.geometry.drive import values_of_time
 from coursework.system.arrays import Array
 
-# A harmonic counts from this part of the power of the largest one on: of abs(sin) the first, of sin cubed the third.
+# A harmonic counts if it has at least this share of the strongest one's power: the first of abs(sin), the third of sin cubed.
 _POWER = 0.05
-# Frequencies whose quotients are fractions of whole numbers up to this have a common period.
+# Frequencies have a common period if their ratios are fractions of whole numbers up to this.
 _WHOLE = 40
-# Samples of a common period for each of its highest base frequency: harmonics up to half as many are told apart.
+# Samples of a common period for each multiple of the base frequency in the fastest wave; harmonics up to half as many show.
 _SAMPLES = 32
-# Times of the run at which an argument that does not grow evenly is looked at.
+# Number of times in the run at which the slope of an argument is evaluated.
 _LOOKS = 257
 
 
 def fastest(equations: VelocityEquations) -> float:
-    """Return the largest frequency (rad/s) in the drives that carries more than 5 % of the power of the strongest, 0 without any.
+    """Return the highest frequency (rad/s) in the drives that has over 5 % of the strongest one's power; 0 without any.
 
     >>> import coursework
     >>> round(fastest(coursework.solve("31").scene.equations), 6)
@@ -43,9 +43,9 @@ def fastest(equations: VelocityEquations) -> float:
 
 
 def turns_repeat(equations: VelocityEquations) -> float:
-    """Return the time (s) after which drives that are all constant have turned their cranks whole turns, infinity without any.
+    """Return the time (s) after which constant drives have turned their cranks by whole turns; infinity if there is no such time.
 
-    What then stands as it began moves on as it did: the mechanism knows of no time but its drives.
+    A mechanism that is then back in its start position repeats its motion, because only the drives depend on time.
     """
     variant = equations.variant
     definitions = [written_out(equations.symbols.definitions[symbol(law.name)], equations) for law in variant.drive]
@@ -58,7 +58,7 @@ def turns_repeat(equations: VelocityEquations) -> float:
 
 
 def written_out(expr: Expression, equations: VelocityEquations) -> Expression:
-    """Return a drive with the other drives it is written with in their places."""
+    """Return the formula of a drive with the other drives in it replaced by their formulas."""
     definitions = equations.symbols.definitions
     while names := expr.free_symbols & definitions.keys():
         expr = replaced(expr, {name: definitions[name] for name in names})
@@ -66,7 +66,7 @@ def written_out(expr: Expression, equations: VelocityEquations) -> Expression:
 
 
 def _highest(expr: Expression, equations: VelocityEquations) -> float:
-    """Return the highest harmonic of one formula, or the steepest slope of an argument that does not grow evenly."""
+    """Return the highest harmonic of one formula, or the steepest slope of an argument that is not linear in time."""
     waves, slopes, even, still = equations.once(("waves", expr), lambda: _waves(expr))
     if not waves:
         return 0.0
@@ -76,10 +76,10 @@ def _highest(expr: Expression, equations: VelocityEquations) -> float:
         return float(np.max(steepest[np.isfinite(steepest)], initial=0.0))
     base = _common(steepest)
     if not base:
-        # Without a common period each term is looked at alone; a product of two waves has their sum in it.
+        # Without a common period each term is examined alone; a product of two waves contains the sum of their frequencies.
         terms = expand(expr).terms
         return max(_highest(term, equations) for term in terms) if len(terms) > 1 else float(np.sum(steepest))
-    # What stands outside the waves (a factor exp(-t)) is no oscillation: it is taken as it is in the middle of the run.
+    # A factor outside the waves, such as exp(-t), is no oscillation: it is frozen at the middle of the run.
     middle = number(Fraction(equations.variant.time.end / 2))
     wave = expr if still is None else replaced(replaced(still, {TIME: middle}), {dummy: wave for wave, dummy in waves})
     count = _SAMPLES * round(float(np.max(steepest)) / base)
@@ -91,9 +91,9 @@ def _highest(expr: Expression, equations: VelocityEquations) -> float:
 
 
 def _waves(expr: Expression) -> tuple[list[tuple[Expression, Expression]], list[Expression], bool, Expression | None]:
-    """Return the waves of one formula and symbols for them, the slopes of their arguments, and whether all are constant.
+    """Return the waves of one formula with a symbol for each, the slopes of their arguments, and whether all slopes are constant.
 
-    Last the formula with its symbols, None where time stands in the waves alone.
+    The last value is the formula written with these symbols; None if time occurs only inside the waves.
     """
     found = sorted(part for part in expr.walk() if part.op in {"sin", "cos", "tan"} and part.has(TIME))
     waves = [(wave, local(f"_wave{place}")) for place, wave in enumerate(found)]
@@ -103,7 +103,7 @@ def _waves(expr: Expression) -> tuple[list[tuple[Expression, Expression]], list[
 
 
 def _common(frequencies: Array) -> float:
-    """Return the frequency of which all are whole multiples, 0 where there is none worth the name."""
+    """Return the frequency of which all given ones are whole multiples; 0 if there is none of useful size."""
     slowest = float(np.min(frequencies))
     if not slowest > 0:
         return 0.0

@@ -1,8 +1,8 @@
-"""Stretches of time short enough for Gauss's rule, and a bound on what the integrals over them leave open.
+"""Stretches of time short enough for Gauss's rule, and a bound on its error over them.
 
 Enters: enclosures of laws over stretches.  Leaves: `Resolution`.  Used by `drive.py`.
-A rule looks at points and says nothing of a pulse between them; here each stretch is halved until enclosures of the law
-prove that the rule has seen all there is.
+A rule evaluates points and can miss a pulse between them; here each stretch is halved until enclosures of the law
+prove that the rule misses nothing.
 """
 
 from __future__ import annotations
@@ -16,22 +16,23 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 POINTS = 12
-# The integral is wanted to this (rad or m), and to this part of the way that the drive makes altogether.
+# Error allowed for an integral (rad or m), and relative to the whole distance that the drive moves.
 WANTED = 1e-11
-# At most so many stretches are looked at; a drive of a hundred thousand oscillations takes about as many.
+# Largest number of stretches examined; a drive of a hundred thousand oscillations takes about as many.
 MOST = 1_000_000
 _FIRST = 16
 _SMALLEST = 4 * np.finfo(float).eps
-# On a function that stays within M on an ellipse about (-1, 1) the rule errs by at most this times M (L. N. Trefethen,
-# Approximation Theory and Approximation Practice, theorem 19.3): the ellipse of half axes REACH and less lies in the disc.
+# For a function bounded by M on an ellipse about (-1, 1) the rule errs by at most M times a power of the sum of the ellipse's
+# semi-axes (L. N. Trefethen, Approximation Theory and Approximation Practice, theorem 19.3).  An ellipse with REACH as its longer
+# semi-axis lies in the disc.
 _SEMIAXES = REACH + np.sqrt(REACH**2 - 1)
 
 
 @frozen
 class Resolution:
-    """`edges` (s) of stretches; most of what the integrals leave open lies at `place` (s).
+    """Stretches of time between `edges` (s) on which the quadrature rule is accurate.
 
-    `met` says whether that is as little as wanted.
+    The largest error lies at `place` (s); `met` says whether the total error is as small as wanted.
     """
 
     edges: Array
@@ -39,13 +40,13 @@ class Resolution:
     met: bool
 
     def shorter(self, length: float) -> tuple[Array, Array]:
-        """Return begin and end (k,) of the stretches that are shorter than a length (s)."""
+        """Return begin and end (k,) of the stretches that are shorter than `length` (s)."""
         short = np.diff(self.edges) < length
         return self.edges[:-1][short], self.edges[1:][short]
 
 
 def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -> Resolution:
-    """Return stretches between `edges` (s) on which the rule gives the integrals of all laws as well as wanted."""
+    """Return stretches between `edges` (s) on which the rule gives the integrals of all laws to the accuracy wanted."""
     longest = (edges[-1] - edges[0]) / _FIRST
     counts = np.maximum(1, np.ceil(np.diff(edges) / longest)).astype(int)
     begin = np.concatenate([np.linspace(a, b, n + 1)[:-1] for a, b, n in zip(edges[:-1], edges[1:], counts, strict=True)])
@@ -73,9 +74,9 @@ def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -
 
 
 def left_open(law: Enclosure, half: Array, points: int = POINTS) -> Array:
-    """Return by how much (n,) the rule may be off on stretches of half a length: by the disc and the rest, or by the values.
+    """Return a bound (n,) on the rule's error on stretches of half length `half`: by disc and rest, or by the range of values.
 
-    With two `points` it is as good as a step of Runge-Kutta 4.
+    With two `points` the rule is as accurate as a step of Runge-Kutta 4.
     """
     rule = 64 / 15 * _SEMIAXES ** (-2 * points) / (1 - _SEMIAXES**-2)
     with np.errstate(all="ignore"):

@@ -1,8 +1,8 @@
-"""Whether [links] and [frame] are what the points of a file do: links keep their shape, hinges rest, guides lie where points run.
+"""Whether [links] and [frame] agree with the points of a file: links keep their shape, hinges rest, guides lie along the motion.
 
 Enters: velocity equations and their closure.  Leaves: hinges with two names.  Raises `InputError` naming each link, rail, circle.
 Used by `unseen_signs.py` and `commands/check.py`.
-No column of the table feels a guide across the way of its slider; drawing, plans and forces do.
+A guide across the motion of its slider changes no column of the table, but drawings, plans and forces depend on it.
 """
 
 from __future__ import annotations
@@ -29,37 +29,37 @@ from coursework.words.sentences import joined, say
 
 Track = NDArray[np.complex128]
 
-_TOLERANCE = 1e-6  # of the largest length, and of a way: far above round-off, far below another datum
-_ROUND_OFF = 1e-9  # of the largest length
+_TOLERANCE = 1e-6  # share of the largest length, or of a distance moved: far above round-off, far below a difference of data
+_ROUND_OFF = 1e-9  # share of the largest length
 
 
 def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
-    """Raise `InputError` for links and the frame where they contradict the points; what holds for some data does for all."""
+    """Raise `InputError` if links or the frame contradict the points; checked once for all variants of a template."""
     equations.once("rigid", lambda: _require(equations, closure))
 
 
 def _require(equations: VelocityEquations, closure: Closure) -> None:
-    contradictory = len(closure.names) > len(closure.free)  # more is held than can be: another fault, told by others
+    contradictory = len(closure.names) > len(closure.free)  # more is held than there are free coordinates: reported elsewhere
     variant = equations.variant
     if contradictory or not (
         variant.links or variant.frame.rails or any(_may_move(name, variant) for name in variant.frame.hinges)
     ):
         return
     if faults := _faults(equations, closure):
-        # What the start leaves open is kept, and is no distance of a link: the same must be told of a closed one.
+        # Residuals of the start are kept and may change distances: a fault counts only if it remains once the start closes.
         near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
         if near is not None and _faults(equations, near):
             raise InputError(faults)
 
 
 def _may_move(point: str, variant: Variant) -> bool:
-    """Return whether a point is placed by more than data, or met by a group."""
+    """Return whether a point depends on more than data, or is defined by a group."""
     places = dict(variant.points)
     return point not in places or not {*reached([point], places)} <= {point, *places, *variant.values, "pi"}
 
 
 def hinges_with_two_names(equations: VelocityEquations, closure: Closure) -> tuple[tuple[str, str], ...]:
-    """Return points of two links that stand in one place throughout: a joint that is not counted, with no name in common."""
+    """Return pairs of points of two links that coincide throughout: a joint that is not counted, because they share no name."""
     seen = _seen(equations, closure)
     links = [{*link.points, link.wheel or ""} for link in equations.variant.links]
     pairs = [pair for pair in combinations(seen.tracks, 2) if all(any(name in of for of in links) for name in pair)]
@@ -87,9 +87,10 @@ def _seen(equations: VelocityEquations, closure: Closure) -> _Seen:
 
 @frozen
 class _Seen:
-    """Where the points of a variant are at some `times` (c,): `tracks`, x + iy (c,) each; `scale` is the largest length (m).
+    """Positions of the points of a variant at some `times` (c,).
 
-    `growing` are the coordinates that are lengths, (c,) each.
+    `tracks` holds x + iy (c,) of each point, `growing` the values (c,) of each coordinate that is a length; `scale` is the
+    largest length (m).
     """
 
     variant: Variant
@@ -99,7 +100,7 @@ class _Seen:
     scale: float
 
     def of_links(self) -> Iterator[Fault]:
-        """Yield the links of which two points do not keep their distance, and those that leave the bar they slide on."""
+        """Yield a fault for each link that has two points of varying distance or that leaves the bar it slides on."""
         bars = {link.name: link.points for link in self.variant.links}
         for link in self.variant.links:
             points = [*link.points, *([link.wheel] if link.wheel else [])]
@@ -117,7 +118,7 @@ class _Seen:
                 yield self._fault(("links", link.name), say("fault.V315", **known))
 
     def of_hinges(self) -> Iterator[Fault]:
-        """Yield the hinges of the frame that move."""
+        """Yield a fault for each hinge of the frame that moves."""
         for place, name in enumerate(self.variant.frame.hinges):
             away = np.abs(self.tracks[name] - self.tracks[name][0])
             if not self._keeps(away):
@@ -125,7 +126,7 @@ class _Seen:
                 yield self._fault(("frame", "hinges", place), say("fault.V319", **known))
 
     def of_rails(self) -> Iterator[Fault]:
-        """Yield the rails across the way of their point, and those that a wheel does not touch from the side."""
+        """Yield a fault for each rail not along the path of its point, or not touched sideways by its wheel."""
         wheels = {link.contact: link for link in self.variant.links if link.wheel}
         for place, (through, angle) in enumerate(self.variant.frame.rails):
             if through.op != "name":
@@ -141,7 +142,7 @@ class _Seen:
                 yield from self._touched(wheel, np.full_like(track, 1j * along))
 
     def of_circles(self) -> Iterator[Fault]:
-        """Yield the circle next to each wheel that touches none of them, nor a rail or another link."""
+        """Yield a fault for the circle nearest to each wheel that touches neither a circle nor a rail nor another link."""
         links, frame = self.variant.links, self.variant.frame
         others = {through.name for through, _ in frame.rails if through.op == "name"}
         contacts = [link.contact for link in links if link.contact]
@@ -163,14 +164,14 @@ class _Seen:
                 yield from self._touched(wheel, self.tracks[contact] - self.tracks[centre])
 
     def _touched(self, wheel: Link, across: Track) -> Iterator[Fault]:
-        """Yield a wheel whose radius to the contact does not stand `across` what it touches, (c,)."""
+        """Yield a fault if a wheel's radius to the contact does not lie along `across` (c,), the normal of what it touches."""
         contact, centre = wheel.contact or "", wheel.wheel or ""
         arm = self.tracks[contact] - self.tracks[centre]
         if self._leaves(arm, across / np.abs(across)):
             yield self._fault(("links", wheel.name), say("fault.V318", link=wheel.name, centre=centre, contact=contact))
 
     def _not_rigid(self, link: Link, one: str, other: str) -> Sentence:
-        """Return that two points of a link do not keep their distance, and which points each of them does keep it to."""
+        """Return that two points of a link change their distance, and which points each of them keeps its distance to."""
         kept = []
         for point in (one, other):
             if others := tuple(name for name in self.tracks if name != point and self.keeps(point, name)):
@@ -179,12 +180,12 @@ class _Seen:
         return say("fault.V314.kept", **known, kept=joined(kept)) if kept else say("fault.V314.alone", **known)
 
     def _between(self, sizes: Array) -> dict[str, float]:
-        """Return the first of some lengths (c,), and the one that differs from it most, with its time."""
+        """Return the first of some lengths (c,), the one that differs from it most, and the time of that one."""
         place = int(np.argmax(np.abs(sizes - sizes[0])))
         return {"first": float(sizes[0]), "last": float(sizes[place]), "time": float(self.times[place])}
 
     def apart(self, one: str, other: str) -> Array:
-        """Return the distance of two points (c,)."""
+        """Return the distance between two points (c,)."""
         return np.abs(self.tracks[one] - self.tracks[other])
 
     def keeps(self, one: str, other: str) -> bool:
@@ -192,7 +193,7 @@ class _Seen:
         return self._keeps(self.apart(one, other))
 
     def _off(self, point: str, one: str, other: str) -> Array:
-        """Return how far (c,) a point lies beside the line through two others, nan where these are one."""
+        """Return the signed distance (c,) of a point from the line through two others; nan where these coincide."""
         bar = self.tracks[other] - self.tracks[one]
         with np.errstate(invalid="ignore"):
             return np.asarray(((self.tracks[point] - self.tracks[one]) * bar.conj()).imag / np.abs(bar))
@@ -201,17 +202,17 @@ class _Seen:
         return bool(np.ptp(sizes) <= _TOLERANCE * self.scale)
 
     def _leaves(self, way: Track, along: Track | complex) -> bool:
-        """Return whether a way (c,) leaves the line along unit vectors."""
+        """Return whether a path (c,) leaves the line in the direction of the unit vectors `along`."""
         beside = np.max(np.abs((way * np.conj(along)).imag), initial=0.0)
         return bool(beside > _TOLERANCE * np.max(np.abs(way), initial=0.0) + _ROUND_OFF * self.scale)
 
     def _straight(self, points: Sequence[str], one: str, other: str) -> bool:
-        """Return whether all points of a link lie beside the line through two as far as ever: an arm grows along itself only."""
+        """Return whether all points of a link stay as far from the line through two of them: an arm grows only lengthwise."""
         offs = [self._off(point, one, other) for point in points if point not in (one, other)]
         return all(self._keeps(off[np.isfinite(off)]) for off in offs)
 
     def _grows(self, one: str, other: str) -> bool:
-        """Return whether two points are the ends of an arm that grows: a vector in [points], or as long as a coordinate says."""
+        """Return whether two points are the ends of a growing arm: one vector in [points], or as long as a coordinate."""
         if any(self._keeps(self.apart(one, other) + sign * length) for length in self.growing for sign in (-1, 1)):
             return True
         placed = dict(self.variant.points)
@@ -224,12 +225,12 @@ class _Seen:
 
 
 def _is_arm(end: Formula, base: str, at: Formula) -> bool:
-    """Return whether a point is a base, which may be left out where it is (0, 0), and one vector."""
+    """Return whether a point is defined as the point `base` plus one vector; `base` may be left out if it is (0, 0)."""
     parts = [part for part, _ in signed(end) if part != named(base)]
     whole = len([*signed(end)]) - len(parts) == 1 or (at.op == "pair" and all(part.name == "0" for part in at.args))
     return whole and len(parts) == 1 and parts[0].op == "@"
 
 
 def _degrees(along: complex) -> float:
-    """Return the angle of a line, more than -90 to 90 degrees."""
+    """Return the angle of a line in degrees, above -90 and up to 90."""
     return float(90.0 - (90.0 - np.degrees(np.angle(along))) % 180.0)

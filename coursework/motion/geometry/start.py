@@ -1,4 +1,4 @@
-"""The coordinates at t = 0: those the file gives, those a chain of groups gives, those other data have moved.
+"""The coordinates at t = 0: from the file, from a chain of groups, or adapted to changed data.
 
 Enters: velocity equations and the variant's start values.  Leaves: the start (m,), rad or m.
 Used by `way_to_motion.py` and by models of many sets.
@@ -23,17 +23,17 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# A start value written with fewer digits than this (rad or m) is taken for another position, not for rounding.
+# A start value that differs by more than this (rad or m) is another position, not a rounded value.
 START_TOLERANCE = 1e-6
-# A correction beyond this (rad or m) leads to another assembly; below the other it is settled.
+# A Newton correction larger than `_WIDE` (rad or m) leads to another assembly; one below `_SETTLED` ends the iteration.
 _WIDE, _SETTLED = 10.0, 1e-12
-_ROUNDED = 0.02  # what a start value (rad or m) of two digits may be off, and one in the other order is not
+_ROUNDED = 0.02  # largest rounding error of a start value with two digits (rad or m); a wrong order of entries gives more
 
 
 def start_values(equations: VelocityEquations) -> list[float]:
     """Return the coordinates at t = 0; groups give those the file leaves out, the closure those that follow from other data.
 
-    Raises `InputError` where a written start is not the position the groups close in, or none lies near the old one.
+    Raises `InputError` if a written start is not the position in which the groups close, or if no closed one lies nearby.
     """
     variant = equations.variant
     given = {name for group in variant.groups for name in group.coordinates}
@@ -54,7 +54,7 @@ def _by_groups(equations: VelocityEquations) -> list[float]:
     faults = []
     for coordinate, value in zip(variant.coordinates, closed, strict=True):
         if coordinate.start is not None and abs(coordinate.start - value) > START_TOLERANCE:
-            size = size_of(coordinate.written) or 1.0  # said in the unit that was typed
+            size = size_of(coordinate.written) or 1.0  # shown in the unit that was typed
             typed = coordinate.written if size_of(coordinate.written) else coordinate.unit
             known = {"name": coordinate.name, "unit": typed, "start": coordinate.start / size, "closed": float(value) / size}
             faults.append(_fault(say("fault.V332", **known), coordinate, variant))
@@ -64,10 +64,10 @@ def _by_groups(equations: VelocityEquations) -> list[float]:
 
 
 def _swaps(equations: VelocityEquations) -> list[Fault]:
-    """Return a fault for the group whose `from` or `coordinates`, in the other order, close where the start values are."""
+    """Return a fault for a group that closes at the start values with `from` or `coordinates` reversed; empty if none does."""
     variant = equations.variant
     if _closes_near_start(variant):
-        return []  # the order is right, a digit is not
+        return []  # the order is right, but a digit is wrong
     for index, group in enumerate(variant.groups):
         for key, old in (("from", group.start_points), ("coordinates", group.coordinates)):
             if len(old) < 2:
@@ -83,7 +83,7 @@ def _swaps(equations: VelocityEquations) -> list[Fault]:
 
 
 def _closes_near_start(variant: Variant) -> bool:
-    """Return whether the groups of a variant close where its start values are, as far as these have digits."""
+    """Return whether the groups of a variant close at its start values, within the rounding of these."""
     with suppress(InputError, ArithmeticError):
         closed = chain_positions(differentiate(build(variant)), np.zeros(1))[0].tolist()
         starts = zip(variant.coordinates, closed, strict=True)
@@ -92,7 +92,7 @@ def _closes_near_start(variant: Variant) -> bool:
 
 
 def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
-    """Return the closed position nearest to a start of which only the `moved` coordinates may change."""
+    """Return the closed position nearest to `start`, changing only the coordinates in `moved`."""
     q = start.copy()
     columns = [closure.free.index(place) for place in moved]
     rows = [index for index, position in enumerate(closure.equations.positions) if position.target == "zero"]

@@ -1,8 +1,8 @@
-"""How fast tabulated drives swing and cranks turn, read off the numbers of the drives over a run.
+"""How fast tabulated drives swing and cranks turn, measured from the values of the drives over a run.
 
 Enters: the drives of a scene.  Leaves: frequencies and speeds (rad/s).  Used by `step_rules.py`, `rows.py` and
-`motion_results.py`.  A formula tells its frequencies itself (`oscillation.py`); of a table it is told by the time that its
-numbers take from one swing to the next.
+`motion_results.py`.  A formula contains its frequencies (`oscillation.py`); the frequency of a table is measured from the time
+between one swing and the next.
 """
 
 from __future__ import annotations
@@ -17,19 +17,21 @@ from coursework.motion.geometry.drive import breaks, drive_values
 from coursework.motion.geometry.oscillation import fastest, written_out
 from coursework.system.arrays import Array, distinct
 
-# A swing counts from this part of the law's range on: of two waves the smaller then has about a twentieth of the power of the
-# larger, as for formulas.
+# Smallest swing that counts, as a share of the law's range: the smaller of two waves then has about a twentieth of the power of
+# the larger, as for formulas.
 _OF_RANGE = 0.2
-# Below this part of the law's largest size a swing is an unevenness, or the last digit, of a law that is nearly constant.
+# A swing below this share of the law's largest size is only unevenness, or the last digit, of a nearly constant law.
 _OF_SIZE = 0.1
-# Moments of a run, and of each piece of it, at which drives are looked at; the last lies this part of its time before a break.
+# Number of times at which drives are evaluated in a run, and in each piece; the last lies this share of its time before a break.
 _LOOKS, _LOOKS_A_PIECE, _BEFORE = 1025, 65, 1e-12
-# A speed that changes by less than this part of its size between two breaks is constant there.
+# A speed that changes by less than this share of its size between two breaks is constant there.
 _CONSTANT = 1e-9
 
 
 def drive_frequency(equations: VelocityEquations, of_formulas: float | None = None) -> float:
-    """Return the largest frequency (rad/s) of the drives, of formulas (where not known yet) and of tables over t; 0 without any.
+    """Return the highest frequency (rad/s) of the drives, both formulas and tables over t; 0 without any.
+
+    `of_formulas` is the frequency of the formulas, if it is already known.
 
     >>> import coursework
     >>> round(drive_frequency(coursework.solve("31").scene.equations), 6)
@@ -46,11 +48,11 @@ def drive_frequency(equations: VelocityEquations, of_formulas: float | None = No
 
 
 def swinging(times: Array, values: Array) -> float:
-    """Return the frequency (rad/s) of the shortest swing of a law (n,) at `times` (n,), 0 where it does not swing back and forth.
+    """Return the frequency (rad/s) of the shortest swing of a law (n,) at `times` (n,); 0 if it does not swing back and forth.
 
-    A period is the time from the middle of one rise to that of the next, or of falls.  Where the ends of the table leave no two
-    of them whole, half a period is the time from rise to fall: the one that is cut is measured at the middle of its whole
-    neighbour, and passed over where it does not get there.
+    A period is the time from the middle of one rise to the middle of the next, or between falls.  If the table does not hold two
+    whole rises or falls, half a period is the time from a rise to a fall: the one cut off is measured at the level of the middle
+    of its whole neighbour, and is left out if it does not reach that level.
 
     >>> t = np.linspace(0, 1, 101)
     >>> round(swinging(t, np.sin(20 * t)), 1), swinging(t, t**2)
@@ -74,9 +76,9 @@ def swinging(times: Array, values: Array) -> float:
 
 
 def turning_cranks(equations: VelocityEquations) -> dict[str, float]:
-    """Return the largest speed (rad/s) of each driven angle that turns on, by its name.
+    """Return the largest speed (rad/s) of each driven angle that keeps turning, by its name.
 
-    That is one whose speed is constant in size between the breaks of the drive, or that makes a whole turn in the run.
+    Such an angle has a constant speed between the breaks of the drive, or makes a whole turn in the run.
     """
     pieces, found = _looks(equations), {}
     for coordinate in equations.variant.coordinates:
@@ -95,7 +97,7 @@ def turning_cranks(equations: VelocityEquations) -> dict[str, float]:
 
 
 def _looks(equations: VelocityEquations) -> list[Array]:
-    """Return the moments (s) of each piece of the run between the breaks of the drive."""
+    """Return the times (s) at which each piece of the run between breaks of the drive is evaluated."""
     end = equations.variant.time.end
     edges = [0.0, *(time for time in breaks(equations.variant) if time < end), end]
     count = max(_LOOKS_A_PIECE, _LOOKS // (len(edges) - 1))
@@ -103,7 +105,7 @@ def _looks(equations: VelocityEquations) -> list[Array]:
 
 
 def _turning_points(values: Array, least: float) -> list[int]:
-    """Return where the law turns back by at least `least`, with the ends of the table before and behind."""
+    """Return the indices where the law turns back by at least `least`, with the ends of the table first and last."""
     points, low, high, rising = [0], 0, 0, 0
     for place, value in enumerate(values.tolist()):
         high = place if rising >= 0 and value > values[high] else high
@@ -120,7 +122,7 @@ def _turning_points(values: Array, least: float) -> list[int]:
 
 
 def _passed(times: Array, values: Array, at: int, towards: int, level: float) -> float:
-    """Return the time (s) at which the law, followed from the node `at` `towards` another one, passes a level."""
+    """Return the time (s) at which the law passes `level`, followed from index `at` to index `towards`."""
     step = 1 if towards > at else -1
     above = values[at] > level
     place = at

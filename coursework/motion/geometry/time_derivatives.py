@@ -1,4 +1,4 @@
-"""Any expression of the positions -> its value, rate and second rate along a motion.
+"""Values, rates and second rates of expressions of the positions along a motion.
 
 Enters: expressions of a scene.  Leaves: arrays.  Used for points, closed-form chains and accelerations.
 """
@@ -22,12 +22,12 @@ RowFunction = Callable[..., Any]
 
 
 def derivative(velocity: str) -> Expression:
-    """Return the symbol of the derivative of a velocity."""
+    """Return the symbol for the time derivative of a velocity."""
     return local(acceleration(velocity))
 
 
 def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], order: int) -> Callable[..., Array]:
-    """Return `rows(t, q, u, du)` -> (n, len(wanted)); u and du are read from order 1 and 2 on.
+    """Return `rows(t, q, u, du)` -> (n, len(wanted)); u is read from order 1 on, du from order 2 on.
 
     `t` (n,), `q` (n, m) coordinates, `u` (n, k) rates then unknowns in file order, `du` (n, k) their derivatives.
     """
@@ -47,7 +47,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], ord
 
 
 def second_rate(equations: VelocityEquations, rate: Expression) -> Expression:
-    """Return d rate / d t, with `derivative(NAME)` for that of the velocity NAME."""
+    """Return d rate / d t, in which `derivative(NAME)` is the derivative of the velocity NAME."""
     symbols = equations.symbols
     total = symbols.partial(rate, TIME)
     for coordinate, its_rate in symbols.rates.items():
@@ -59,14 +59,14 @@ def second_rate(equations: VelocityEquations, rate: Expression) -> Expression:
 
 
 def acceleration_rest(equations: VelocityEquations, equation: VelocityEquation) -> Expression:
-    """Return db/dt - dA/dt u of one velocity equation A u = b: what its coefficients times the accelerations are equal to."""
+    """Return db/dt - dA/dt u for one velocity equation A u = b: the right side of its acceleration equation."""
     moving = add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
     still = {derivative(name): ZERO for name in equations.unknowns}
     return -replaced(second_rate(equations, moving), still)
 
 
 def jets(equations: VelocityEquations, wanted: Sequence[Expression], order: int) -> list[Callable[..., Array]]:
-    """Return the row functions of value, rate (order >= 1) and second rate (order 2) of some expressions."""
+    """Return the row functions for the values, rates (order >= 1) and second rates (order 2) of some expressions."""
     levels = [list(wanted)]
     if order >= 1:
         levels.append([equations.symbols.rate(expr) for expr in wanted])

@@ -1,11 +1,11 @@
-"""Whether each link turns as its rate says: its points, its rolling contact and the bar it slides on have to tell the same.
+"""Whether each link turns at its stated rate: its points, its rolling contact and the bar it slides on must agree with it.
 
 Enters: velocity equations and their closure.  Leaves: nothing.  Raises `InputError` naming each link whose `rate` is another's.
-Used by `unseen_signs.py`.  What no position equation holds, a rate named for the wrong link or a wheel that would slip, moves no
-column of the table, but the plan of velocities and the forces.
+Used by `unseen_signs.py`.  A rate named for the wrong link or a wheel that would slip, if no position equation uses it, changes
+no column of the table, but it changes the velocity plan and the forces.
 
-An angle may be counted clockwise, and then all of its link turns at minus the rate; against other links and for forces a rate
-counts as vectors do, counter-clockwise.
+An angle may be counted clockwise; its whole link then turns at minus the rate.  Where a rate meets other links or forces, it
+counts as vectors do: counter-clockwise.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from coursework.system.arrays import Array
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-_TOLERANCE = 1e-6  # of the rate: far above round-off, far below another link's
+_TOLERANCE = 1e-6  # share of the largest rate: far above round-off, far below the difference from another link's rate
 
 
 def require_turning(equations: VelocityEquations, closure: Closure) -> None:
-    """Raise `InputError` naming each link that turns otherwise than its rate; what holds for some data does for all."""
+    """Raise `InputError` naming each link that does not turn at its rate; checked once for all variants of a template."""
     equations.once("turning", lambda: _require(equations, closure))
 
 
@@ -41,7 +41,7 @@ def _require(equations: VelocityEquations, closure: Closure) -> None:
     matrix, right, _ = compile_system(equations, [*derived, *rows]).matrices(times, positions)
     known, asked = matrix[:, : len(derived)], matrix[:, len(derived) :]
     velocities = np.linalg.pinv(known) @ right[:, : len(derived), None]
-    # What the geometry leaves open is not judged; nor is an arm that grows, which no body has.
+    # What the geometry leaves open is not judged; nor is an arm that grows, because it is no rigid body.
     told = np.array([gives(known, asked[:, place]) for place in range(len(rows))]).reshape(-1, 3)
     found, named, grows = np.moveaxis(((asked @ velocities)[:, :, 0] - right[:, len(derived) :]).reshape(len(times), -1, 3), 2, 0)
     largest = np.max(np.abs(np.concatenate([found, named])), initial=0.0)
@@ -57,7 +57,7 @@ def _require(equations: VelocityEquations, closure: Closure) -> None:
 
 
 def _row(speed: Speed) -> VelocityEquation:
-    """Return a row whose value, coefficients times velocities less the right side, is a speed."""
+    """Return an equation whose residual (coefficients times velocities less the right side) is the given speed."""
     return VelocityEquation("", "", dict(speed.coefficients), -speed.rest)
 
 
@@ -65,9 +65,9 @@ def _of_link(
     turn: Turn, equations: VelocityEquations, times: Array, found: Array, named: Array, largest: float,
     others: Sequence[tuple[str, Array]],
 ) -> Fault | None:  # fmt: skip
-    """Return what is wrong with the rate of one link, told by what is found in (c, k) places; None where nothing is.
+    """Return the fault in the rate of one link, None if its rate is right; `found` and `named` (c, k) are compared.
 
-    `others` are the rates of other links, (c,) each, one of which may be the one that is meant.
+    `others` are the names and rates (c,) of other links, one of which may be meant.
     """
     off = np.abs(found - named)
     if np.all(off <= _TOLERANCE * largest) or (
@@ -84,6 +84,6 @@ def _of_link(
 
 
 def _counted_as_vectors(link: str, equations: VelocityEquations) -> bool:
-    """Return whether something stands in the file for which the sense of a link's rate counts."""
+    """Return whether the file contains something for which the sense of rotation of a link's rate matters."""
     variant = equations.variant
     return variant.forces is not None or any(link in {one.link, one.relative} for one in variant.bindings)

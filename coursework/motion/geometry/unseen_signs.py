@@ -1,9 +1,9 @@
-"""Terms of written equations that are zero with the data of the file: a sign turned there changes nothing, and is not judged.
+"""Terms of written equations that are zero for the data of the file, so that a wrong sign there has no effect.
 
-Enters: velocity equations and their closure.  Leaves: the closure with what agrees, what is not judged, and such terms.
+Enters: velocity equations and their closure.  Leaves: the closure with the agreeing and unjudged equations and such terms.
 Used by `way_to_motion.py`.
-u*sin(gamma) is such a term where the guide is horizontal.  With other data it shows whether its sign is right: where the
-equation agrees with the geometry for them too, it is; where not, the equation is right for these data only.
+An example is u*sin(gamma) with a horizontal guide.  Other data show whether its sign is right: if the equation still agrees
+with the geometry, the sign is right; if not, the equation is right for these data only.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from coursework.variant.formula.tree import Formula, on_axes, signed, spelled
 from coursework.variant.record.no_value import known_value
 from coursework.words.errors import InputError
 
-# Of a datum, or of one that is zero (rad, m): so far it is moved.
+# Change of a datum for the trial: this share of it, or this much (rad, m) if it is zero.
 _MOVED = 0.01
-# Values of what is no datum, and the size below which a term of such values is zero.
+# `_ANY` gives trial values to names that are no data; a term below `_ZERO` at these values is zero.
 _ANY, _ZERO = 0.6180339887498949, 1e-12
 
 
 def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | None:
-    """Return a closure with what it says of the written equations.  Raises `InputError` naming each that it contradicts."""
+    """Return the closure with the verdict on the written equations.  Raises `InputError` naming each contradictory one."""
     if closure is None:
         return None
     try:
@@ -44,7 +44,7 @@ def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | N
 
 
 def _unseen_signs(equations: VelocityEquations, closure: Closure) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Return the written equations that agree with these data only, each with its terms that are zero with them."""
+    """Return the written equations that agree for these data only, each with its terms that these data make zero."""
     found = []
     for one in equations.equations:
         zero = _zeros(one, equations) if one.name in closure.agreed else []
@@ -59,7 +59,7 @@ def _shown(term: Formula) -> str:
 
 
 def _zeros(one: VelocityEquation, equations: VelocityEquations) -> list[Formula]:
-    """Return the terms of the sums of a written equation that hold a datum and are zero whatever moves."""
+    """Return the terms in the sums of a written equation that contain a datum and are zero in every position."""
     data = equations.variant.values
     names = {name for side in one.written or () for name in side.names()}
     values = {name: data.get(name, _ANY * (2 + place)) for place, name in enumerate(sorted(names))}
@@ -69,13 +69,13 @@ def _zeros(one: VelocityEquation, equations: VelocityEquations) -> list[Formula]
 
 
 def _terms(formula: Formula) -> Iterator[Formula]:
-    """Yield the terms of every sum in a formula, the outer ones first."""
+    """Yield the terms of every sum in a formula, outer sums first."""
     for part in (formula, *(node for node in formula.walk() if node.op in {"+", "-"})):
         yield from (term for term, _ in signed(part))
 
 
 def _agrees_otherwise(one: VelocityEquation, zero: list[Formula], equations: VelocityEquations, closure: Closure) -> bool:
-    """Return whether an equation agrees with the geometry also where the data in its zero terms are moved."""
+    """Return whether an equation still agrees with the geometry after the data in its zero terms have been changed."""
     moved = {name for term in zero for name in term.names()}
     variant = equations.variant
     given = tuple(

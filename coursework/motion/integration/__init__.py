@@ -1,1 +1,1 @@
-"""The reduction made a right-hand side (`rates`), marched with a scheme (`integrate`) or without error (`exact_motion`)."""
+"""The reduction as a right-hand side (`rates`), integrated with a scheme (`integrate`) or without error (`exact_motion`)."""

@@ -1,6 +1,6 @@
-"""An embedded pair that chooses its own step: Dormand and Prince 5(4).  Twelve digits are for `order_eight.py`.
+"""An embedded pair with step size control: Dormand and Prince 5(4).  For twelve digits use `order_eight.py`.
 
-Enters: a field of time and position.  Leaves: the states at some times.  Used by `singular` and the accuracy study.
+Enters: a vector field of time and position.  Leaves: the states at given times.  Used by `singular` and the accuracy study.
 Source: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math. 6 (1980).
 """
 
@@ -28,12 +28,12 @@ _ROWS: tuple[dict[int, float], ...] = (
     {0: 35 / 384, 2: 500 / 1113, 3: 125 / 192, 4: -2187 / 6784, 5: 11 / 84},
 )
 _ERROR = {0: 71 / 57600, 2: -71 / 16695, 3: 71 / 1920, 4: -17253 / 339200, 5: 22 / 525, 6: -1 / 40}
-SLOPES = 6  # new slopes a step: the last one is the first of the next step
+SLOPES = 6  # new slopes in each step: its last slope is the first of the next step
 
 
 @cache
 def _written_out(size: int) -> Callable[..., tuple[list[float], list[float], list[float]]]:
-    """Return (field, at, length, *state, *slope) -> the state after a step, its estimated error, the slope there."""
+    """Return a function of (field, at, length, *state, *slope) that gives the state after a step, its error and its slope."""
     parts = range(size)
     lines = [f"def step(field, at, length, {listed('y', parts)}, {listed('k0_', parts)}):"]
     for stage, (node, row) in enumerate(zip(_NODES[1:], _ROWS[1:], strict=True), start=1):
@@ -45,24 +45,24 @@ def _written_out(size: int) -> Callable[..., tuple[list[float], list[float], lis
 
 
 def listed(name: str, parts: Sequence[int]) -> str:
-    """Return a name for each part of a state."""
+    """Return names for the parts of a state, separated by commas."""
     return ", ".join(f"{name}{part}" for part in parts)
 
 
 def weighed(weights: Mapping[int, float], part: int) -> str:
-    """Return the sum of one part of the slopes, each with its weight."""
+    """Return the formula for the weighted sum of the slopes in one part of the state."""
     return " + ".join(f"{weight!r} * k{stage}_{part}" for stage, weight in weights.items())
 
 
 def next_length(length: float, ratio: float, order: int = 5) -> float:
-    """Return the next step length from the ratio error/tolerance of the last one, for a pair of `order`."""
+    """Return the next step length from the ratio error/tolerance of the last step, for a pair of order `order`."""
     return float(length * min(4.0, max(0.2, 0.85 * max(ratio, 1e-10) ** (-1 / order))))
 
 
 def integrate_adaptive(field: Field, state: Array, times: Array, tolerance: float) -> tuple[Array, int]:
-    """Return the states at `times` (n, m) and the number of slopes; every row is hit by a step, not interpolated.
+    """Return the states at `times` (n, m) and the number of slopes; each time is the end of a step, without interpolation.
 
-    `field(t, *state)` gives the slopes (m,), and may give more behind them.
+    `field(t, *state)` gives the slopes (m,); further values after them are ignored.
     """
     goals, now = times.tolist(), state.tolist()
     step, (*slope,) = _written_out(len(now)), field(goals[0], *now)[: len(now)]

@@ -1,4 +1,4 @@
-"""Where a value of one number is zero: the straight line through both ends of a bracket, again and again.
+"""The zero of a function of one number, found by the secant through both ends of a bracket (Illinois method).
 
 Enters: a function, a bracket with its values.  Leaves: the number.
 Used by `turning.py`, `motion/singular/walk.py` and `effects/friction/rubbing.py`.
@@ -15,9 +15,9 @@ _TRIALS = 80
 def crossing(
     value: Callable[[float], float], bracket: tuple[float, float], ends: tuple[float, float], settled: float
 ) -> float | None:
-    """Return where a value is zero to a part `settled` of a bracket, None where it has no number on the way (Illinois).
+    """Return where `value` is zero, to a share `settled` of the bracket; None if it is infinite or nan on the way (Illinois).
 
-    `ends` are the values at the bracket, of two signs.
+    `ends` are the values at the two ends of the bracket, of opposite sign.
 
     >>> round(crossing(lambda x: x * x - 2, (0.0, 2.0), (-2.0, 2.0), 1e-13), 12)
     1.414213562373
@@ -25,7 +25,7 @@ def crossing(
     (low, high), width, (at_low, at_high) = bracket, bracket[1] - bracket[0], ends
     place, side = (low, 0) if abs(at_low) < abs(at_high) else (high, 0)
     for _ in range(_TRIALS):
-        # The straight line through both ends; one that stays twice counts half, so that both close in.
+        # The secant through both ends; the value of an end that is kept twice is halved, so that both ends close in.
         between = (low * at_high - high * at_low) / (at_high - at_low) if at_high != at_low else place
         if not low < between < high or min(high - low, abs(between - place)) <= settled * width:
             break

@@ -1,6 +1,6 @@
-"""The motion without a scheme's error: closed-form chain, Newton on the closure, or a scheme refined until it stands.
+"""The motion without a scheme's error: closed-form chain, Newton on the closure, or a scheme refined until it converges.
 
-Enters: a scene.  Leaves: a `Motion` on the coursework's own rows, labelled with the way it was found.
+Enters: a scene.  Leaves: a `Motion` on the coursework's own rows, with a label that tells how it was found.
 Used by `results/accuracy/study.py`, `continuity.py`, `finer.py` and `way_to_motion.py`.
 """
 
@@ -27,26 +27,26 @@ from coursework.system.frozen import changing
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say
 
-# Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.
+# Without closed positions, two results of one interval must agree to this (rad or m); the extrapolated value is used.
 AGREEMENT = 1e-13
-# An angle of many turns has no thirteen digits behind its point: there round-off is all that two results can agree to.
+# An angle of many turns has fewer than thirteen digits after its point: there two results can agree only to round-off.
 _EPS = float(np.finfo(float).eps)
 _ROUND_OFF = 4 * _EPS
-# With half the step the error is smaller by this and 1: what is left of the difference of two results.
+# Halving the step divides the error by _GAIN + 1; so the finer result is off by the difference of the two over _GAIN.
 _GAIN = 2**PRECISE.order - 1
 _MOST_HALVINGS = 30
-_JUMP = 1e-9  # of an interval
-# Steps that a refined motion may take, some two seconds, beside twelve a row; in a long table a row takes fewer.
+_JUMP = 1e-9  # share of an interval
+# Steps a refined motion may take (some two seconds), besides twelve a row; rows of a table over `_LONG` start with fewer parts.
 MOST_STEPS, _LONG = 100_000, 2_000
 _COUNT, _FEW = 8, 2
-# Results that are further apart altogether (rad or m, or of a coordinate beyond 1) are two motions.
+# If the summed differences exceed this (rad or m, relative for coordinates beyond 1), the result is not the motion.
 _LOST = 1e-6
-# A motion beside the refined one, so far from it, shows how what it is off grows until the end.
+# Start offset (rad, m) of a neighbouring motion, which shows how errors grow until the end.
 _BESIDE = 1e-6
 
 
 class NoVelocities(ArithmeticError):
-    """There are no velocities between two `times` (s), from a `position` (rad, m) on."""
+    """The velocities cannot be computed between two `times` (s), starting from `position` (rad, m)."""
 
     def __init__(self, times: tuple[float, float], position: Sequence[float]) -> None:
         super().__init__(f"the velocities cannot be computed between t = {times[0]:.9g} s and {times[1]:.9g} s")
@@ -54,19 +54,19 @@ class NoVelocities(ArithmeticError):
 
 
 class OutOfReach(ArithmeticError):
-    """A refined motion takes more steps than are made, or its results do not come to agree."""
+    """A refined motion takes too many steps, or its results do not come to agree."""
 
 
 @changing
 class Growth:
-    """How far a refined motion is `off` (rad or m) by what was left in its intervals: it grows as the way `beside` it does."""
+    """The growth of errors: `off` (rad or m), the error of a refined motion, grows as the offset `beside` of a neighbour."""
 
     beside: Array
     off: float = 0.0
 
     def go_on(self, follow: Callable[[Array], Array], begin: Array, end: Array, left: float) -> None:
-        """Add what an interval from `begin` to `end` leaves; `follow` gives where a motion that begins elsewhere gets in it."""
-        with suppress(ArithmeticError, ValueError):  # a way beside it need not exist
+        """Add the error `left` of an interval from `begin` to `end`; `follow` maps a start to the end of the interval."""
+        with suppress(ArithmeticError, ValueError):  # a neighbouring motion need not exist
             beside = follow(begin + self.beside) - end
             before, after = (float(np.max(np.abs(way), initial=0.0)) for way in (self.beside, beside))
             if 0 < after < np.inf:
@@ -77,13 +77,13 @@ class Growth:
 def refine(
     rates: Rates, start: Sequence[float], times: Array, most: int = MOST_STEPS, growth: Growth | None = None
 ) -> tuple[Array, float, int]:
-    """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
+    """Return positions (n, m) by the precise scheme, the sum of the remaining differences, and the number of steps.
 
-    `growth` is told what becomes of them.
+    `growth` collects how these differences grow.
 
-    Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
-    only.  No step reaches across a time at which the drive changes its formula, nor one interval over what it does in less.
-    Raises `OutOfReach` where that takes more than `most` steps beside a dozen a row.
+    If eight and sixteen steps of an interval disagree (in a long table two and four), it is halved, so that a dead point ahead
+    costs only its own interval.  No step crosses a time at which the drive changes its formula, no interval a faster change of
+    the drive.  Raises `OutOfReach` if this takes more than `most` steps besides a dozen a row.
     """
     count = _COUNT if len(times) <= _LONG else _FEW
     most += 12 * len(times)
@@ -102,7 +102,7 @@ def refine(
 
 
 def quick_times(cells: Array, begin: float, end: float) -> list[float]:
-    """Return the times inside an interval (s) at which shorter stretches end, but none within a jump."""
+    """Return the times (s) inside an interval at which shorter stretches of the drive end, leaving out those almost equal."""
     first, last = np.searchsorted(cells, (begin, end), side="right")
     if last - first < 2:
         return []
@@ -123,7 +123,7 @@ def _halved(
     growth: Growth | None,
     depth: int = 0,
 ) -> tuple[list[float], float, int]:
-    """Return the position after an interval, extrapolated from two results, their difference and the steps, `left` at most."""
+    """Return the extrapolated position after an interval, the difference of two results, and the steps (limited by `left`)."""
     try:
         coarse, fine = (loop(begin, parts, (end - begin) / parts, *q) for parts in (count, 2 * count))
         apart = [b - a for a, b in zip(coarse, fine, strict=True)]
@@ -148,9 +148,9 @@ def _halved(
 def passing_motion(
     rates: Rates, start: Sequence[float], times: Array, passages: Sequence[Passage], notes: tuple[str, ...]
 ) -> Motion:
-    """Return the exact motion at `times` through singular positions: refined between them, on their polynomials about them.
+    """Return the exact motion at `times` through singular positions: refined between them, by their polynomials near them.
 
-    `rates` are those that know the limits there (`passage.through`).
+    `rates` must know the limits at these positions (`passage.through`).
     """
     positions = np.empty((len(times), len(start)))
     begin, q, gap, steps = 0.0, np.array(start, dtype=float), 0.0, 0
@@ -179,10 +179,10 @@ def _step(times: Array) -> float:
 def exact_motion(
     rates: Rates, closure: Closure | None, start: Sequence[float], times: Array, chain: Callable[[Array], Array] | None = None
 ) -> Motion:
-    """Return the exact motion at `times` (rows up to a dead point only).
+    """Return the exact motion at `times`, which must end before a dead point.
 
-    Raises `NotReached` where a closure cannot be followed although no dead point was found before, `OutOfReach` where a motion
-    without positions in closed form takes too long.
+    Raises `NotReached` if a closure cannot be followed although no dead point was found before, `OutOfReach` if a motion
+    without closed positions takes too long.
     """
     if chain is not None:
         positions, label = chain(times), say("exact.groups")
@@ -198,6 +198,6 @@ def exact_motion(
 
 
 def no_rows(rates: Rates) -> Motion:
-    """Return the exact motion of a mechanism that cannot begin to move, or of one that is not known."""
+    """Return a motion without rows, for a mechanism that cannot begin to move or whose motion is unknown."""
     q, velocities, determinants = (np.zeros((0, len(names))) for names in (rates.coordinates, rates.velocities, rates.blocks))
     return rates.motion(np.zeros(0), q, EXACT, 0.0, known=(velocities, determinants), label=say("exact.nothing"))

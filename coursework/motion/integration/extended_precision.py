@@ -1,6 +1,6 @@
-"""The same march in another arithmetic: single, double or extended numbers, t = i*h or a running sum.
+"""The same march in another arithmetic: single, double or extended precision, with t = i*h or a running sum.
 
-Enters: rates, a scheme, a kind of number.  Leaves: positions.  Shows what round-off does; nothing else needs it.
+Enters: rates, a scheme, a number type.  Leaves: positions.  Its only purpose is to show the effect of round-off.
 Used by `results/accuracy/round_off.py` and `motion_results.py`.
 """
 
@@ -26,7 +26,7 @@ def march_in(
     kind: Any, rates: Rates, scheme: str, start: Sequence[float], step: float, steps: int,
     *, every: int = 1, running_time: bool = False,
 ) -> Any:  # fmt: skip
-    """Return the positions (steps // every + 1, m) computed in numbers of `kind` (np.float32, np.longdouble …).
+    """Return the positions (steps // every + 1, m) computed in numbers of type `kind` (np.float32, np.longdouble …).
 
     `running_time` adds up t += h instead of t = i*h.
     """

@@ -1,10 +1,10 @@
-"""The least and the largest value of every column of the exact motion over a run, also where it lies between two rows.
+"""The smallest and the largest value of every column of the exact motion over a run, including between rows.
 
 Enters: the exact motion, its rates, the accelerations of any rows.  Leaves: (low, high) by column.
 Used by `way_to_motion.py`.
 
-Close samples show where a column is largest; the slopes at the three samples about it tell when its slope is zero, to the cube
-of their distance; the column itself, flat there, is that of the exact motion at this time, and so right to the sixth power.
+Close samples show where a column is largest.  The slopes at the three samples around it give the time of zero slope with an error
+of the third power of their spacing; the column is flat there, so its exact value at that time has an error of the sixth power.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def extremes(exact: Motion, rates: Rates, accelerations: Callable[[Motion], Arra
 
 
 def _flat(t: Array, slopes: Array) -> float:
-    """Return the time (s) among three samples at which the parabola through their slopes is zero; the middle one without any."""
+    """Return the time (s) at which the parabola through the slopes of three samples is zero; the middle one if there is none."""
     first, middle, last = t.tolist()
     before, here, after = slopes.tolist()
     unit = last - middle
@@ -53,6 +53,6 @@ def _flat(t: Array, slopes: Array) -> float:
     under = linear * linear - 4 * square * here
     if under < 0:
         return float(middle)
-    far = -(linear + math.copysign(math.sqrt(under), linear)) / 2  # no difference of two that are alike
+    far = -(linear + math.copysign(math.sqrt(under), linear)) / 2  # this form of the root subtracts no two similar numbers
     roots = [top / bottom for top, bottom in ((far, square), (here, far)) if bottom]
     return float(middle + unit * min((root for root in roots if back <= root <= 1), key=abs, default=0.0))

@@ -1,8 +1,8 @@
-"""The exact motion between its rows, by a few steps of Runge-Kutta 4 from each of them, and behind its last row.
+"""The exact motion between its rows, by a few Runge-Kutta 4 steps from each row, and after its last row.
 
 Enters: exact rows and rates.  Leaves: the exact motion on rows n times as close, at one more time, or for longer.
 Used by the checks.
-All intervals are followed at once, with a cubic between the steps; where that is not exact enough one is refined by itself.
+All intervals are followed at once, with a cubic between the steps; an interval where this is too inexact is refined by itself.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE
 from coursework.system.arrays import Array
 
-# Runge-Kutta steps an interval is followed by at least.
+# Smallest number of Runge-Kutta steps in an interval.
 _FEWEST = 2
-# What Runge-Kutta may be off at the end of an interval, as part of the range of the coordinate; the limit of a check is 0.05.
+# Largest error of Runge-Kutta at the end of an interval, as a share of the coordinate's range; the limit of a check is 0.05.
 _GAP = 1e-5
-_SUDDEN = 2  # a stretch of the drive in which it needs such a part of a step
-# What the precise scheme may be off behind the last row (rad or m): beyond that the motion meets something it cannot pass.
+_SUDDEN = 2  # a stretch of the drive shorter than 1/_SUDDEN of a step is refined
+# Largest error of the precise scheme after the last row (rad or m): with more the motion meets something it cannot pass.
 _LOST = 1e-7
 
 
 def finer(exact: Motion, rates: Rates, parts: int, rows: int) -> Motion | None:
-    """Return the first `rows` rows of the exact motion with a step of 1/`parts`, None where it cannot be followed so far."""
+    """Return the first `rows` rows of the exact motion at 1/`parts` of its step, None if it cannot be followed so far."""
     intervals = -(-(rows - 1) // parts)
     if rows < 1 or intervals > len(exact.t):
         return None
@@ -53,7 +53,7 @@ def finer(exact: Motion, rates: Rates, parts: int, rows: int) -> Motion | None:
 
 
 def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Array) -> Array:
-    """Return the positions (intervals, parts, m) from each exact row on."""
+    """Return the positions (intervals, parts, m) within each interval, starting with its exact row."""
     steps = parts * -(-_FEWEST // parts) if parts < _FEWEST else _FEWEST
     length = exact.step / steps
     t, q = exact.t[:intervals], exact.coordinates[:intervals]
@@ -73,7 +73,7 @@ def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Ar
     spread = np.ptp(exact.coordinates, axis=0)
     most = MOST_STEPS
     near = np.all(left <= _GAP * np.where(spread > 0, spread, 1.0), axis=1)
-    # What a drive does and undoes between two steps leaves no gap at their end.
+    # A change of the drive that is undone within a step leaves no error at the step's end.
     sudden, _ = resolution(rates.equations, float(times[-1])).shorter(length / _SUDDEN)
     near &= np.diff(np.searchsorted(sudden, np.append(t, t[-1:] + exact.step))) == 0
     for row in np.flatnonzero(~near).tolist():
@@ -89,10 +89,10 @@ def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Ar
 
 
 def _between(positions: Array, moved: Array, places: Array) -> Array:
-    """Return the positions (intervals, k, m) at places (k,) counted in steps: the cubic through both ends of a step.
+    """Return the positions (intervals, k, m) at `places` (k,), counted in steps, from a cubic through the ends of each step.
 
-    `positions` and what their slopes move in a step, `moved`: (steps + 1, intervals, m).  A cubic is off by 1/384 of the step
-    to the fourth power: where Runge-Kutta is off by what it may be, not more than that.
+    `positions` and `moved`, the slopes times the step length, have the shape (steps + 1, intervals, m).  A cubic errs by 1/384 of
+    the step to the fourth power: not more than Runge-Kutta may.
     """
     index = places.astype(int)
     share = (places - index)[:, None, None]
@@ -101,13 +101,13 @@ def _between(positions: Array, moved: Array, places: Array) -> Array:
 
 
 def exact_at(exact: Motion, rates: Rates, time: float) -> Array | None:
-    """Return the exact row (m + k,) at any time (s) up to a step off the first and the last row, None where there is none."""
+    """Return the exact row (m + k,) at a time (s) up to a step outside the rows, None if it cannot be computed."""
     found = _known_at(exact, rates, time)
     return None if found is None else found[: len(exact.names)]
 
 
 def at_times(exact: Motion, rates: Rates, times: Sequence[float]) -> Motion | None:
-    """Return the exact motion at growing `times` (s), rows and any moments between; None where it cannot be followed there."""
+    """Return the exact motion at growing `times` (s), at or between rows; None if it cannot be followed there."""
     rows = [row for time in times if (row := _known_at(exact, rates, time)) is not None]
     if len(rows) < len(times):
         return None
@@ -118,7 +118,7 @@ def at_times(exact: Motion, rates: Rates, times: Sequence[float]) -> Motion | No
 
 
 def _known_at(exact: Motion, rates: Rates, time: float) -> Array | None:
-    """Return coordinates, velocities and determinants of the exact motion at a time (s), None where there are none."""
+    """Return coordinates, velocities and determinants of the exact motion at a time (s), None if they cannot be computed."""
     index = min(int(time / exact.step * (1 + 1e-12)), len(exact.t) - 1) if exact.step else 0
     with suppress(ArithmeticError, ValueError, OutsideTable):
         begin = float(exact.t[index])
@@ -131,9 +131,9 @@ def _known_at(exact: Motion, rates: Rates, time: float) -> Array | None:
 
 
 def prolonged(exact: Motion, rates: Rates, time: float) -> Motion | None:
-    """Return the exact motion with its rows going on up to one at `time` (s), None where it cannot be followed so far.
+    """Return the exact motion continued with its step up to a row at `time` (s), None if it cannot be followed so far.
 
-    It cannot beyond a table over t, nor past a row where a determinant has another sign than in the last one known.
+    This fails beyond the end of a table over t, and where a determinant differs in sign from the last known row.
     """
     begin, step = float(exact.t[-1]), exact.step
     grid = begin + step * np.arange(1, int((time - begin) / step * (1 + 1e-12)) + 1)

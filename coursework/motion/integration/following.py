@@ -1,4 +1,4 @@
-"""The positions of a closure at many times: one Newton over all rows, and single steps where that is not certain.
+"""The positions of a closure at many times: Newton's method on all rows at once, and single steps where that is uncertain.
 
 Enters: a `Closure`, the `Rates` of the same mechanism, times growing from 0.  Leaves: closed positions (n, m).
 Used by `exact_motion.py` and the accuracy study.
@@ -18,20 +18,20 @@ from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE
 from coursework.system.arrays import Array
 
-# A guess further than this from the closed position (rad or m) is not trusted to be the same assembly.
+# A closed position further than this (rad or m) from its guess may belong to another assembly.
 FAR = 0.05
-# Rows guessed in one go: the guess drifts from row to row, and a failure costs no more than these.
+# Rows guessed at once: the guess drifts from row to row, and a failure wastes no more than these.
 MOST_AT_ONCE = 1024
 _MOST_HALVINGS = 30
-# Parts of one row after which a closure counts as not to be followed: a dead point takes about 60, a wrong motion all there are.
+# Largest number of parts of one row: a dead point takes about 60, a wrong motion would take any number.
 _MOST_PARTS = 1000
-# And so many of all rows together, some three seconds.
+# Largest number of parts of all rows together (some three seconds).
 _MOST_ALTOGETHER = 20_000
 _SUBSTEPS = 4
 
 
 class NotReached(Exception):
-    """The closure could not be followed beyond a time."""
+    """The closure could not be followed beyond a certain time."""
 
     def __init__(self, time: float) -> None:
         super().__init__(f"the position could not be followed beyond t = {time:.9g} s")
@@ -40,9 +40,9 @@ class NotReached(Exception):
 def follow_closure(closure: Closure, rates: Rates, times: Array, spent: Callable[[int], object] | None = None) -> Array:
     """Return the positions (n, m) at equally spaced `times`, each closed to round-off.
 
-    The assembly is kept by a guess along the motion for each row and by the signs of the determinants, which change at a dead
-    point only.  Where this leaves a row in doubt, its interval is followed by itself and halved until nothing is.  `spent` is
-    told how many slopes a guess took.  Raises `NotReached` where the mechanism cannot follow.
+    The assembly is kept by a guess along the motion for each row and by the signs of the determinants, which change only at a
+    dead point.  If a row remains in doubt, its interval is followed by itself and halved until there is no doubt.  `spent` is
+    called with the number of slopes of each guess.  Raises `NotReached` if the mechanism cannot follow.
     """
     kept, known = closure.targets(times)
     first = closure.newton(0.0, _placed(closure.start, closure, known[0]), kept[0])
@@ -72,7 +72,7 @@ def follow_closure(closure: Closure, rates: Rates, times: Array, spent: Callable
 
 
 class _Follower:
-    """One assembly of a closure: `signs` are those of its determinants."""
+    """Follows one assembly of a closure, given by the `signs` of its determinants."""
 
     def __init__(self, closure: Closure, rates: Rates, signs: Array) -> None:
         self.closure, self.rates, self.signs = closure, rates, signs
@@ -80,14 +80,14 @@ class _Follower:
         self.parts = 0
 
     def guess(self, row: int, last: int, times: Array, q: Array) -> Array:
-        """Return rows of the precise scheme after `row`, where it stands at q, up to `last` or to where the scheme fails."""
+        """Return the rows that the precise scheme makes from position q of `row` on, up to `last` or until it fails."""
         rows: list[tuple[float, ...]] = []
         with suppress(ArithmeticError, ValueError, OutsideTable):
             self.march(row, last, float(times[1]), self.rates.may_look_until, rows.append, *q.tolist())
         return np.array([found[: len(q)] for found in rows[1:]]).reshape(-1, len(q))
 
     def certain(self, times: Array, guess: Array, targets: Array) -> Array:
-        """Return the closed positions of the rows before the first one that is in doubt."""
+        """Return the closed positions of the rows before the first doubtful one."""
         with suppress(np.linalg.LinAlgError, OutsideTable), np.errstate(all="ignore"):
             found, is_closed = self.closure.newton_rows(times, guess, targets)
             _, determinants = self.rates.table(times, found)
@@ -97,14 +97,14 @@ class _Follower:
         return guess[:0]
 
     def single(self, begin: float, end: float, q: Array, target: Array, known: Array) -> Array | None:
-        """Return the closed position at `end` (s) from the one at `begin`, None where none can be reached."""
+        """Return the closed position at `end` (s), reached from the one at `begin`; None if it cannot be reached."""
         parts = 0
 
         def advance(begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0) -> Array | None:
             nonlocal parts
             parts += 1
             self.parts += 1
-            with suppress(ArithmeticError, ValueError):  # where the guess meets a dead point a shorter one does not
+            with suppress(ArithmeticError, ValueError):  # a shorter step may work where the guess meets a dead point
                 guess = _placed(self._predicted(begin, end - begin, q), self.closure, known)
                 found = self.closure.newton(end, guess, target)
                 if (
@@ -135,7 +135,7 @@ def _signs(rates: Rates, q: Array, t: float = 0.0) -> Array:
 
 
 def _placed(q: Array, closure: Closure, known: Array) -> Array:
-    """Return positions (m,) or (n, m) with the driven coordinates where the drive has them."""
+    """Return positions (m,) or (n, m) with the driven coordinates set to their `known` values."""
     q = q.copy()
     q[..., list(closure.driven)] = known
     return q

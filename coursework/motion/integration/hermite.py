@@ -1,6 +1,6 @@
-"""The cubic through both ends of an interval with the slopes there.
+"""The cubic through both ends of an interval with given slopes there.
 
-Enters: values and what their slopes move in the interval.  Leaves: values between.
+Enters: end values, and end slopes times the length of the interval.  Leaves: values between.
 Used by `finer.py`, `continuity.py`, `peaks.py` and `graph_paper.py`.
 """
 
@@ -10,9 +10,9 @@ from coursework.system.arrays import Array
 
 
 def hermite(begin: Array, end: Array, out: Array, into: Array, part: Array) -> Array:
-    """Return the values at a `part` of the interval, 0 at its begin and 1 at its end; shapes that go together.
+    """Return the values at a `part` of the interval, from 0 at its start to 1 at its end; the shapes must broadcast.
 
-    `out` and `into`: the slopes at `begin` and `end` times the length of the interval.
+    `out` and `into` are the slopes at `begin` and `end` times the length of the interval.
 
     >>> hermite(1.0, 8.0, 3.0, 12.0, 0.25) == 1.25**3
     True

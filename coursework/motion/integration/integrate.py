@@ -1,8 +1,8 @@
-"""The march of the coursework: row by row with one scheme, every determinant watched.
+"""The march of the coursework: row by row with one scheme, watching every determinant.
 
 Enters: rates, a scheme, a step.  Leaves: a `Motion`; rows end before a dead point.  t = i*step, never a running sum.
-Used by the scene and the accuracy study.  The rows come from a loop generated from the tableau; where it ends early, or a
-correction is asked for, the same steps are made one by one, which tells why a motion ends.
+Used by the scene and the accuracy study.  The rows come from a loop generated from the tableau.  If the loop ends early, or if a
+correction is asked for, the same steps are made one by one, which shows why a motion ends.
 """
 
 from __future__ import annotations
@@ -27,27 +27,27 @@ from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
-Numbers = tuple[float, ...]  # of a row: coordinates, velocities, determinants
-# One step that turns a link whose angle stands in a determinant by more than this (rad) can cross a dead point unseen.
+Numbers = tuple[float, ...]  # one row: coordinates, velocities, determinants
+# A step that turns a link by more than this (rad) can cross a dead point unseen, if the link's angle occurs in a determinant.
 WIDEST_STEP = 1.0
-# A coordinate (rad or m) beyond this is none of a mechanism: the rows of a step that is too large grow from row to row.
+# No mechanism has a coordinate beyond this (rad or m): rows made with too large a step grow from row to row.
 OUTGROWN = 1e9
-# The kind of a stop that the scheme makes and the mechanism does not.
+# The kind of a stop caused by the scheme, not by the mechanism.
 TOO_LARGE = "step too large"
 
 
 @frozen
 class Correction:
-    """What keeps the positions closed: `newton` corrections a step, or Baumgarte's `gain` (1/s)."""
+    """The correction that keeps the positions closed: `newton` corrections a step, or Baumgarte's `gain` (1/s)."""
 
     closure: Closure | None
     newton: int
     gain: float = 0.0
 
     def corrected(self, targets: tuple[Array, Array], row: Row, step: float, moved: Array) -> Array:
-        """Return the position (m,) made of `moved`, which one step has made of a `row`.
+        """Return the corrected position (m,) from `moved`, the result of one step from `row`.
 
-        `targets`: the values kept (n, k) and the driven coordinates (n, d) of all rows.
+        `targets` are the target values (n, k) and the driven coordinates (n, d) of all rows.
         """
         assert self.closure is not None
         kept, known = targets
@@ -61,22 +61,22 @@ class Correction:
 
 
 def refuse_gain(gain: float, step: float) -> None:
-    """Raise `InputError` for a Baumgarte gain outside 0 < gain*step < 2: the error is multiplied by 1 - gain*step a step."""
+    """Raise `InputError` for a Baumgarte gain outside 0 < gain*step < 2; each step multiplies the error by 1 - gain*step."""
     if not 0 < gain * step < 2:
         raise InputError(say("fault.C018", gain=gain, step=step, number=1 - gain * step, number_2=2 / step, number_3=1 / step))
 
 
 @frozen
 class Row:
-    """Where a march stands: the coordinates `q` (m,) of row `index`, counted from 0, at `t` (s)."""
+    """The state of a march: the coordinates `q` (m,) of row `index`, counted from 0, at `t` (s)."""
 
     index: int
     t: float
     q: Array
 
     def broken(self, what: str, step: float) -> Stop:
-        """Return the stop of a row that is no row of numbers; `what` it has none of."""
-        if self.has_outgrown:  # what then has no value has none because of the rows before
+        """Return the stop of a row that is not finite; `what` is the key of the reason."""
+        if self.has_outgrown:  # then the values fail because of the rows before
             return self._stop(TOO_LARGE, {}, self._cause(say("event.overflow")), say("event.smaller_step"))
         return self._stop("not finite", {}, self._cause(say(what)), say("event.rows_kept", step=step))
 
@@ -87,14 +87,14 @@ class Row:
         return self._stop(TOO_LARGE, self._named(rates), cause, say("event.better_scheme"))
 
     def too_wide(self, rates: Rates, place: int, turned: float, step: float) -> Stop:
-        """Return the stop of a row whose step turns a coordinate that stands in a determinant by so much (rad)."""
+        """Return the stop of a row whose step turns a guarded coordinate by `turned` (rad), too far to watch the determinant."""
         turn = {"turned": turned, "degrees": float(np.degrees(turned)), "widest": WIDEST_STEP}
         cause = say("event.too_wide", row=self.index + 1, time=self.t, step=step, name=rates.coordinates[place], **turn)
         return self._stop(TOO_LARGE, self._named(rates), cause, say("event.smaller_step"))
 
     @property
     def has_outgrown(self) -> bool:
-        """Return whether a coordinate is none of a mechanism any more."""
+        """Return whether a coordinate is too large for any mechanism."""
         return float(np.max(np.abs(self.q), initial=0.0)) > OUTGROWN
 
     def _cause(self, what: str) -> str:
@@ -109,9 +109,10 @@ class Row:
 
 @frozen
 class March:
-    """How rows are made: `rates` with a `scheme` and its `step` (s), each position corrected if that is asked for.
+    """How rows are made: `rates`, a `scheme`, its `step` (s), and a correction of each position if asked for.
 
-    `guarded`: the coordinates in determinants.  `passages`: where a determinant may change its sign.
+    `guarded` are the indices of coordinates that occur in determinants, `passages` the places where a determinant may change
+    sign.
     """
 
     rates: Rates
@@ -122,9 +123,9 @@ class March:
     passages: Sequence[Passage] = ()
 
     def until(self, start: Sequence[float], end: float, stop: Stop | None = None) -> Motion:
-        """Return the rows from `start` (rad, m) at t = 0 to `end` (s), or to where the true motion has its `stop`.
+        """Return the rows from `start` (rad, m) at t = 0 to `end` (s), or to the `stop` of the true motion.
 
-        They end also where the scheme itself steps over a dead point or out of the numbers.
+        The rows also end where the scheme itself steps over a dead point or overflows.
         """
         rates, step, last = self.rates, self.step, whole_steps(self.step, end)
         if stop is not None:
@@ -143,7 +144,7 @@ class March:
         return rates.motion(times[: len(rows)].copy(), table[:, :size].copy(), name, step, evaluations, known, stop=stop)
 
     def _generated(self, start: Sequence[float], last: int) -> list[Numbers]:
-        """Return the rows up to `last`, or up to the first one after which something is to be told."""
+        """Return the rows up to `last`, or up to the first row after which something must be reported."""
         rows: list[Numbers] = []
         with suppress(ZeroDivisionError, ValueError, OverflowError):
             made = generate_rows(self.scheme, self.rates, self.guarded, WIDEST_STEP)
@@ -151,7 +152,7 @@ class March:
         return rows
 
     def _followed(self, start: Sequence[float], times: Array, rows: list[Numbers]) -> Stop | None:
-        """Add all further rows to those known, step by step from the last one; return why they end early."""
+        """Add all further rows to `rows`, step by step from the last one; return why they end early, None if they do not."""
         rates, step, size, last = self.rates, self.step, len(start), len(times) - 1
         first = max(0, len(rows) - 1)
         q = np.array(rows.pop()[:size] if rows else start, dtype=float)
@@ -183,9 +184,9 @@ class March:
         return None
 
     def _crossed(self, before: Numbers, after: Numbers, here: Row) -> Stop | None:
-        """Return the stop where a determinant has changed its sign between two rows and may not."""
+        """Return the stop if a determinant has changed its sign between two rows outside a passage; None if none has."""
         first, step = len(self.rates.velocities), self.step
-        # A scheme that is a little off meets the singular position a row early or late.
+        # A slightly inaccurate scheme meets the singular position a row early or late.
         passing = {passage.block for passage in self.passages if here.t - 2 * step < passage.middle.time < here.t + step}
         for block, old, new in zip(self.rates.blocks, before[first:], after[first:], strict=True):
             if old * new <= 0 and old != 0 and block not in passing:
@@ -194,13 +195,13 @@ class March:
 
 
 def _first_stop(true: Stop | None, own: Stop) -> Stop:
-    """Return the stop of the true motion where there is one: the scheme's own is told behind it."""
+    """Return the stop of the true motion, with the scheme's own added to its meaning; the scheme's own if there is no other."""
     if true is None:
         return own
     return replace(true, meaning=say("event.both", meaning=true.meaning, cause=own.cause))
 
 
 def left_by_scheme(motion: Motion) -> Motion:
-    """Return rows that end where the true motion goes on: the scheme with its step has left it."""
+    """Return the motion with its stop marked as too large a step: the true motion goes on, but the scheme has left it."""
     assert motion.stop is not None
     return replace(motion, stop=replace(motion.stop, kind=TOO_LARGE, meaning=say("event.smaller_step")))

@@ -1,9 +1,9 @@
-"""A scheme's tableau and a right-hand side -> generated loops without a function call a step.
+"""Loops generated from a scheme's tableau and a right-hand side, without a function call in a step.
 
 Enters: a `Scheme` and `Rates`.  Leaves: `loop` (the position after many steps, nothing watched) and `rows` (every row kept,
 every determinant watched).  Used by the march, the exact motion and the accuracy study.
 
-Names of the loops' own begin with _ and none with _s: those of a file never begin with _, those of stage i with _s{i}_.
+The loops' own names begin with _ but not with _s: names of a file never begin with _, names of stage i begin with _s{i}_.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ _WRITTEN = re.compile(r"[\d.]+(?:e[+-]?\d+)?")
 
 
 def generate_loop(scheme: Scheme, rates: Rates, *, numpy: bool = False) -> Loop:
-    """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h.
+    """Return `loop(begin, steps, h, *q)`: the position after `steps` steps of h (s) from `begin`, at t = begin + i*h.
 
-    With `numpy` in the numbers that it is called with.  Where the drive has breaks, no slope is taken at a time beyond
-    `_latest`, which may be named.
+    With `numpy` the loop computes in the number type of its arguments.  If the drive has breaks, the loop also takes `_latest`
+    (s): no slope is evaluated later than that.
     """
     if (scheme, numpy) not in rates.loops:
         rates.loops[scheme, numpy] = build(_loop_source(scheme, _Shape.of(rates)), "loop", rates.body, numpy=numpy)
@@ -54,11 +54,11 @@ def _loop_source(scheme: Scheme, shape: _Shape) -> str:
 
 
 def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: float) -> RowLoop:
-    """Return `rows(first, last, h, latest, keep, *q)`, which marches from row `first` at q and gives each row to `keep`.
+    """Return `rows(first, last, h, latest, keep, *q)`, which marches from row `first` at q and passes each row to `keep`.
 
-    A row is (*coordinates, *velocities, *determinants) at t = i*h.  The march ends before `last` where a determinant changes
-    its sign, a guarded coordinate turns by more than `widest` (rad) in a step or a coordinate leaves the numbers; whoever
-    calls finds out which.  `latest(t)` says how far a step that ends at t may look (`Rates.may_look_until`).
+    A row is (*coordinates, *velocities, *determinants) at t = i*h.  The march ends before `last` if a determinant changes
+    its sign, a guarded coordinate turns by more than `widest` (rad) in a step or a coordinate overflows; the caller must find
+    out which.  `latest(t)` is the last time at which a step that ends at t may evaluate slopes (`Rates.may_look_until`).
     """
     return build(_rows_source(scheme, _Shape.of(rates), tuple(guarded), widest), "rows", rates.body)
 
@@ -87,7 +87,7 @@ def _rows_source(scheme: Scheme, shape: _Shape, guarded: tuple[int, ...], widest
         *stages.later("_latest_now" if shape.breaks else ""),
         *(f"{name} = {stages.moved(scheme.outer, place)}" for place, name in enumerate(moved)),
         *([f"if not ({' and '.join(turned)}): return"] if turned else []),
-        # Infinity minus itself is no number: a sum tells whether any of its terms has left the numbers.
+        # Infinity minus itself is nan: a sum shows whether any of its terms is not finite.
         *([f"_sum = {' + '.join(free)}", "if _sum - _sum != 0.0: return"] if free else []),
         f"{', '.join(position)}, = {', '.join(moved)},",
     ]
@@ -102,7 +102,7 @@ def _rows_source(scheme: Scheme, shape: _Shape, guarded: tuple[int, ...], widest
 
 @frozen
 class _Shape:
-    """What of `Rates` no datum changes: a loop is written once for all variants that share it."""
+    """The parts of `Rates` that do not depend on data: one loop is written for all variants that share them."""
 
     coordinates: tuple[str, ...]
     velocities: tuple[str, ...]
@@ -119,17 +119,17 @@ class _Shape:
 
     @property
     def constant(self) -> set[str]:
-        """Return the names that a line sets to one of the numbers or to a number written out."""
+        """Return the names to which a line assigns one of the numbers or a literal number."""
         set_to = ((line.targets[0], line.text.partition(" = ")[2].removeprefix("-")) for line in self.lines)
         return {name for name, value in set_to if value in self.numbers or _WRITTEN.fullmatch(value)}
 
     def arguments(self, *own: str) -> str:
-        """Return the arguments of a loop: its own, then the numbers, which nobody passes."""
+        """Return the arguments of a loop: its own, then the numbers as default arguments that no caller passes."""
         return with_numbers(own, self.numbers)
 
 
 class _Stages:
-    """Writes the stages of one step; the operations and their order are those of `Scheme.step`."""
+    """Writes the code for the stages of one step; the operations and their order are those of `Scheme.step`."""
 
     def __init__(self, scheme: Scheme, shape: _Shape) -> None:
         self.scheme, self.shape = scheme, shape
@@ -138,11 +138,11 @@ class _Stages:
         self.outputs = {f"_{private(name)}" for name in shape.velocities}
 
     def name(self, stage: int, name: str) -> str:
-        """Return how a name of the program is called in one stage."""
+        """Return the name that a name of the program has in the given stage."""
         return f"_s{stage}_{name}" if name in self.targets else name
 
     def lines(self, stage: int) -> list[str]:
-        """Return the program at _t{stage}, without the copies that `Rates.evaluate` returns."""
+        """Return the program of one stage, at time _t{stage}, without the copies that `Rates.evaluate` returns."""
         named = [f"_q{stage}_{place}" for place in range(len(self.position))] if self.scheme.inner[stage].terms else self.position
         inside = {"t": f"_t{stage}", **dict(zip(self.position, named, strict=True))}
         inside |= {target: self.name(stage, target) for target in self.targets}
@@ -150,7 +150,7 @@ class _Stages:
         return [moved.text for line, moved in lines if not self.outputs & set(line.targets)]
 
     def later(self, latest: str = "") -> list[str]:
-        """Return time, position and program of every stage but the first; no time lies beyond `latest` where it is named."""
+        """Return time, position and program of every stage but the first; times are limited to `latest`, if it is given."""
         lines = []
         for stage in range(1, self.scheme.slopes):
             node = self.scheme.nodes[stage]
@@ -164,7 +164,7 @@ class _Stages:
         return lines
 
     def moved(self, row: Sum, place: int) -> str:
-        """Return the coordinate at `place` after one row of the tableau."""
+        """Return the formula for the coordinate at index `place` after one row of the tableau."""
         rate = private(self.shape.velocities[place])
         (first, whole), *rest = row.terms
         total = ("" if whole == 1 else f"{whole}*") + self.name(first, rate)
@@ -173,7 +173,7 @@ class _Stages:
         return f"{self.position[place]} + {_share(row.factor)}*{f'({total})' if rest else total}"
 
     def shares(self) -> list[str]:
-        """Return the lines that name every part of h that the scheme takes, once for all steps."""
+        """Return the lines that compute the scheme's fractions of h, once for all steps."""
         parts = {*self.scheme.nodes, *(row.factor for row in (*self.scheme.inner, self.scheme.outer))} - {0, 1}
         return [f"{_share(part)} = {_product(part)}" for part in sorted(parts)]
 

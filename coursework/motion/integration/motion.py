@@ -1,4 +1,4 @@
-"""What a march leaves behind: the rows, and why it stopped.
+"""The result of a march: the rows, and why it stopped.
 
 Enters: numbers from `integrate.py` or `exact_motion.py`.  Leaves: frozen `Motion`.  Read by checks, kinematics, report.
 """
@@ -18,12 +18,12 @@ from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-# A row this part of its own time before an event stands at the event: its velocities are no numbers any more.
+# A row closer to an event than this share of its time counts as at the event: its velocities may not be finite.
 AT_EVENT = 1e-9
 
 
 def rows_before(time: float, step: float) -> int:
-    """Return how many rows stand before an event at `time` (s)."""
+    """Return the number of rows before an event at `time` (s)."""
     return max(0, math.ceil(time / step * (1 - AT_EVENT) - AT_EVENT))
 
 
@@ -31,11 +31,11 @@ def rows_before(time: float, step: float) -> int:
 class Stop:
     """Why a motion ended before its time.
 
-    `kind` is "dead point", "change point" (two branches meet), "step too large" or "not finite" (the scheme's own doing), or what
-    forces add to these (`FreeMotion.ended`);
+    `kind` is "dead point", "change point" (two branches meet), "step too large" or "not finite" (caused by the scheme), or a
+    further kind of motion under forces (`FreeMotion.ended`);
     `time` in s; `row` as a fraction (5.84 lies between rows 5 and 6, counted from 0); `block` the unknown velocities of the
-    singular block; `coordinates` the configuration there; `determinant` its name in words; `cause` and `meaning` are
-    sentences for the reader; `branches` the velocities possible at a change point.
+    singular block; `coordinates` the configuration there; `cause` and `meaning` are sentences for the reader; `branches` the
+    velocities possible at a change point.
     """
 
     kind: str
@@ -49,27 +49,27 @@ class Stop:
 
     @property
     def name(self) -> Sentence:
-        """Return what such a stop is called."""
+        """Return the name of this kind of stop."""
         return say(f"event.kind.{self.kind}")
 
     @property
     def sentence(self) -> str:
-        """Return the whole finding as one paragraph."""
+        """Return cause and meaning as one paragraph."""
         return joined([self.cause, self.meaning])
 
     @property
     def refusal(self) -> InputError:
-        """Return the error for what only a motion that reaches its end has."""
+        """Return the error for a request that needs a motion that reaches its end."""
         return InputError(say("fault.D037", sentence=self.sentence))
 
 
 @caching
 class Motion:
-    """Rows of one run.
+    """The rows of one run.
 
     `t` (n,) s; `coordinates` (n, m) rad or m; `velocities` (n, k) for `velocity_names` (rates in file order, then
     unknowns); `determinants` (n, blocks) raw and `scaled` (n, blocks) dimensionless; `scheme`, `step` (s),
-    `evaluations` of the right-hand side; `stop` or None.  `label` says how the rows came about.
+    `evaluations` of the right-hand side; `stop` or None.  `label` tells how the rows were made.
     """
 
     t: Array
@@ -105,7 +105,7 @@ class Motion:
         return f"<Motion: {self.scheme}, {len(self.t)} rows of {', '.join(self.names)}{stopped}>"
 
     def column(self, name: str) -> Array:
-        """Return one column by name (n,).  Raises `KeyError` for a name that is none."""
+        """Return one column (n,) by its name.  Raises `KeyError` for an unknown name."""
         if name == "t":
             return self.t
         for names, rows in ((self.coordinate_names, self.coordinates), (self.velocity_names, self.velocities)):
@@ -115,7 +115,7 @@ class Motion:
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """Return the columns after t."""
+        """Return the names of the columns after t."""
         return self.coordinate_names + self.velocity_names
 
     @cached_property

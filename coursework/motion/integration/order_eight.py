@@ -1,7 +1,7 @@
-"""The pair of Dormand and Prince of order 8(5,3), where twelve digits are wanted: one step, written out for its components.
+"""One step of the Dormand-Prince pair of order 8(5,3), for twelve digits, written out component by component.
 
-Enters: a field whose time is one of the components.  Leaves: the state after a step and its estimated error.
-Used by `singular`, which takes thousands of such steps: as loops over lists or arrays they would cost more than the field.
+Enters: a vector field that has time among its components.  Leaves: the state after a step and its estimated error.
+Used by `singular`, which takes thousands of such steps: loops over lists or arrays would cost more than the field.
 Source: E. Hairer, S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", 1993, II.10 (DOP853).
 """
 
@@ -17,7 +17,7 @@ from coursework.equations.codegen.programs import Bound, build
 from coursework.motion.integration.adaptive import Field, listed, weighed
 from coursework.system.arrays import Array
 
-# Place of a slope: its weight, for every slope of a step but the first.
+# For every slope of a step but the first: index of an earlier slope -> its weight.
 _ROWS: tuple[dict[int, float], ...] = (
     {0: 0.05260015195876773},
     {0: 0.0197250569845379, 1: 0.0591751709536137},
@@ -38,16 +38,16 @@ _ROWS: tuple[dict[int, float], ...] = (
 )  # fmt: skip
 _RESULT = {0: 0.054293734116568765, 5: 4.450312892752409, 6: 1.8915178993145003, 7: -5.801203960010585, 8: 0.3111643669578199,
              9: -0.1521609496625161, 10: 0.20136540080403034, 11: 0.04471061572777259}  # fmt: skip
-# Differences from results of order three and five.
+# Differences from the embedded results of order three and five.
 _THIRD = {0: -0.18980075407240762, 5: 4.450312892752409, 6: 1.8915178993145003, 7: -5.801203960010585,
             8: -0.4226823213237919, 9: -0.1521609496625161, 10: 0.20136540080403034, 11: 0.02265179219836082}  # fmt: skip
 _FIFTH = {0: 0.01312004499419488, 5: -1.2251564463762044, 6: -0.4957589496572502, 7: 1.6643771824549864,
             8: -0.35032884874997366, 9: 0.3341791187130175, 10: 0.08192320648511571, 11: -0.022355307863886294}  # fmt: skip
-SLOPES = len(_ROWS)  # new slopes a step: the first one is known
+SLOPES = len(_ROWS)  # new slopes in each step: the first one is known
 
 
 def dormand_prince_8(field: Field, state: Array, slope: Array, length: float) -> tuple[Array, list[float]]:
-    """Return the state (m,) one step further and its error, m numbers; `slope` = field(*state).
+    """Return the state (m,) after a step of `length` and its estimated error (m numbers); `slope` is field(*state).
 
     >>> end, error = dormand_prince_8(lambda x, t: (x, 1.0), np.array([1.0, 0.0]), np.array([1.0, 1.0]), 0.1)
     >>> f"{end[0]:.12f}"
@@ -60,7 +60,7 @@ def dormand_prince_8(field: Field, state: Array, slope: Array, length: float) ->
 
 @cache
 def _written_out(size: int) -> Callable[..., tuple[list[float], list[float], list[float]]]:
-    """Return (field, length, *state, *slope) -> the state after a step, and its differences from order three and five."""
+    """Return a function of (field, length, *state, *slope): the state after a step, its differences from order three and five."""
     parts = range(size)
     lines = [f"def step(field, length, {listed('y', parts)}, {listed('k0_', parts)}):"]
     for stage, weights in enumerate(_ROWS, start=1):

@@ -1,10 +1,10 @@
-"""A motion through a position where a determinant vanishes and yet one motion only goes on: 0/0 with a limit.
+"""A motion through a singular position where its velocities have a limit (0/0) and only one continuation exists.
 
 Enters: `Passage`, found by the search for dead points.  Leaves: rates that know the limit, and positions on the way through.
 Used by `integrate.py`, `exact_motion.py`, the kinematics and the scene; made by `motion/singular/passing.py`.
 
-Between the flanks, two on each side, the motion is the polynomial with their positions and rates and those of the passage
-itself: degree nine, so that it is exact to round-off over a hundredth of the way to the next singular position.
+Between the flanks, two on each side, the motion is the polynomial through their positions and rates and those of the passage
+itself.  Its degree is nine, so it is exact to round-off over a hundredth of the way to the next singular position.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
 from coursework.system.frozen import caching, frozen
 
-# Distances of the flanks from the passage, and the weights with which their values give the one in the middle (error flank^4).
+# Places of the flanks about the passage, and weights by which their values interpolate its own (error flank^4).
 FLANKS = (-2, -1, 1, 2)
 WEIGHTS = (-1 / 6, 2 / 3, 2 / 3, -1 / 6)
 
 
 @frozen
 class State:
-    """A moment of the true motion: `time` (s), `position` (m,), every velocity by its name."""
+    """One state of the true motion: `time` (s), `position` (m,), every velocity by its name."""
 
     time: float
     position: Array
@@ -37,9 +37,9 @@ class State:
 
 @caching
 class Passage:
-    """`middle`: where the determinant of block number `block` vanishes; `flanks` (four) about it, `flank` s apart.
+    """A passage through the singular position `middle`, where the determinant of block number `block` vanishes.
 
-    `rates` are the names of the coordinates' rates.
+    The four `flanks` are states around it, `flank` s apart; `rates` are the names of the coordinates' rates.
     """
 
     block: int
@@ -49,7 +49,7 @@ class Passage:
     rates: tuple[str, ...]
 
     def is_at(self, t: Any) -> Any:
-        """Return whether a time (s) or times (n,) are those of the passage."""
+        """Return whether a time (s), or each of times (n,), is that of the passage."""
         return np.abs(t - self.middle.time) <= AT_EVENT * self.middle.time
 
     @cached_property
@@ -63,13 +63,13 @@ class Passage:
         return np.linalg.solve(np.vstack([values, slopes]), np.vstack([[state.position for state in states], rates]))
 
     def positions(self, times: Array) -> Array:
-        """Return the positions (n, m) at times (s) between the outer flanks."""
+        """Return the positions (n, m) at `times` (s) between the outer flanks."""
         x = (times - self.middle.time) / self.flank
         return np.vander(x, len(self._coefficients), increasing=True) @ self._coefficients
 
 
 def through(rates: Rates, passages: Sequence[Passage]) -> Rates:
-    """Return the rates that have the limit's velocities at a passage, where their own formulas are 0/0."""
+    """Return rates that give the limit's velocities at each passage, where their own formulas are 0/0."""
     if not passages:
         return rates
     limits = [_limit(rates, passage) for passage in passages]
@@ -90,7 +90,7 @@ def through(rates: Rates, passages: Sequence[Passage]) -> Rates:
 
 
 def _limit(rates: Rates, passage: Passage) -> tuple[float, ...]:
-    """Return velocities and determinants at a passage: those of other blocks from its flanks, its own 0."""
+    """Return velocities and determinants at a passage: its own determinant is 0, the others are interpolated from the flanks."""
     own = [passage.middle.velocities[name] for name in rates.velocities]
     places = [index for index, rate in enumerate(passage.rates) if rate in rates.velocities[: len(rates.coordinates)]]
     beside = [rates.evaluate(state.time, *state.position[places].tolist())[len(own) :] for state in passage.flanks]

@@ -1,4 +1,4 @@
-"""Reduction -> plain functions for the march: every velocity and determinant at (t, q), and whole loops in one piece.
+"""The reduction as plain functions for the march: every velocity and determinant at (t, q).
 
 Enters: a `Reduction`.  Leaves: `Rates`.  Used by `integrate.py`, `exact_motion.py`, the accuracy study.
 """
@@ -28,8 +28,8 @@ from coursework.system.frozen import caching
 if TYPE_CHECKING:
     pass
 
-_SOLVED = 25  # formulas that a block solved by numbers takes as long as
-# Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
+_SOLVED = 25  # cost of a block solved numerically, in formulas
+# Share of its time by which a step stays before a break of the drive: its last slope must still use the old formula.
 _BEFORE_BREAK = 1e-13
 
 
@@ -37,9 +37,9 @@ _BEFORE_BREAK = 1e-13
 class Rates:
     """The right-hand side of a scene.
 
-    `evaluate(t, *q)` -> velocities then determinants, floats; `rows` the same over arrays (n,).  `coordinates` integrated;
-    `velocities` returned (rates of the coordinates first); `blocks` indices evaluated; `body` the program behind them;
-    `equations` what it was made from; `breaks` the times (s) at which the drive changes its formula.
+    `evaluate(t, *q)` gives velocities, then determinants, as floats; `rows` the same over arrays (n,).  `coordinates` are those
+    integrated, `velocities` those returned (rates of the coordinates first), `blocks` the indices of the blocks evaluated.
+    `body` is the program behind them, `equations` its source; `breaks` are the times (s) at which the drive changes its formula.
     """
 
     coordinates: tuple[str, ...]
@@ -53,27 +53,27 @@ class Rates:
 
     @cached_property
     def loops(self) -> dict[tuple[Any, bool], Callable[..., Any]]:
-        """Return the loops of schemes made so far: a page follows hundreds of intervals by the same one."""
+        """Return the cache of compiled loops; a page follows hundreds of intervals with the same one."""
         return {}
 
     def may_look_until(self, end: float) -> float:
-        """Return how far (s) a step that ends at `end` may look: up to a break of the drive that lies there, else any time."""
+        """Return the last time (s) at which a step ending at `end` may evaluate slopes: just before a break there, else any."""
         return may_look_until(self.breaks, end)
 
     def slopes(self, end: float = math.inf) -> Slopes:
-        """Return `f(t, q)`, the slopes (m,) of a step that ends at `end` (s), in the arithmetic of the march."""
+        """Return `f(t, q)`: the slopes (m,) for a step that ends at `end` (s), in the arithmetic of the march."""
         size, latest = len(self.coordinates), self.may_look_until(end)
         return lambda t, q: np.array(self.evaluate(min(t, latest), *q.tolist())[:size])
 
     def slopes_of_rows(self, ends: Array) -> Slopes:
-        """Return `f(t, q)`, the slopes (n, m) of n steps at once, each of which ends at its own of `ends` (s)."""
+        """Return `f(t, q)`: the slopes (n, m) for n steps at once, which end at the times `ends` (s)."""
         size = len(self.coordinates)
         latest = np.array([self.may_look_until(end) for end in ends.tolist()]) if self.breaks else np.inf
         return lambda t, q: self.table(np.minimum(t, latest), q)[0][:, :size]
 
     @property
     def weight(self) -> float:
-        """Return what a slope costs, 1 where all velocities are formulas: a block that is solved by numbers is far dearer."""
+        """Return the cost of a slope: 1 if all velocities are formulas; blocks solved numerically cost far more."""
         return float(sum(_SOLVED if "_solve(" in line.text else 0 for line in self.body.lines)) or 1.0
 
     def table(self, t: Array, q: Array) -> tuple[Array, Array]:
@@ -85,20 +85,20 @@ class Rates:
         self, t: Array, q: Array, scheme: str, step: float, evaluations: int = 0,
         known: tuple[Array, Array] | None = None, **told: Any,
     ) -> Motion:  # fmt: skip
-        """Return the motion with rows at `t` (n,) s and `q` (n, m); `known`: what `table` returns, where that is known."""
+        """Return the motion with rows at `t` (n,) s and `q` (n, m); `known` is the result of `table`, if it is known."""
         velocities, determinants = known or self.table(t, q)
         bare, names = np.zeros((len(t), 0)), (self.coordinates, self.velocities)
         return Motion(t, q, velocities, determinants, bare, *names, scheme, step, evaluations, **told)
 
 
 def may_look_until(breaks: Sequence[float], end: float) -> float:
-    """Return how far (s) a step that ends at `end` may look: up to a break that lies there, else any time."""
+    """Return the last time (s) at which a step that ends at `end` may evaluate slopes: just before a break there, else any."""
     at_break = any(abs(end - time) <= _BEFORE_BREAK * time for time in breaks)
     return end * (1 - _BEFORE_BREAK) if at_break else math.inf
 
 
 def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None = None) -> Rates:
-    """Return the right-hand side for all columns, or only for what `wanted` columns need.
+    """Return the right-hand side for all columns, or only for what the `wanted` columns need.
 
     The coordinates integrated are those wanted and those their velocities depend on.
     """
@@ -116,7 +116,7 @@ _Parts = tuple[tuple[str, ...], tuple[str, ...], tuple[int, ...], tuple[str, ...
 
 
 def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None) -> _Parts:
-    """Return what of `Rates` no datum changes, the names of its results and its program."""
+    """Return the parts of `Rates` that do not depend on data, the names of its results and its program."""
     variant = equations.variant
     every = (*variant.rates, *(name for name, _ in variant.unknowns))
     coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, every)
@@ -135,7 +135,7 @@ def _result(velocity: str) -> str:
 
 
 def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str]) -> tuple[set[str], set[str]]:
-    """Return the coordinates to integrate and the velocities to compute so that `wanted` columns come out."""
+    """Return the coordinates to integrate and the velocities to compute for the `wanted` columns."""
     variant = equations.variant
     rate_of = {c.name: c.rate for c in variant.coordinates}
     definitions = equations.symbols.definitions

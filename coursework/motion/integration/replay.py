@@ -1,4 +1,4 @@
-"""Whether rows follow from each other: each row made anew from the row before it.
+"""Whether rows follow from each other: each row is made again from the row before it.
 
 Enters: rates, a scheme, a correction, a motion.  Leaves: the rows as they must be.  Used by the checks.
 """
@@ -19,7 +19,7 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Replay:
-    """The way the rows of a run were made: `scheme` from `start` (rad, m), with the run's own `correction`."""
+    """How the rows of a run were made: with `scheme` from `start` (rad, m), with the run's own `correction`."""
 
     rates: Rates
     scheme: Scheme
@@ -37,7 +37,7 @@ class Replay:
         return np.hstack([np.vstack([np.array(self.start, dtype=float)[None, :], moved]), velocities])
 
     def row(self, motion: Motion, index: int) -> Array:
-        """Return one row (m + k,) in the arithmetic of the march itself, one number at a time."""
+        """Return one row (m + k,) in the scalar arithmetic of the march itself."""
         rates = self.rates
         own = rates.evaluate(float(motion.t[index]), *motion.coordinates[index].tolist())[: len(rates.velocities)]
         if index == 0:

@@ -1,10 +1,10 @@
-"""When a column of the exact motion turns back: sought in continuous time, not read at the rows.
+"""The times at which a column of the exact motion turns back, found in continuous time and not read off the rows.
 
 Enters: the exact motion, its rates, the slope of a column.  Leaves: times (s), and closer samples.
 Used by `strokes.py` and `extremes.py`.
 
-Samples of a closer exact motion bracket each change of sign; the slope at a time between them is that of the exact motion
-followed from the row before, so that a root is right to the accuracy of the exact rows and not to that of the step.
+Samples of a closer exact motion bracket each change of sign.  The slope at a time between them comes from the exact motion
+followed from the row before, so that a root has the accuracy of the exact rows, not of the step.
 """
 
 from __future__ import annotations
@@ -22,42 +22,42 @@ from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
 
 Slope = Callable[[Motion], Array]
-# Samples of a run that bracket the roots, and the most parts that a step is cut into for them.
+# Number of samples of a run that bracket the roots, and the largest number of parts of a step for them.
 _SAMPLES, _MOST_PARTS = 2000, 16
-# A slope of this part of its largest size is none: what round-off leaves of a position that is dead, or of a drive that rests.
+# A slope below this share of its largest size counts as zero: round-off at a dead position, or of a drive at rest.
 STANDS = 1e-11
-# A root is sought to this part of the time between two samples.
+# A root is located to this share of the time between two samples.
 _SETTLED = 1e-13
 
 
 def closer(exact: Motion, rates: Rates) -> Motion:
-    """Return the exact motion with rows close enough to bracket what lies between those of `exact`."""
+    """Return the exact motion with rows close enough to bracket what lies between the rows of `exact`."""
     parts = min(_MOST_PARTS, -(-_SAMPLES // max(len(exact.t), 1)))
     rows = (len(exact.t) - 1) * parts + 1
     return (finer(exact, rates, parts, rows) if parts > 1 else None) or exact
 
 
 def stands(slopes: Array) -> NDArray[np.bool_]:
-    """Return at which samples (n,) a slope is none."""
+    """Return at which samples (n,) a slope counts as zero."""
     return np.asarray(np.abs(slopes) <= STANDS * np.max(np.abs(slopes), initial=0.0))
 
 
 def turns(slopes: Array) -> list[tuple[int, int]]:
-    """Return between which two samples a slope (n,) changes its sign; where it is none it has no sign."""
+    """Return the pairs of samples between which a slope (n,) changes its sign; samples that count as zero are skipped."""
     signed = np.flatnonzero(~stands(slopes))
     changes = np.flatnonzero(np.diff(np.sign(slopes[signed])))
     return [(int(signed[place]), int(signed[place + 1])) for place in changes]
 
 
 def root(exact: Motion, rates: Rates, slope: Slope, bracket: tuple[float, float]) -> float | None:
-    """Return the time (s) in a bracket at which a slope of the exact motion is zero; None where it cannot be followed there."""
+    """Return the time (s) in a bracket at which a slope of the exact motion is zero; None if it cannot be followed there."""
     low, high = bracket
     begin = at_times(exact, rates, [low])
     if begin is None:
         return None
 
     def value(time: float) -> float:
-        motion = at_times(begin, rates, [time])  # a short way to follow, where that from the row before it is longer
+        motion = at_times(begin, rates, [time])  # from `begin` the way is shorter than from the row before
         return math.nan if motion is None else float(slope(motion)[0])
 
     ends = float(slope(begin)[0]), value(high)

@@ -1,11 +1,11 @@
-"""Change points: where A u = b loses rank and stays solvable, so that two motions meet; and the velocities possible there.
+"""Change points, where A u = b loses rank but stays solvable, so that two motions meet; and the velocities possible there.
 
 Enters: the flow and a state near such a point.  Leaves: the point itself, or None; then its branches.  Used by
 `search.py` and `scene.py`.
 
 Near a change point the true motion is one arm of a crossing, and a motion that is off by 1e-12 m passes it at 1e-6 rad on
-either side.  So it is not waited for until a determinant vanishes: Newton goes to the crossing itself, and how far the
-motion would miss it decides.  Source: hard cases H03, H04 (tangent cone of the loop closure), H06.
+either side.  Waiting for a determinant to vanish would therefore fail: Newton's method goes to the crossing itself, and the
+distance by which the motion misses it decides.  Source: hard cases H03, H04 (tangent cone of the loop closure), H06.
 """
 
 from __future__ import annotations
@@ -19,25 +19,25 @@ from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
 MAX_NEWTON = 12
-_CLOSE = 1e-13  # rad or m; Newton's last correction
-_ZERO = 1e-9  # of their size: determinant and demand at the crossing
-_STRAYED = 10.0  # times as far as is asked for: from there Newton goes on to a point somewhere else, if to any
-_NUDGE = 1e-6  # rad or m of the differences in Newton's matrix
+_CLOSE = 1e-13  # rad or m; size of Newton's last correction
+_ZERO = 1e-9  # relative to their size: determinant and demand at the crossing
+_STRAYED = 10.0  # multiple of the distance allowed: beyond it Newton would find another point, if any
+_NUDGE = 1e-6  # rad or m; step of the differences in Newton's matrix
 _STEP = 1e-5  # s along the motion; central difference, error about 1e-10
-_SAME = 1e-6  # rad/s or m/s between two motions that are one
-_FLAT = 1e-6  # a coefficient of the quadratic below this part of the largest is zero
-_TOLD = 1e3 * float(np.finfo(float).eps) / _STEP  # of the matrix: differences that have three digits
-# Two-point Gauss rule: the closure error between two positions, right to the fourth order of their distance.
+_SAME = 1e-6  # rad/s or m/s; velocities that differ by less are one motion
+_FLAT = 1e-6  # a coefficient of the quadratic below this share of the largest counts as zero
+_TOLD = 1e3 * float(np.finfo(float).eps) / _STEP  # relative to the matrix; smaller differences have fewer than three digits
+# Two-point Gauss rule for the closure error between two positions; exact to the fourth order of their distance.
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
 
 def nearest_change_point(
     flow: Flow, t: float, q: Array, block: int, rates: Array, within: float
 ) -> tuple[float, Array, float] | None:
-    """Return the change point of `block` at most `within` (rad or m) from (t, q), None where Newton finds none.
+    """Return the change point of `block` at most `within` (rad or m) from (t, q), None if Newton's method finds none.
 
-    It is told by its time (s), its position, and by how much of its size the motion misses it.
-    `rates` (m,) of the motion at (t, q).
+    The result is its time (s), its position, and by what share of its size the motion misses it.
+    `rates` (m,) are those of the motion at (t, q).
     """
     near = _crossing_near(flow, t, q, block, rates)
     try:
@@ -53,12 +53,12 @@ def nearest_change_point(
 
 @frozen
 class _Crossing:
-    """Where a change point is looked for about (t, q): unknowns are the displacements of the block's own unknowns and the time,
-    as far as the motion goes in it at its `pace`.
+    """The search for a change point near (t, q).
 
-    They make the determinant and the demand of the drive zero and keep every equation of the block but the one that is lost.
-    `own` are coordinates and the unknowns that are their rates, `left` (k, k) the directions of the block's equations at (t, q),
-    the lost one last; `earlier` (m,) marks what is known before the block.
+    The unknowns are the displacements of the block's own unknowns, and the time multiplied by `pace`.  At the change point the
+    determinant and the demand of the drive are zero; every equation of the block but the lost one is kept.
+    `own` pairs coordinates with the unknowns that are their rates; `left` (k, k) holds the directions of the block's equations at
+    (t, q), the lost one last; `earlier` (m,) flags the rates known before the block.
     """
 
     flow: Flow
@@ -73,7 +73,7 @@ class _Crossing:
     earlier: Flags
 
     def moved(self, part: float, x: Array, base: Array) -> tuple[float, list[float]]:
-        """Return time and place behind a part of the way x, where what is known before the block moves at `base`."""
+        """Return time and position after a `part` of the displacement x; what is known before the block moves at rates `base`."""
         shifted = self.q + part * x[-1] / self.pace * base
         for coordinate, unknown in self.own:
             shifted[coordinate] = self.q[coordinate] + part * x[unknown]
@@ -83,7 +83,7 @@ class _Crossing:
         return np.where(self.earlier, self._part(0.5, x, self.rates)[2], self.rates)
 
     def at(self, x: Array) -> tuple[Array, Array]:
-        """Return what is to be zero, and the direction of the equation that is lost."""
+        """Return the values that must become zero, and the direction of the lost equation."""
         middle, right, now = self._part(0.5, x, self.rates)
         matrix, end, _ = self._part(1.0, x, np.where(self.earlier, now, self.rates))
         lost = np.linalg.svd(matrix)[0][:, -1]
@@ -94,7 +94,7 @@ class _Crossing:
         return np.array(zero), lost
 
     def solved(self, farthest: float) -> Array | None:
-        """Return the way to the crossing, None where Newton leaves the neighbourhood or does not come to rest on one."""
+        """Return the displacement to the crossing, None if Newton leaves the neighbourhood or does not converge to one."""
         x = np.zeros(len(self.left) + 1)
         nudges = _NUDGE * np.eye(len(x))
         for _ in range(MAX_NEWTON):
@@ -111,7 +111,7 @@ class _Crossing:
         return x if np.max(np.abs(self.at(x)[0][:2])) <= _ZERO else None
 
     def missed(self, x: Array) -> float:
-        """Return by how much of its size the lost equation fails to lead to the crossing."""
+        """Return the relative error by which the lost equation fails to lead to the crossing."""
         lost, base, gap = self.at(x)[1], self.base_at(x), 0.0
         for part in _GAUSS:
             matrix, right, _ = self._part(part, x, base)
@@ -131,16 +131,16 @@ def _crossing_near(flow: Flow, t: float, q: Array, block: int, rates: Array) -> 
 
 
 def _own(flow: Flow, block: int) -> tuple[tuple[int, int], ...]:
-    """Return the coordinates whose rates a block gives, each with the place of that among its unknowns."""
+    """Return pairs: a coordinate whose rate the block determines, and the index of that rate among the block's unknowns."""
     unknowns = flow.places[block].unknowns
     return tuple((i, unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in unknowns)
 
 
 def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...] | None:
-    """Return the velocities possible at a change point, nothing where they cannot be told apart, None where none are possible.
+    """Return the velocities possible at a change point; empty if they cannot be told apart, None if there are none.
 
-    There A u = b has a line of solutions u + x v; of these the second derivative of the closure keeps
-    w (dA/dt u - db/dt) = 0 with w A = 0: quadratic in x.
+    There A u = b has a line of solutions u + x v.  The second derivative of the closure selects those with
+    w (dA/dt u - db/dt) = 0, where w A = 0: a quadratic equation in x.
     """
     start = np.array(position, dtype=float)
     matrix, right, velocities = flow.part(time, start.tolist(), block)
@@ -149,7 +149,7 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     if len(sizes) > 1 and sizes[-2] < 1e-6 * sizes[0]:
         return ()
     w, v = left[:, -1], directions[-1]
-    particular = directions[:-1].T @ ((left[:, :-1].T @ right) / sizes[:-1])  # any other differs by a part of v
+    particular = directions[:-1].T @ ((left[:, :-1].T @ right) / sizes[:-1])  # any other solution differs by a multiple of v
 
     def demand(u: Array) -> float:
         motion = velocities.copy()
@@ -162,13 +162,13 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     square, slope, constant = (at[1.0] + at[-1.0]) / 2 - at[0.0], (at[1.0] - at[-1.0]) / 2, at[0.0]
     largest = max(abs(square), abs(slope), abs(constant), 1e-300)
     if largest < _TOLD * scale:
-        return ()  # lengths so far apart that the differences are round-off
+        return ()  # lengths so different that the differences are round-off
     if abs(square) < _FLAT * largest:
         roots = [-constant / slope] if abs(slope) > _FLAT * largest else []
     else:
         inside = slope**2 - 4 * square * constant
         if inside < -_FLAT * max(slope**2, abs(square * constant)):
-            return None  # the mechanism closes here and nowhere about
+            return None  # the mechanism closes here but nowhere nearby
         inside = max(inside, 0.0)
         roots = [(-slope + sign * np.sqrt(inside)) / (2 * square) for sign in (1, -1)]
     found = []
@@ -179,7 +179,7 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
 
 
 def distinct(found: Sequence[dict[str, float]]) -> tuple[dict[str, float], ...]:
-    """Return the motions that differ: two whose velocities are the same to 1e-6 are one, and there is nothing to choose.
+    """Return the distinct motions: two whose velocities agree to 1e-6 are one, and there is nothing to choose.
 
     >>> distinct([{"w": 1.0}, {"w": 1.0 + 5e-7}])
     ({'w': 1.0},)

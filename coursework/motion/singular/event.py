@@ -1,4 +1,4 @@
-"""What a walk along the true motion meets: a dead point, a change point, or a place beyond which nothing can be followed.
+"""What a walk along the true motion meets: a dead point, a change point, or a place beyond which it cannot be followed.
 
 Enters: numbers from `walk.py`.  Leaves: `Event`, `NotFollowed`, `GivenUp`.  Used by the rooms of `singular` and by the scene.
 """
@@ -15,9 +15,10 @@ from coursework.words.sentence import Sentence
 
 @frozen
 class Event:
-    """Where D of block number `block` vanishes: `time` (s), `position`; `demanded` is what b asks beyond the range of A.
+    """A dead or change point, where the determinant of block number `block` vanishes.
 
-    `together`: all blocks that are singular there; `block` is the first of them.
+    `kind` says which it is; `time` (s) and `position` where it is; `demanded` is the part of b outside the range of A.
+    `together` are all blocks that are singular there; `block` is the first of them.
     """
 
     kind: str
@@ -29,7 +30,7 @@ class Event:
 
 
 class GivenUp(Exception):
-    """The motion makes more moves than are followed: it is known up to `time` (s)."""
+    """The motion takes more steps than are followed: it is known up to `time` (s)."""
 
     def __init__(self, time: float) -> None:
         super().__init__(f"followed up to t = {time:.9g} s")
@@ -37,9 +38,9 @@ class GivenUp(Exception):
 
 
 class NotFollowed(InputError):
-    """The motion could not be followed beyond `time` (s), and not because of the mechanism.
+    """The motion cannot be followed beyond `time` (s), for a reason other than the mechanism.
 
-    `ahead`: places (position in rad and m, then time in s) a little further on, where a formula may have no value.
+    `ahead` holds states (position in rad and m, then time in s) a little further on, where a formula may have no value.
     """
 
     def __init__(self, message: Sentence, time: float, ahead: Sequence[Sequence[float]] = ()) -> None:

@@ -1,4 +1,4 @@
-"""An event of the true motion -> a `Stop` with its cause and its meaning for the mechanism.
+"""A `Stop` made from an event of the true motion, with its cause and its meaning for the mechanism.
 
 Enters: an `Event`, the reduction.  Leaves: words with units.  Used by `way_to_motion.py`.
 """
@@ -20,18 +20,19 @@ from coursework.variant.formula.tree import spelled
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-# Branches come from differences that are right to 1e-10, coordinates from a search that is better.
+# Rounding limit: branches come from differences exact to 1e-10, coordinates from a better search.
 _ROUNDING = 1e-9
-# A slide so many times as long as the longest length has left every guide: two guides became parallel, and met nowhere.
+# A slide longer than this multiple of the longest length has left every guide: two guides have become parallel.
 _AWAY = 1e4
 
 
 def explain(
     event: Event, equations: VelocityEquations, reduction: Reduction, step: float, branches: tuple[dict[str, float], ...] | None
 ) -> Stop:
-    """Return the stop of a dead or change point.  `step` (s) places it between rows; `branches` the velocities possible there.
+    """Return the stop of a dead or change point; `step` (s) places it between rows.
 
-    None: none are; the links close there and nowhere about.  That is a dead point, whatever the drive asks for.
+    `branches` are the velocities possible there.  None means that there are none: the links close there but nowhere nearby, which
+    is a dead point whatever the drive demands.
     """
     block = reduction.blocks[event.block]
     coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, event.position, strict=True)}
@@ -65,7 +66,7 @@ def explain(
 
 
 def _away(coordinates: dict[str, float], equations: VelocityEquations) -> tuple[str, ...]:
-    """Return the slides that grow beyond all bounds towards a singular position: they have no value in it."""
+    """Return the slides that grow without bound towards a singular position and so have no value there."""
     variant = equations.variant
     lengths = [abs(given.value) for given in variant.given if given.si == "m"]
     starts = [abs(c.start_or_guess) for c in variant.coordinates if c.unit == "m" and c.start_or_guess]
@@ -74,7 +75,7 @@ def _away(coordinates: dict[str, float], equations: VelocityEquations) -> tuple[
 
 
 def explain_passage(passage: Passage, equations: VelocityEquations, reduction: Reduction) -> str:
-    """Return what is told of a singular position that the motion goes through."""
+    """Return the sentence about a singular position that the motion passes through."""
     block, middle = reduction.blocks[passage.block], passage.middle
     coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, middle.position, strict=True)}
     which = _which(block, equations, coordinates)
@@ -83,7 +84,7 @@ def explain_passage(passage: Passage, equations: VelocityEquations, reduction: R
 
 
 def _together(event: Event, reduction: Reduction) -> str:
-    """Say how far the rank drops where several blocks become singular at once."""
+    """Return how far the rank drops if several blocks become singular at once; empty for a single block."""
     others = [reduction.blocks[index] for index in event.together if index != event.block]
     if not others:
         return ""
@@ -94,13 +95,13 @@ def _together(event: Event, reduction: Reduction) -> str:
 
 
 def _unit(block: Block, equations: VelocityEquations) -> str:
-    """Return the key of a velocity in m/s, or in the author's unit where the equations are a scalar closure."""
+    """Return the key for a velocity in m/s, or in the author's unit if the equations are a scalar closure."""
     scalars = {constraint.name for constraint in equations.variant.constraints if constraint.is_closure}
     return "event.in_own_unit" if scalars & set(block.equations) else "event.in_m_per_s"
 
 
 def _which(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
-    """Return what is zero there, with the coordinates in it and their values; "" for a block without a formula."""
+    """Return what is zero there, with its coordinates and their values; "" for a block without a formula."""
     if block.determinant is None:
         return ""
     inside = block.determinant.names()
@@ -130,5 +131,5 @@ def _tidied_all(values: Mapping[str, float]) -> dict[str, float]:
 
 
 def _tidied(value: float) -> float:
-    """Return a value with what rounding leaves of a zero taken off (rad, m, or per second)."""
+    """Return a value (rad, m, or per second) with rounding errors around zero removed."""
     return 0.0 if abs(value) < _ROUNDING else value

@@ -1,11 +1,11 @@
-"""Whether a motion goes on through a change point: one motion only, and the flow on both sides of it.
+"""Whether a motion goes on through a change point: whether there is only one, and the flow on both sides.
 
-Enters: the flow, an event, the way that led to it.  Leaves: a `Passage`, or None where the motion ends there.
+Enters: the flow, an event, the way that led to it.  Leaves: a `Passage`, or None if the motion ends there.
 Used by `walk.py`.
 
-The flow comes to rest where a determinant and the demand of the drive vanish together, so nobody walks through.  With one
-pair of velocities there the motion has a second derivative too: a jump of `_JUMP` past the point is right to its cube, and
-what it is off in the singular block decays behind it.
+The flow comes to rest where a determinant and the demand of the drive vanish together, so it cannot be followed through.  If only
+one set of velocities is possible there, the motion has a second derivative too: a jump of `_JUMP` past the point errs by its
+third power, and the error in the singular block decays after it.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from coursework.motion.singular.event import Event
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.system.arrays import Array
 
-# The determinant at the inner flanks, and where the walk goes on (both of its largest value).
+# The determinant at the inner flanks, and where the walk goes on, both relative to its largest value.
 _FLANK, _JUMP = 1e-2, 1e-6
-# A determinant that grows by less than this part of its largest value in the whole run is not seen to change its sign.
+# A determinant that changes by less than this share of its largest value in the whole run shows no change of sign.
 _FLAT = 1e-3
-# The determinant at a flank is what its slope says, to this factor; else another singular position is near.
+# The determinant at a flank must agree with its slope within this factor; else another singular position is near.
 _STRAIGHT = 2.0
 _SMALLEST = 1e-5
 _NUDGE = 1e-6
@@ -34,10 +34,10 @@ _TOLERANCE = 1e-13
 
 
 def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, within: tuple[float, float]) -> Passage | None:
-    """Return the passage through a change point, None where two motions meet or it is not known what goes on.
+    """Return the passage through a change point, None if two motions meet or the continuation is unknown.
 
-    `way`: states (position, then t) of the walk up to the event; `end` (s) of the run; `within` (s, s): from when and how far
-    the drive keeps its formula.
+    `way` holds the states (position, then t) of the walk up to the event; `end` (s) is that of the run; `within` are the times
+    (s) between which the drive keeps its formula.
     """
     if event.kind != "change point" or len(event.together) > 1:
         return None
@@ -61,7 +61,7 @@ def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, withi
 
 
 def _slope(flow: Flow, event: Event, moving: Array, end: float) -> float:
-    """Return how fast the determinant grows along the one motion (1/s)."""
+    """Return how fast the determinant grows along the only motion (1/s)."""
     nudge = _NUDGE * end
     after, before = (
         flow.scaled(event.time + side * nudge, (event.position + side * nudge * moving).tolist())[event.block] for side in (1, -1)
@@ -73,7 +73,7 @@ def _flanked(
     flow: Flow, middle: State, moving: Array, way: Sequence[Array], flank: float, slope: float, block: int,
     within: tuple[float, float],
 ) -> Passage | None:  # fmt: skip
-    """Return the passage with flanks so far apart (s), None where the motion between them is not that of one simple zero."""
+    """Return the passage with the given distance of flanks (s), None if the motion there is not that of one simple zero."""
     times = [middle.time + part * flank for part in FLANKS]
     begun = next((state for state in reversed(way) if within[0] <= state[-1] <= times[0]), None)
     if begun is None or times[-1] > within[1]:
@@ -84,7 +84,7 @@ def _flanked(
         return [float(rate / clock) for rate in np.array(motion)]
 
     before = integrate_adaptive(field, begun[:-1], np.array([begun[-1], *times[:2]]), _TOLERANCE)[0][1:]
-    # Where the motion was two flanks before, it has changed its velocities at this rate (an error of a cube in the jump).
+    # The change of velocities since the inner flank gives the second derivative (the error is cubic in the jump).
     bent = (moving - np.array(field(times[1], *before[1].tolist()))) / flank
     jump = _JUMP / abs(slope)
     beyond = middle.position + jump * moving + jump**2 / 2 * bent
@@ -106,7 +106,7 @@ def _rates(flow: Flow) -> tuple[str, ...]:
 
 
 def _state(flow: Flow, t: float, q: Array, known: dict[str, float] | None = None, block: int = 0) -> State:
-    """Return a moment with all velocities: those `known`, else those of blocks none of which is singular."""
+    """Return a state with all velocities: the `known` ones if given, else from blocks that are not singular."""
     found = dict(known or {})
     if known is None:
         every = zip(flow.system.unknowns, flow.velocities(t, q.tolist(), -1, ()), strict=True)

@@ -1,4 +1,4 @@
-"""The largest rate of every coordinate of the true motion: seen at the steps of a walk, then sought between them.
+"""The largest rate of every coordinate of the true motion: seen at the steps of a walk, then searched between them.
 
 Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate, the way within any step.  Used by `search.py`.
 """
@@ -17,21 +17,21 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import changing
 from coursework.words.errors import CourseworkError
 
-# A bracket shrinks to this part of itself a trial, and to 1e-4 in so many; the rate is then right to the square of that.
+# Golden section: `_TRIALS` trials shrink the bracket to 1e-4; the error of the rate is the square of that.
 _GOLDEN, _TRIALS = (5**0.5 - 1) / 2, 19
-# Between two steps of the walk a rate rises by less than a twentieth: only rates so near to the largest are sought.
+# Between two steps of the walk a rate rises by less than a twentieth: only rates above this share of the largest are searched.
 _NEAR = 0.95
-# So far into a step it is looked whether a rate rises.
+# Share of a step at which it is tested whether a rate rises.
 _GLANCE = 1e-3
-# Places at which a step of the walk is looked at.
+# Number of points within a step of the walk at which positions are evaluated.
 _LOOKS = 16
-# A rate that changes by less than this part of itself is constant, and has no moment at which it is largest.
+# A rate that varies by less than this share of itself is constant, so no time is given for its maximum.
 _CONSTANT = 1e-9
 
 
 @changing
 class Piece:
-    """One step of a walk: the `state` (position, then t) it begins at, its `slope` there, the `clock`, the `length` in s."""
+    """One step of a walk: the `state` (position, then t) and `slope` at its start, the `clock`, the `length` in s."""
 
     state: Array
     slope: Array
@@ -39,7 +39,7 @@ class Piece:
     length: float
 
     def rate(self, part: float, coordinate: int) -> tuple[float, float]:
-        """Return |dq/dt| of a coordinate a `part` of the length into the step, and the time there (s)."""
+        """Return |dq/dt| of a coordinate and the time (s) after a `part` of the step."""
         state = self.clock.step(self.state, self.slope, part * self.length)[0]
         slope = self.clock.slope(state)
         return abs(float(slope[coordinate] / slope[-1])), float(state[-1])
@@ -47,7 +47,7 @@ class Piece:
 
 @changing
 class Peaks:
-    """The largest and smallest rates seen, the two steps beside each largest one, state and slope at the begin of every step."""
+    """The largest and smallest rates seen, the steps beside each largest one, and state and slope at the start of every step."""
 
     largest: list[float]
     smallest: list[float]
@@ -59,11 +59,11 @@ class Peaks:
 
     @staticmethod
     def of(count: int) -> Peaks:
-        """Return the record of a walk that has not begun, for so many coordinates."""
+        """Return the record of a walk that has not begun, for `count` coordinates."""
         return Peaks([-1.0] * count, [math.inf] * count, [0.0] * count, [()] * count)
 
     def see(self, piece: Piece) -> None:
-        """Take note of a step that was made; one that is made again, shorter, takes the place of its first try."""
+        """Record a step; if the same step was recorded with another length before, replace that length."""
         self._between.clear()
         if self.last is not None and self.last.state is piece.state:
             self.last.length = piece.length
@@ -79,9 +79,9 @@ class Peaks:
         self.last = piece
 
     def found(self, end: float, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
-        """Return per coordinate the largest |rate| up to `end` (s) and its time, None for a rate that is constant.
+        """Return per coordinate the largest |rate| up to `end` (s) and its time; the time is None for a constant rate.
 
-        Of the `turning` coordinates those that may be the fastest are sought between the steps of the walk too.
+        For those `turning` coordinates that may be the fastest, the maximum is also searched between the steps of the walk.
         """
         most = max((self.largest[coordinate] for coordinate in turning), default=0.0)
         listed: list[tuple[float, float | None]] = []
@@ -96,9 +96,9 @@ class Peaks:
         return tuple(listed)
 
     def way_within(self, coordinate: int, end: float, repeats: bool) -> Callable[[float], float]:
-        """Return the longest way (rad, m) of a coordinate within a step (s), of any step: what goes to and fro counts twice.
+        """Return a function of a step (s): the longest path (rad, m) of a coordinate within it; back and forth adds up.
 
-        Where the motion `repeats` from `end` (s) on a step may reach beyond.
+        If the motion `repeats` from `end` (s) on, a step may reach beyond it.
         """
         assert self.last is not None
         state = self.last.clock.step(self.last.state, self.last.slope, self.last.length)[0]
@@ -125,21 +125,21 @@ class Peaks:
         return longest
 
     def _inside(self, coordinate: int, end: float) -> list[tuple[float, float]]:
-        """Return the largest rate with its time in each step where it may be; each table that is judged asks for it."""
+        """Return the largest rate with its time for each step that may contain it; results are kept for the next table."""
         key = (coordinate, end)
         if key not in self._between:
             self._between[key] = [_highest(piece, coordinate, end) for piece in self._rising(coordinate)]
         return self._between[key]
 
     def _rising(self, coordinate: int) -> list[Piece]:
-        """Return the step, of the two beside the largest rate seen, in which the rate is larger still."""
+        """Return the step beside the largest rate seen in which the rate is larger still; empty if there is none."""
         *before, after = self.beside[coordinate]
         inside = after.rate(_GLANCE, coordinate)[0] > self.largest[coordinate]
         return [after] if inside else before
 
 
 def _highest(piece: Piece, coordinate: int, end: float) -> tuple[float, float]:
-    """Return the largest rate inside a step and its time, by golden section; the further beyond `end`, the less it counts."""
+    """Return the largest rate inside a step and its time, by golden section; times beyond `end` count less the later they are."""
 
     def seen(part: float) -> tuple[float, float]:
         try:

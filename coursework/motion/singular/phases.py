@@ -1,7 +1,7 @@
-"""With which phase of the drive the whole motion would be possible.
+"""The phases of the drive with which the whole motion would be possible.
 
-Enters: a scene whose motion stops.  Leaves: a sentence, or nothing where the drive has no phase among the data.
-Only for the reader of a stop: some fifty searches with a coarser tolerance than the stop itself.
+Enters: a scene whose motion stops.  Leaves: a sentence, empty if the drive has no phase among the data.
+It is only for the reader of a stop: some fifty searches with a coarser tolerance than the search for the stop itself.
 Used by `way_to_motion.py`.
 """
 
@@ -20,14 +20,14 @@ from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
-# Coarser than this, a motion that passes close by a dead point would be taken for one that meets it.
+# With a coarser tolerance, a motion that passes close to a dead point would be taken for one that meets it.
 TOLERANCE = 1e-9
 _SAMPLES = 24
 _HALVINGS = 12
 
 
 def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: list[float]) -> str:
-    """Return e.g. "The whole motion is possible for 1.5929 < alpha < 4.6903 (rad, modulo 2π)."."""
+    """Return e.g. "The whole motion is possible for 1.5929 < alpha < 4.6903 (rad, modulo 2π)."; empty without a phase."""
     variant = equations.variant
     name = _phase_of(variant)
     if not name:
@@ -47,7 +47,7 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
 
 
 def _phase_of(variant: Variant) -> str:
-    """Return the given angle that is added to the time's part inside a sine or cosine of the drive, if there is one."""
+    """Return the given angle that is added to the argument of a sine or cosine of time in the drive; empty if there is none."""
     angles = {g.name for g in variant.given if g.si in {"rad", ""}}
     for law in variant.drive:
         for formula in law.formulas:

@@ -1,9 +1,9 @@
-"""Whether a crank can be turned right round: then no law of its drive meets a dead point, in however long a run.
+"""Whether a crank can be turned right round: then no law of its drive meets a dead point, however long the run.
 
 Enters: the determinant-scaled flow of a scene, the start.  Leaves: a bool.  Used by `way_to_motion.py`.
 
-A mechanism with one drive has one way to go, and its positions follow from the crank's angle alone.  So the flow is followed with
-the clock of the drive held: the crank turns steadily, until everything is back.
+With one drive, the positions of a mechanism follow from the crank's angle alone.  So the flow is followed with the drive frozen
+at one time: the crank turns at constant speed until everything is back.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from coursework.motion.singular.scaled_flow import Flow
 from coursework.motion.singular.search import TOLERANCE, is_back
 from coursework.motion.singular.walk import Walk
 
-_LOOKS = 64  # times at which the drive is looked at for one at which it is fast
+_LOOKS = 64  # number of times at which the drive is evaluated to find one at which it is fast
 
 
 def goes_round(flow: Flow, start: Sequence[float]) -> bool:
-    """Return whether the only crank goes round once or twice, and everything is then back, without a dead or change point."""
+    """Return whether everything is back after one or two turns of the only crank, without a dead or change point on the way."""
     variant = flow.equations.variant
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
     if len(variant.drive) != 1 or variant.drive[0].name not in angles or not _knows_no_time(flow.equations):
@@ -49,7 +49,7 @@ def goes_round(flow: Flow, start: Sequence[float]) -> bool:
 
 
 def _knows_no_time(equations: VelocityEquations) -> bool:
-    """Return whether time stands in the law of the drive only."""
+    """Return whether time occurs only in the law of the drive, and there is no table."""
     drive = {symbol(law.name) for law in equations.variant.drive}
     others = [definition for name, definition in equations.symbols.definitions.items() if name not in drive]
     written = [part for equation in equations.equations for part in (*equation.coefficients.values(), equation.right_side)]
@@ -57,7 +57,7 @@ def _knows_no_time(equations: VelocityEquations) -> bool:
 
 
 def _held(flow: Flow, time: float) -> Flow:
-    """Return the flow with the drive of one time (s)."""
+    """Return the flow with the drive frozen at its value at one time (s)."""
     scalar, compiled = flow.system.scalar, flow.compile_clock
 
     def clock(block: int) -> Callable[..., tuple[float, ...]]:

@@ -1,9 +1,9 @@
-"""The determinant-scaled flow: the motion with the nearest determinant for its clock instead of time.
+"""The determinant-scaled flow: the motion with the smallest determinant as its clock in place of time.
 
 Enters: the linear system and its blocks.  Leaves: `Flow`.  Used by `search.py`, `change_point.py`, the rows' determinants.
 
 Near a dead point the velocities grow without bound, so time is the wrong parameter.  With dt/ds = D (the determinant of one
-block, dimensionless) and dq/ds = D u = adj(A) b nothing is divided by D.  Source: numerics.md 3.1.
+block, dimensionless) and dq/ds = D u = adj(A) b, nothing is divided by D.  Source: numerics.md 3.1.
 """
 
 from __future__ import annotations
@@ -26,16 +26,17 @@ from coursework.motion.integration.order_eight import SLOPES, dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import changing, frozen
 
-# Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.
+# Number of positions and times at which a determinant of unknown largest value is evaluated; a rough scale is enough.
 _LOOKS = 16
 
 
 @frozen
 class BlockColumns:
-    """Where one block stands in the values of the linear system.
+    """The places of one block in the values of the linear system.
 
-    `entries` of its matrix row by row (-1, the zero behind all values, where there is none); `rights` of its right side;
-    `earlier` per row the terms (entry, unknown) of velocities found before, empty without any; `unknowns` the columns it gives.
+    `entries` are those of its matrix, row by row; -1, the zero after all values, stands for no entry.  `rights` are those of its
+    right side.  `earlier` lists for each row the terms (entry, unknown) with velocities found before; it is empty if there are
+    none.  `unknowns` are the columns the block determines.
     """
 
     entries: tuple[int, ...]
@@ -48,9 +49,9 @@ class BlockColumns:
 class Flow:
     """The determinant-scaled flow of one scene.
 
-    `largest` scales the determinant of each block; `rates` says per coordinate whether its rate is driven, and its place
-    among the driven or the unknown ones; `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
-    of a block times a pace; `evaluations` counts right-hand sides.  `equations` is what it was made from.
+    `largest` scales the determinant of each block.  `rates` says for each coordinate whether its rate is driven, and its index
+    among the driven or the unknown rates.  `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
+    of a block times a pace.  `evaluations` counts right-hand sides; `equations` is what the flow was made from.
     """
 
     equations: VelocityEquations
@@ -64,7 +65,7 @@ class Flow:
 
     @property
     def known(self) -> int:
-        """Return the place of the first driven rate among the values."""
+        """Return the index of the first driven rate among the values."""
         return len(self.system.entries) + len(self.system.names)
 
     def _values(self, t: float, q: Sequence[float]) -> tuple[float, ...]:
@@ -76,12 +77,12 @@ class Flow:
         return [_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)]
 
     def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[float, ...]:
-        """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` where another one is singular."""
+        """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` if another block is singular."""
         self.evaluations += 1
         return self._field(block, 1)(*q, t)
 
     def clock(self, block: int, sign: int) -> Clock:
-        """Return the flow by the clock of `block`, turned round with a `sign` of -1."""
+        """Return the flow with the clock of `block`; a `sign` of -1 reverses it."""
         return Clock(self, self._field(block, sign))
 
     def _field(self, block: int, sign: int) -> Callable[..., tuple[float, ...]]:
@@ -90,7 +91,7 @@ class Flow:
         return partial(self.clocks[block], sign / self.largest[block])
 
     def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
-        """Return A (k, k) and b (k,) of one block with earlier velocities moved over, and the velocities (m,) known so far."""
+        """Return A (k, k) and b (k,) of one block, with earlier velocities moved to b, and the rates (m,) known so far."""
         values = self._values(t, q)
         u = [0.0] * len(self.system.unknowns)
         for place in self.places[:block]:
@@ -102,7 +103,7 @@ class Flow:
         return _matrix(values, place), np.array(_rest(values, place, u)), velocities
 
     def velocities(self, t: float, q: Sequence[float], block: int, chosen: Sequence[float]) -> list[float | None]:
-        """Return every unknown velocity where those of `block` are `chosen`; None from a later block that is singular."""
+        """Return every unknown velocity if those of `block` are `chosen`; None from a later singular block on."""
         values = self._values(t, q)
         u: list[float | None] = [0.0] * len(self.system.unknowns)
         for index, place in enumerate(self.places):
@@ -121,7 +122,7 @@ class Flow:
         return u
 
     def demand(self, t: float, q: Sequence[float], block: int) -> float:
-        """Return how much the drive asks of a singular block that its links cannot give (in the units of the equations)."""
+        """Return the part of the drive's demand that a singular block cannot meet (in the units of the equations)."""
         matrix, right, _ = self.part(t, q, block)
         left = np.linalg.svd(matrix)[0][:, -1]
         return float(abs(left @ right))
@@ -129,24 +130,24 @@ class Flow:
 
 @frozen
 class Clock:
-    """The flow by one clock: `field`(*state) -> d(state)/ds, where a state is a position and then t."""
+    """The flow with one clock: `field`(*state) -> d(state)/ds, where a state is a position followed by t."""
 
     flow: Flow
     field: Callable[..., tuple[float, ...]]
 
     def slope(self, state: Array) -> Array:
-        """Return d(state)/ds.  Raises `ArithmeticError` where another block than that of the clock is singular."""
+        """Return d(state)/ds.  Raises `ArithmeticError` if a block other than that of the clock is singular."""
         self.flow.evaluations += 1
         return np.array(self.field(*state.tolist()))
 
     def step(self, state: Array, slope: Array, length: float) -> tuple[Array, list[float]]:
-        """Return the state a `length` of the clock (s) further, from its known `slope`, and the error of that."""
+        """Return the state after a `length` of the clock (s), starting with the known `slope`, and its estimated error."""
         self.flow.evaluations += SLOPES
         return dormand_prince_8(self.field, state, slope, length)
 
 
 def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None = None) -> Flow:
-    """Return the flow of a scene; `start` (that of the file if None) scales determinants whose largest value is unknown."""
+    """Return the flow of a scene; `start` (by default that of the file) scales determinants whose largest value is unknown."""
     used = [equation for equation in equations.equations if equation.name in reduction.used]
     system = compile_system(equations, used)
     names = list(system.names)
@@ -175,7 +176,7 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
 
 
 def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: int) -> Callable[..., tuple[float, ...]]:
-    """Return (pace, *q, t) -> pace D dq/dt and pace D, where D is the determinant of block `clock`; nothing is divided by it."""
+    """Return (pace, *q, t) -> pace D dq/dt and pace D, where D is the determinant of block `clock`; nothing is divided by D."""
     variant = equations.variant
     results = [f"_out{place}" for place in range(len(variant.rates) + 1)]
 
@@ -189,10 +190,10 @@ def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: in
 
 
 def _largest_seen(system: LinearSystem, place: BlockColumns, begin: Sequence[float], end: float) -> float:
-    """Return the largest |determinant| at the start and at some positions and times around it, 1 where none is found."""
+    """Return the largest |determinant| at the start and at some positions and times around it; 1 if none is found."""
     found = 0.0
     for look in range(_LOOKS):
-        # Any fixed irrational shifts do; the first look is the start itself.
+        # Any fixed irrational shifts will do; the first point is the start itself.
         q = [value + 0.5 * look * (0.618 * (i + 1) % 1.0) / _LOOKS for i, value in enumerate(begin)]
         try:
             found = max(found, abs(_determinant((*system.scalar(look / _LOOKS * end, *q), 0.0), place)))
@@ -227,7 +228,7 @@ def _solve(values: Sequence[float], place: BlockColumns, rest: Sequence[float]) 
 
 
 def _cramer(values: Sequence[float], place: BlockColumns, rest: Sequence[float]) -> tuple[Sequence[float], float]:
-    """Return adj(A) rest and det A; for four unknowns and more A^-1 rest and 1."""
+    """Return adj(A) rest and det A; for four or more unknowns A^-1 rest and 1."""
     entries = [values[entry] for entry in place.entries]
     if len(rest) == 1:
         return rest, entries[0]

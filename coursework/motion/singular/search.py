@@ -1,6 +1,6 @@
-"""Whether the whole motion is possible, and where it ends if not.
+"""Whether the whole motion is possible, and if not, where it ends.
 
-Enters: the determinant-scaled flow, the start.  Leaves: `Search`, located without regard to any scheme or step.
+Enters: the determinant-scaled flow, the start.  Leaves: `Search`, which depends on no scheme or step.
 Used by the scene, `phases.py` and whoever asks only whether a motion is possible.
 """
 
@@ -21,7 +21,7 @@ from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-# The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
+# The event time must be right to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
 TOLERANCE = 1e-12
 _BACK = 1e-8
 _NEARLY = 0.005
@@ -29,10 +29,11 @@ _NEARLY = 0.005
 
 @frozen
 class Search:
-    """The true motion followed up to `end` (s): the first `event`, if any, the `peaks` of the rates, and the
-    `passages` on the way: singular positions through which one motion only goes on.  `given_up`: the time (s) up to which it
-    was followed where that is not the end, because it moves too much.  `repeats`: it was followed as long as it is new.
-    `goes_round`: given up, but the only crank can be turned right round, so there is no event behind that time either.
+    """The true motion followed up to `end` (s): the first `event`, if any, and the `peaks` of the rates.
+
+    `passages` are singular positions on the way with only one continuation.  `given_up` is the time (s) at which following was
+    given up because the motion moves too much; else None.  `repeats`: it was followed until it repeats.
+    `goes_round`: it was given up, but the only crank can be turned right round, so there is no later event either.
     """
 
     event: Event | None
@@ -44,7 +45,7 @@ class Search:
     goes_round: bool = False
 
     def fastest(self, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
-        """Return per coordinate the largest |rate| with its time (s), None for a constant one; nothing for one that stops.
+        """Return per coordinate the largest |rate| and its time (s), None for a constant rate; empty for a motion that stops.
 
         `turning` are the coordinates among which the fastest is wanted exactly.
         """
@@ -52,14 +53,14 @@ class Search:
         return self.peaks.found(self.end, turning) if known and self.peaks is not None else ()
 
     def way_within(self, coordinate: int) -> Callable[[float], float]:
-        """Return the longest way (rad) of a coordinate within any time of a step (s), for any step."""
+        """Return a function of a step (s): the longest path (rad) of a coordinate within it."""
         if self.peaks is None:
             return lambda step: 0.0
         rate, when = self.fastest([coordinate])[coordinate]
         return (lambda step: rate * step) if when is None else self.peaks.way_within(coordinate, self.end, self.repeats)
 
     def longest_step(self, coordinate: int, most: float, step: float) -> float:
-        """Return the longest part of a step (s) within which a coordinate goes no further than `most` (rad), to a percent."""
+        """Return the longest part of a step (s) within which a coordinate moves at most `most` (rad), to half a percent."""
         way, low, high = self.way_within(coordinate), 0.0, step
         while high - low > _NEARLY * high:
             middle = (low + high) / 2
@@ -72,7 +73,7 @@ def search_event(
 ) -> Search:
     """Follow the true motion from `start` at t = 0 until `end` (s), or to its first dead or change point.
 
-    `breaks` are the times at which the drive changes its formula.  Raises `InputError` where the motion cannot be followed.
+    `breaks` are the times at which the drive changes its formula.  Raises `InputError` if the motion cannot be followed.
     """
     if not len(flow.largest):
         return Search(None)  # every velocity is given, so nothing can become singular
@@ -87,12 +88,12 @@ def search_event(
             return Search(None, walk.peaks, end, tuple(walk.passages), up.time)
         repeats = event is None and not walk.passages and goal < end and goal in (turn, 2 * turn)
         if repeats and is_back(flow, walk.state[:-1], start):
-            return Search(None, walk.peaks, goal, tuple(walk.passages), repeats=True)  # it moves on as it has moved
+            return Search(None, walk.peaks, goal, tuple(walk.passages), repeats=True)  # from here on the motion repeats itself
     return Search(event, walk.peaks, end, tuple(walk.passages))
 
 
 def is_back(flow: Flow, position: Array, start: Sequence[float]) -> bool:
-    """Return whether a position (m,) is that of the start but for whole turns of its angles."""
+    """Return whether a position (m,) equals the start except for whole turns of its angles."""
     gap = position - np.asarray(start)
     angles = np.array([coordinate.unit == "rad" for coordinate in flow.equations.variant.coordinates])
     gap[angles] -= whole_turns(gap[angles])

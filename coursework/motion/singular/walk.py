@@ -3,10 +3,10 @@
 Enters: the determinant-scaled flow, a state.  Leaves: `Event`, passages on the way, the peaks of the rates.
 Used by `search.py`.
 
-The flow is smooth through a fold, and a dead point is the maximum of t(s): a determinant changes its sign.  Two changes
-inside one step leave no trace at its ends, so a step in whose middle a determinant is smallest is looked into.  A change
-point is where the flow comes to rest; it is searched for as soon as the flow comes near (`change_point.py`), and where one
-motion only goes on the walk goes on with it (`passing.py`).
+The flow is smooth through a fold.  A dead point is the maximum of t(s), where a determinant changes its sign.  Two changes
+inside one step leave no trace at its ends, so a step is examined if a determinant has a minimum inside it.  At a change
+point the flow comes to rest; the point is searched for as soon as the flow comes near (`change_point.py`).  If there is only one
+continuation, the walk goes on with it (`passing.py`).
 Source: numerics.md 3.1.
 """
 
@@ -30,35 +30,35 @@ from coursework.motion.singular.scaled_flow import Clock, Flow
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
-# A start whose determinant is this small leaves fewer than six digits of any velocity.
+# With a start determinant this small, any velocity has fewer than six digits.
 SINGULAR = 1e-10
-# Followed to a local tolerance e, a motion passes a change point about sqrt(100 e) off: it is searched from 100 sqrt(e) on,
-# and no further than FAR (rad or m) away.
+# With a local tolerance e, a motion passes a change point at a distance of about sqrt(100 e): the search begins at 100 sqrt(e)
+# and reaches as far as FAR (rad or m).
 NEAR, FAR = 100.0, 1e-2
-# The part of a length by which a motion may miss a change point and still be at it: nobody cuts a link to 1e-9.
+# Share of a length by which a motion may miss a change point and still be at it: no link is made to 1e-9.
 MISSED = 1e-9
-# The flow has stalled in a dead point that time alone approaches (the determinant depends on t only).
+# The flow has stalled in a dead point that depends on time alone (the determinant depends on t only).
 STALLED = 1e-10
-# Determinants below the first are looked at for a smallest value inside a step; one below the second is zero.
+# A determinant below DIP is examined for a minimum inside a step; one below TOUCH is zero.
 DIP, TOUCH = 0.1, 1e-12
-# Part of the run before a break of the drive at which its old formula is left; part of it that counts as the end.
+# Shares of the run: how long before a break of the drive its old formula is left; how close to the end counts as the end.
 BEFORE_BREAK, AT_END = 1e-12, 1e-9
-# Determinants that are this small at an event vanish there together.
+# Blocks whose determinants are below this at an event are singular together.
 TOGETHER = 1e-6
-# A part of the first determinant, or of the run: positions are right to it, the time of a fold to its square.
+# Tolerance of roots, as a share of the first determinant or of the run; the time of a fold is right to its square.
 ROOT = 1e-13
 MAX_STEPS = 15_000
-# A coordinate (rad or m) that has got so far turns for ever, or has no end: a hundred million revolutions.
+# A coordinate beyond this (rad or m) turns for ever or grows without end: a hundred million revolutions.
 BOUNDLESS = 1e9
-# So many steps together shorter than this part of the time until then: a rate without a bound; no step is below the last part.
+# MANY steps together shorter than SHORT times the time so far mean an unbounded rate; no step is below NOTHING times the run.
 MANY, SHORT, NOTHING = 100, 1e-11, 1e-20
 _HALVINGS = 30
-# Of a step that reaches too far the part that does not: the pace of the clock changes on the way.
+# Factor for a step that reaches too far: the pace of the clock changes on the way.
 _SHORT = 0.9
 
 
 class Walk:
-    """A walk along the flow: `state` (position, then t), `scaled` determinants there, `length` of the next step in s."""
+    """A walk along the flow: `state` (position, then t), the `scaled` determinants there, the `length` of the next step in s."""
 
     def __init__(self, flow: Flow, state: Array, end: float, cells: Array, tolerance: float) -> None:
         self.flow, self.state, self.end, self.cells, self.tolerance = flow, state, end, cells.tolist(), tolerance
@@ -66,20 +66,20 @@ class Walk:
         self.slope = state
         self.length = 0.0
         self.near = NEAR * tolerance**0.5
-        self.tried = np.inf  # the determinant at which a change point was searched last
+        self.tried = np.inf  # the determinant at the last search for a change point
         self.peaks = Peaks.of(len(state) - 1)
-        self.way, self.since = [state], 0.0  # the states that may be begun from again; the last break of the drive
+        self.way, self.since = [state], 0.0  # states from which the walk can start again; the time of the last break of the drive
         self.passages: list[Passage] = []
         self.taken = 0
 
     def at_start(self) -> Event | None:
-        """Return the event of a start, of the run or behind a break of the drive, that is singular itself."""
+        """Return the event at the start of the run, or just after a break of the drive, if it is singular; else None."""
         singular = [block for block, size in enumerate(self.scaled) if abs(size) < SINGULAR]
         return self._event(self.state, singular[0]) if singular else None
 
     def until(self, goal: float) -> Event | None:
-        """Walk to time `goal`, a break of the drive or the end; return the first event on the way, if any."""
-        with np.errstate(all="ignore"):  # what is no number is a step too long
+        """Walk to time `goal`, a break of the drive or the end; return the first event on the way, None if there is none."""
+        with np.errstate(all="ignore"):  # a step that gives nan is too long
             event = self._until(goal)
         self.since = goal
         return event
@@ -109,7 +109,7 @@ class Walk:
             if part or state[-1] >= goal - BEFORE_BREAK * self.end:
                 self._arrive(clock, part or reach, goal)
                 return None
-            # What grows as a determinant vanishes ends at a dead point, which says more.
+            # A growth that comes with a vanishing determinant ends at a dead point, which is the better message.
             stalls = len(self.way) > MANY and state[-1] - self.way[-MANY][-1] < SHORT * state[-1]
             if min(map(abs, after)) > TOGETHER and (stalls or max(map(abs, state[:-1].tolist())) > BOUNDLESS):
                 raise self._boundless(state)
@@ -121,7 +121,7 @@ class Walk:
         raise GivenUp(float(self.state[-1]))
 
     def _boundless(self, state: Array) -> NotFollowed:
-        """Return the fault of a coordinate that got too far, or else of the rate that grows where time stands still."""
+        """Return the fault of a coordinate that has gone too far, else of a rate that grows while time stands still."""
         variant, time, bound = self.flow.equations.variant, float(state[-1]), say("event.no_bound")
         name = variant.rates[int(np.argmax(np.abs(self.slope[:-1])))]
         if (far := np.abs(state[:-1])).max() > BOUNDLESS:
@@ -130,8 +130,8 @@ class Walk:
         return NotFollowed(say("fault.V526", name=name, bound=bound, time=time), time)
 
     def _pass(self, event: Event, goal: float) -> bool:
-        """Go on behind a change point where one motion only does; return whether there is one."""
-        # A law may change its formula at a break; behind the end of the run it usually goes on.
+        """Go on after a change point if only one motion does; return whether this was possible."""
+        # A law may change its formula at a break; after the end of the run it usually goes on.
         passage = passage_at(self.flow, event, self.way, self.end, (self.since, goal if goal < self.end else np.inf))
         if passage is None:
             return False
@@ -148,12 +148,12 @@ class Walk:
         return self.flow.scaled(t, q)
 
     def _step(self, clock: Clock) -> tuple[Array, float, float] | None:
-        """Return the next state that is accurate enough, its distance and the next length; None where the law of a table ends."""
+        """Return the next accurate state, the length to it and the next length; None at the end of a table."""
         t = float(self.state[-1])
         slope = self.slope = clock.slope(self.state)
         allowed = [self.tolerance * (1.0 + abs(value)) for value in self.state.tolist()]
         allowed[-1] = self.tolerance * self.end
-        # A step that sees nothing of a pulse between its points has no error: none reaches beyond the next stretch.
+        # A step that misses a pulse between its points shows no error: so no step reaches beyond the next stretch.
         beyond = bisect_right(self.cells, t) + 1
         farthest = self.cells[beyond] - t if beyond < len(self.cells) else math.inf
         while self.length * slope[-1] > NOTHING * self.end:
@@ -184,15 +184,15 @@ class Walk:
         return clock.step(self.state, self.slope, part)[0]
 
     def _at_once(self, crossed: list[int], block: int, after: Sequence[float]) -> bool:
-        """Return whether only the clock's determinant changes its sign, or several so close together that they do it at once."""
+        """Return whether only the clock's determinant changes its sign, or others so close to it that they change at once."""
         return crossed == [block] or (block in crossed and max(abs(after[k]) + abs(self.scaled[k]) for k in crossed) < 1e-9)
 
     def _inside(
         self, clock: Clock, reach: float, ahead: Array, after: Sequence[float], block: int, crossed: bool
     ) -> tuple[Event | None, float]:  # fmt: skip
-        """Return the event inside a step and its part of the step, (None, 0) where there is none.
+        """Return the event inside a step and the length to it; (None, 0) if there is none.
 
-        `ahead` is the state at its end, `after` the determinants there.
+        `ahead` is the state at the end of the step, `after` the determinants there.
         """
         if not crossed and min(abs(after[block]), abs(self.scaled[block])) > DIP:
             return None, 0.0
@@ -211,7 +211,7 @@ class Walk:
         return (self._change_point(bottom, block) if smallest < self.near else None), 0.0
 
     def _lowest(self, clock: Clock, reach: float, ahead: Array, block: int) -> float:
-        """Return the part of a step at which a determinant is smallest in the middle, 0 where it is smallest at an end."""
+        """Return the length within a step at which a determinant has its minimum; 0 if the minimum is at an end."""
 
         def falls(state: Array) -> bool:
             nudged = self._determinants(state + 1e-4 * reach * clock.slope(state))[block]
@@ -226,14 +226,14 @@ class Walk:
         return (low + high) / 2
 
     def _root(self, clock: Clock, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
-        """Return the state inside a step at which `value`, positive at its begin, is zero, and its part (Illinois)."""
+        """Return the state inside a step at which `value`, positive at its start, is zero, and the length to it (Illinois)."""
         ends = value(self.state), value(self._reached(clock, reach))
         part = crossing(lambda part: value(self._reached(clock, part)), (0.0, reach), ends, ROOT) if ends[1] < 0 else reach
         part = reach if part is None else part
         return self._reached(clock, part), part
 
     def _arrive(self, clock: Clock, reach: float, goal: float) -> None:
-        """Go to a break of the drive at time `goal`: with the flow to just before it, then straight on."""
+        """Go to a break of the drive at time `goal`: with the flow until just before it, then in a straight line."""
         if goal == self.end:
             return
         wanted = goal - BEFORE_BREAK * self.end
@@ -242,7 +242,7 @@ class Walk:
         self._begin(np.append(state[:-1] + (goal - state[-1]) / slope[-1] * slope[:-1], goal))
 
     def _at_rest(self, block: int) -> Event | None:
-        """Return the change point, or the dead point that only time approaches, at which the flow comes to rest."""
+        """Return the change point at which the flow comes to rest, or the dead point that depends on time alone."""
         size = abs(self.scaled[block])
         if size < STALLED:
             return self._event(self._ahead(block), block)
@@ -252,7 +252,7 @@ class Walk:
         return self._change_point(self.state, block)
 
     def _ahead(self, block: int) -> Array:
-        """Return the state at which a determinant that time alone moves is zero: a simple zero, or a touch."""
+        """Return the state at which a determinant moved by time alone is zero: a simple zero or a double one."""
         *q, t = self.state.tolist()
         now, nudge = self.scaled[block], 1e-6 * self.end
         rate = (self.flow.scaled(t + nudge, q)[block] - self.flow.scaled(t - nudge, q)[block]) / (2 * nudge)
@@ -260,7 +260,7 @@ class Walk:
         return np.array([*q, min(times, key=lambda at: abs(self.flow.scaled(at, q)[block]))])
 
     def _change_point(self, state: Array, block: int) -> Event | None:
-        """Return the change point that the motion meets near a state, if there is one."""
+        """Return the change point that the motion meets near a state, None if there is none."""
         *q, t = state.tolist()
         sizes = [abs(size) for size in self._determinants(state)]
         block = next(k for k, size in enumerate(sizes) if size <= 10 * sizes[block])
@@ -273,7 +273,7 @@ class Walk:
         return None if miss > max(MISSED, 1e3 * self.tolerance) else self._named("change point", time, position, block)
 
     def _event(self, state: Array, block: int) -> Event:
-        """Return the event at a state with a determinant of zero: a change point where one is there, else a dead point."""
+        """Return the event at a state with a zero determinant: a change point if there is one, else a dead point."""
         try:
             event = self._change_point(state, block)
         except ArithmeticError:
@@ -284,5 +284,5 @@ class Walk:
         sizes = self.flow.scaled(time, position.tolist())
         together = tuple(k for k, size in enumerate(sizes) if abs(size) < TOGETHER or k == block)
         demanded = self.flow.demand(time, position.tolist(), together[0])
-        # A start that is singular itself is so at once, whatever the search for the point has made of round-off.
+        # An event at a singular start happens at time 0, whatever round-off the search has added.
         return Event(kind, together[0], time if time > ROOT * self.end else 0.0, position, demanded, together)

@@ -1,1 +1,1 @@
-"""What accuracy costs: error against evaluations and time for one scene, by the protocol of a work-precision study."""
+"""The cost of accuracy: error against evaluations and time for one scene, by the protocol of a work-precision study."""

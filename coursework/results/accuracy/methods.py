@@ -1,4 +1,4 @@
-"""The ways to the motion that are compared, each with its settings, evaluations and rows.
+"""The methods that are compared, each with its settings, evaluations and rows.
 
 Enters: a problem.  Leaves: trials to run.  To add one, add a function here and a line in `trials`.
 Used by `sentences.py` and `study.py`.
@@ -24,23 +24,23 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say, say_count
 
-# Steps a row; the first order needs more of them to show itself.
+# Steps a row; a first-order scheme needs more of them to show its order.
 USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 FIRST_ORDER_SUBSTEPS = (*USUAL_SUBSTEPS, 256, 1024, 4096)
-# A step with Newton corrections costs as much as this many generated steps, and so many operations.
+# Cost of a step with Newton corrections, in generated steps; cost of one correction, in operations.
 PROJECTED_COST, _CORRECTION = 128, 2500
 PROJECTED_SUBSTEPS = (1, 2, 4, 8)
 NEWTONS = (1, 2)
-# A step of the pair ends at each row, so that a coarser tolerance changes nothing.
+# Each row ends a step of the pair, so that coarser tolerances would change nothing.
 TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 
 
 @frozen
 class Trial:
-    """One method at one setting; `run` returns rows (n, m) and the evaluations of the right-hand side.
+    """One method with one setting; `run` returns rows (n, m) and the evaluations of the right-hand side.
 
-    The rows are those looked at; with `fine` every row of a table with so many steps a row.  A Newton correction counts as
-    one evaluation (residual and Jacobian).  `closed`: the method is the one by which the exact motion itself is found.
+    The rows are those examined; if `fine` is not 0, they are all rows of a table with `fine` steps a row.  A Newton correction
+    counts as one evaluation (residual and Jacobian).  `closed`: the exact motion itself is found by this method.
     """
 
     method: str
@@ -51,19 +51,19 @@ class Trial:
 
 
 def projected_title(newton: int) -> str:
-    """Return what the coursework's scheme with so many Newton projections a step is called."""
+    """Return the title of the coursework's scheme with `newton` Newton projections a step."""
     return say_count("study.projected", newton)
 
 
 def title_of_corrected(scheme: str, project: int, gain: float) -> str:
-    """Return the name of the method by which a table was made, "" of one that is not tried."""
+    """Return the title of the method by which a table was made; "" if that method is not compared."""
     if gain or (project and scheme != DEFAULT_SCHEME.name):
         return ""
     return projected_title(project) if project else title_of(SCHEMES[scheme])
 
 
 def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
-    """Yield every trial inside the bounds, method after method; that with the table's own step for each scheme."""
+    """Yield every trial inside the bounds, method after method; the table's own step is always included for each scheme."""
     rows = problem.rows
     for scheme in SCHEMES.values():
         loop = generate_loop(scheme, problem.rates)
@@ -90,7 +90,7 @@ def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
 
 
 def left_out(problem: Problem, bounds: Bounds) -> list[str]:
-    """Say what a long table leaves no work for, nothing for a usual one."""
+    """Return sentences about what was left out because the table is long; empty for a usual table."""
     told: list[str] = []
     if problem.pace > 1:
         told.append(say("study.thinned", rows=problem.rows + 1, pace=problem.pace, marks=len(problem.marks)))
@@ -115,7 +115,7 @@ def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int
 
 
 def _closed(problem: Problem) -> tuple[Array, int]:
-    """Return the closed positions, and how often slopes or residuals were computed on the way."""
+    """Return the closed positions, and how many slopes and residuals were computed."""
     assert problem.closure is not None
     counts: list[int] = []
 

@@ -1,10 +1,10 @@
-"""What the study works on, and how much work it may make of a long table.
+"""The problem that a study works on, and how much work it may do on a long table.
 
-Enters: the right-hand side, start and rows of a run.  Leaves: `Problem`, the rows looked at, the bounds `PAGE` and `TIMED`.
+Enters: the right-hand side, start and rows of a run.  Leaves: `Problem`, the rows examined, the bounds `PAGE` and `TIMED`.
 Used by `methods.py`, `study.py`, and by those who ask for a study.
 
-Work is counted in operations of the generated program (some 60 ns each in Python), so that the same file is bounded alike on
-every machine.
+Work is counted in operations of the generated program (some 60 ns each in Python), so that the bounds for a file are the same
+on every machine.
 """
 
 from __future__ import annotations
@@ -23,30 +23,30 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import caching, frozen
 
 _OPERATION = re.compile(r"[-+*/(]")
-# Every scheme once with the step of the table may take so much; a table that takes more is not studied.
+# Largest work (operations) of all schemes together with the step of the table; a table that takes more is not studied.
 MOST_WORK = 250e6
-# Rows at which errors are looked for: each costs the refined and the adaptive runs some hundred evaluations.
+# Number of rows at which errors are measured: each costs the refined and the adaptive runs some hundred evaluations.
 MOST_MARKS, FEWEST_MARKS = 2000, 100
 _MARKS_WORK, _EVALUATIONS_A_MARK = 25e6, 126
 
 
 @frozen
 class Bounds:
-    """The finest `substeps` a row, and the `work` of one run that is finer than the table or corrected step by step."""
+    """The bounds of a run: the finest `substeps` a row, and the `work` if it is finer than the table or corrected."""
 
     substeps: int
     work: float
 
 
-# A page made beside a run takes the runs that are cheap; the rest continues the same straight line.
+# For a page made beside a run only the cheap runs are made; finer ones would continue the same straight line.
 PAGE = Bounds(256, 2.5e6)
-# With the first order up to 4096 steps a row (98 304 steps for 24 rows), where the error has fallen by three orders.
+# First-order schemes go up to 4096 steps a row (98 304 steps for 24 rows), where the error has fallen a thousandfold.
 TIMED = Bounds(4096, 12e6)
 
 
 @caching
 class Problem:
-    """What a trial needs: rates, start, row distance h (s), number of rows, closure if known; `units` of the coordinates."""
+    """The input of a trial: rates, start, row distance h (s), number of rows, closure if known; `units` of the coordinates."""
 
     rates: Rates
     start: Sequence[float]
@@ -57,28 +57,28 @@ class Problem:
 
     @cached_property
     def operations(self) -> int:
-        """Return the operations of one evaluation of the right-hand side."""
+        """Return the number of operations in one evaluation of the right-hand side."""
         return max(1, sum(len(_OPERATION.findall(line.text)) for line in self.rates.body.lines))
 
     @property
     def work(self) -> float:
-        """Return the operations that every scheme together takes with the step of the table."""
+        """Return the number of operations for one run of every scheme with the step of the table."""
         return float(self.rows * self.operations * sum(scheme.slopes for scheme in SCHEMES.values()))
 
     @property
     def pace(self) -> int:
-        """Return n where errors are looked for in every n-th row."""
+        """Return n if errors are measured in every n-th row."""
         most = _MARKS_WORK / (_EVALUATIONS_A_MARK * self.operations)
         return math.ceil(self.rows / min(MOST_MARKS, max(FEWEST_MARKS, most)))
 
     @cached_property
     def marks(self) -> tuple[int, ...]:
-        """Return the rows (from 0) looked at: every n-th, those at a break of the drive, the last."""
+        """Return the rows (from 0) at which errors are measured: every n-th, those at a break of the drive, and the last."""
         near = {row for time in self.rates.breaks if (row := round(time / self.step)) < self.rows}
         at_breaks = {row for row in near if math.isfinite(self.rates.may_look_until(row * self.step))}
         return tuple(sorted({*range(0, self.rows, self.pace), *at_breaks, self.rows}))
 
     @property
     def times(self) -> Array:
-        """Return the times of the rows looked at (s)."""
+        """Return the times (s) of the rows at which errors are measured."""
         return np.array(self.marks).astype(np.float64) * self.step

@@ -1,4 +1,4 @@
-"""What a study leaves behind: its rows, orders, budget and words.
+"""The result of a study: its rows, orders, budget and words.
 
 Leaves `study.py`; read by the report and the command line.
 """
@@ -13,9 +13,10 @@ from coursework.system.frozen import frozen
 
 @frozen
 class StudyRow:
-    """One method at one setting; errors in `unit` and `end_unit`, `seconds` None where not timed, `failed` says why it did.
+    """The result of one method with one setting; errors are in `unit` and `end_unit`.
 
-    `time_ratio` is that time as a multiple of the time of Euler with the table's own step.
+    `seconds` is None if it was not timed; `failed` says why a run failed.  `time_ratio` is the time as a multiple of the time of
+    Euler with the table's own step.
     """
 
     method: str
@@ -32,9 +33,11 @@ class StudyRow:
 
 @frozen
 class AccuracyStudy:
-    """`rows`; measured `orders` by method; the coursework's `own` point (method, evaluations, error, seconds); round-off
-    `floor`; `reference_label`; `sentences`; `overhead` (what, seconds); `machine` where it was timed;
-    `left_out`: what a long table leaves no work for.
+    """The rows of a study and what follows from them.
+
+    `orders` are the measured orders by method; `own` is the coursework's point (method, evaluations, error, seconds); `floor` the
+    round-off floor; `overhead` lists (what, seconds); `machine` describes where it was timed; `left_out` says what was left out
+    because the table is long.
     """
 
     rows: tuple[StudyRow, ...]

@@ -1,4 +1,4 @@
-"""The lesson of single precision: with ever smaller steps round-off takes back what the scheme gains.
+"""The lesson of single precision: with smaller and smaller steps, round-off cancels what the scheme gains.
 
 Enters: a scene with its exact end.  Leaves: rows of the V-shaped curve, for t = i*h and for t += h.
 Used by `run.py`.
@@ -15,15 +15,15 @@ from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-# Steps a row: from the coursework's step to where single precision loses more than the scheme gains, also with t = i*h.
+# Steps a row: from the coursework's step to where single precision loses more than the scheme gains, even with t = i*h.
 SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096, 16384)
-# The curve ends where both errors of single precision have risen to this many times their least, or beyond so many steps.
+# The curve ends when both single-precision errors have risen to this multiple of their minimum, or beyond this many steps.
 _RISEN, _MOST_STEPS = 4.0, 400_000
 
 
 @frozen
 class RoundOffRow:
-    """Error of the last row (rad or m) with `steps` steps: doubles, single precision, single precision with t += h."""
+    """Error of the last row (rad or m) after `steps` steps: in doubles, in single precision, in single precision with t += h."""
 
     steps: int
     double: float
@@ -34,7 +34,7 @@ class RoundOffRow:
 def round_off_curve(
     rates: Rates, scheme: str, start: Sequence[float], step: float, rows: int, end: Array
 ) -> Iterator[RoundOffRow]:
-    """Yield the curve, coarse to fine, until it has turned up again; some seconds in all."""
+    """Yield the curve from coarse to fine until it has turned up again; this takes some seconds in all."""
     from coursework.motion.integration.loops import generate_loop
     from coursework.motion.schemes import SCHEMES
 

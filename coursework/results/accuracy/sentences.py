@@ -1,4 +1,4 @@
-"""What the study says to a student, in words computed from its rows.
+"""What a study says to a student, in sentences computed from its rows.
 
 Enters: rows and orders.  Leaves: sentences.  Used by `study.py`.
 """
@@ -15,14 +15,14 @@ from coursework.results.accuracy.trace import local_slopes
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# Local slopes of a method that has come to its order differ by less.
+# A method has reached its order if its local slopes differ by less.
 _SETTLED = 0.5
-# A better scheme has at most this part of Euler's error.
+# A better scheme has at most this share of Euler's error.
 _BETTER = 0.95
-# Round-off of one step (rad or m); that of many steps grows as the root of their number (N. J. Higham, Accuracy and Stability of
-# Numerical Algorithms, section 2.8).
+# Round-off of one step (rad or m); over many steps it grows as the square root of their number (N. J. Higham, Accuracy and
+# Stability of Numerical Algorithms, section 2.8).
 _UNIT = 2.0**-53
-# The round-off of one step that the least error that is measured stands for.
+# The smallest measurable error, in round-offs of one step.
 ROUNDINGS = 64
 _HUNDRED = math.radians(99.5)
 
@@ -36,10 +36,10 @@ def sentences_of(
     *,
     is_own: bool = True,
 ) -> tuple[str, ...]:
-    """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap.
+    """Return the findings: the own step, the better scheme at the same step, the cost of equal accuracy, the end-row trap.
 
-    `is_own` is False of a table whose drift is corrected, where no trial is: then `own` is its scheme without that.
-    Of errors below the round-off `floor` the last row tells nothing.
+    `is_own` is False for a table with corrected drift that no trial matches; `own` is then its scheme without the correction.
+    The last row says nothing about errors below the round-off `floor`.
     """
     best = _first(rows, title_of(PRECISE))
     usual = _first(rows, title_of(DEFAULT_SCHEME))
@@ -75,7 +75,7 @@ def sentences_of(
         size = _size(closed[0].max_error, closed[0].unit)
         told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
     understated = usual.max_error / max(usual.end_error, 1e-300)
-    if understated >= 1.1 and usual.max_error > floor and usual.end_unit == usual.unit:  # an angle is no number of times a length
+    if understated >= 1.1 and usual.max_error > floor and usual.end_unit == usual.unit:  # an angle is no multiple of a length
         told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=_round(understated)))
     titles = [title_of(scheme) for scheme in SCHEMES.values()]
     seeming = {name: end_orders[name] for name, order in orders.items() if end_orders.get(name, order) - order > 0.5}
@@ -88,15 +88,15 @@ def sentences_of(
 
 
 def unsettled(rows: Sequence[StudyRow], floor: float, *, broken: bool = False) -> tuple[str, ...]:
-    """Return the finding that schemes have no order yet: their local slopes differ, or no errors are small enough for one.
+    """Return the finding that schemes show no order: their local slopes differ, or no errors are small enough.
 
-    `broken`: the drive changes its formula inside a step of every run, which takes the order from schemes.
+    `broken`: the drive changes its formula inside a step of every run, which spoils the order of a scheme.
     """
     told = []
     for scheme in SCHEMES.values():
         own = [row for row in rows if row.method == title_of(scheme) and not row.failed]
         if own and own[-1].max_error <= own[-1].evaluations * floor / ROUNDINGS:
-            continue  # what the steps round off grows with their number
+            continue  # the round-off of the steps grows with their number
         local = local_slopes([row.evaluations for row in own], [row.max_error for row in own], floor)
         if len(local) > 1 and abs(local[-1] - local[-2]) > _SETTLED:
             told.append(say("study.slopes", method=title_of(scheme), first=local[-2], last=local[-1]))
@@ -110,9 +110,10 @@ def _first(rows: Sequence[StudyRow], method: str) -> StudyRow:
 
 
 def _steps_for(rows: Sequence[StudyRow], error: float) -> tuple[float, tuple[int, int] | None] | None:
-    """Return the Euler steps that reach `error`, and between which runs they lie: there the logarithms grow evenly.
+    """Return the Euler steps that reach `error`, interpolated on logarithms, and the two runs between which they lie.
 
-    Beyond the finest run the error falls as 1/steps, and nothing bounds them.
+    Beyond the finest run the error is assumed to fall as 1/steps; there the second value is None.  None if no run reaches the
+    error.
     """
     usual = [row for row in rows if row.method == title_of(DEFAULT_SCHEME) and not row.failed]
     last = usual[-1]
@@ -130,12 +131,12 @@ def _steps_for(rows: Sequence[StudyRow], error: float) -> tuple[float, tuple[int
 
 
 def _times_less(row: StudyRow, other: StudyRow) -> str:
-    """Return how many times less the error of a method is than that of another one."""
+    """Return how many times smaller the error of `row` is than that of `other`."""
     return _round(other.max_error / row.max_error if row.max_error else math.inf)
 
 
 def _told(key: str, time: dict[str, object], **values: object) -> Sentence:
-    """Return a finding, with the time it took where it was timed."""
+    """Return a finding, with the time if it was measured."""
     return say(f"{key}.timed", **values, **time) if time else say(f"{key}.plain", **values)
 
 
@@ -146,7 +147,7 @@ def _size(value: float, unit: str) -> Sentence:
 
 
 def _round(value: float) -> str:
-    """Return a number with two digits, thousands a narrow space apart at which no line ends."""
+    """Return a number with two significant digits and narrow no-break spaces between thousands."""
     if not math.isfinite(value) or value <= 0:
         return say("amount.many")
     digits = max(0, math.floor(math.log10(value)) - 1)

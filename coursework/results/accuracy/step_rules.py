@@ -1,4 +1,4 @@
-"""The rules that a step must keep whatever its error: rows enough for the drive and for a turn, no jump of a link.
+"""Rules for a step that do not depend on its error: enough rows for the drive and for a turn, no jump of a link.
 
 Enters: velocity equations and the search for dead points.  Leaves: `StepRules`, counted in steps of a run.
 Used by `step_search.py` and the command line; the same rules as the checks STEP and PEAK.
@@ -18,22 +18,22 @@ from coursework.results.checks.close_to_motion.rows import AT_ROW, ROWS_A_PERIOD
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS
 
-# A break that no row is at with so many parts of the run is left to the error.
+# If no division of the run into this many parts puts a row at a break, the break is left to the error.
 _MOST_PARTS = 1000
 _ROUNDING = 1e-9
-# So many times the rows are tried where those would not show a pulse.
+# Factor by which the number of steps grows until the rows show every pulse.
 _FINER = 1.25
 
 
 @frozen
 class StepRules:
-    """A run has at least `fewest` steps, and a multiple of `pace`, so that a row stands at each break of the drive."""
+    """The rules: a run has at least `fewest` steps, and a multiple of `pace`, which puts a row at each break of the drive."""
 
     fewest: int = 1
     pace: int = 1
 
     def rounded(self, steps: int) -> int:
-        """Return the smallest number of steps from `steps` on that keeps the rules."""
+        """Return the smallest number of steps, not below `steps`, that keeps the rules."""
         return self.pace * math.ceil(max(steps, self.fewest) / self.pace)
 
 
@@ -58,7 +58,7 @@ def step_rules(equations: VelocityEquations, search: Search) -> StepRules:
 
 
 def _pace(times: tuple[float, ...], end: float) -> int:
-    """Return the number of parts of a run that puts a part's end at each time, as far as there is one."""
+    """Return the number of equal parts of a run that puts the end of a part at each of the times; 1 if that takes too many."""
     parts = [Fraction(time / end).limit_denominator(_MOST_PARTS) for time in times if time < end]
     met = [part.denominator for part, time in zip(parts, times, strict=False) if abs(float(part) * end - time) <= AT_ROW * time]
     whole = math.lcm(*met)

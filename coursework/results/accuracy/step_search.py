@@ -1,7 +1,7 @@
-"""The smallest number of steps that keeps the error under a wish, and what the better schemes would need.
+"""The smallest number of steps that keeps the error under a wish, and the numbers that better schemes need.
 
 Enters: a scene and a wished error (rad or m, maximum over the scheme's own rows).  Leaves: `StepChoice`.
-Raises `InputError` where the search or the run would take minutes, and says how long.
+Raises `InputError` if the search or the run would take minutes, and says how long.
 Used by `api.py`.
 """
 
@@ -29,27 +29,27 @@ from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-# Where a number of steps does not do, this part of itself more is tried, then twice this part, three times …
+# If a number of steps fails, it is raised by this share of itself, then by twice this share, three times …
 _FINER = 0.1
-# As many as a table has rows.
+# The same limit as for the rows of a table.
 MOST_STEPS = MAX_ROWS
-# Trials of a search, and the steps of the one from which the time of all is foretold.
+# Number of trials in a search; number of steps in the trial that predicts their time.
 _TRIALS, _SAMPLE = 8, 1000
-# So many times the coursework's own steps tell by their order how many a wish needs.
+# Up to this multiple of the coursework's own steps, a prediction of too many steps is tested once more.
 _COARSE = 8
-# With so many steps and more the precise scheme is far better than any of a lower order, without smaller steps of its own.
+# From this many steps on the precise scheme is far better than one of lower order even with the same steps.
 _FINE = 1000
-# Where a drive does in this part of a step what is wanted of all of it, no steps of equal length are a reference.
+# If the drive needs stretches shorter than 1/_SUDDEN of a step, equal steps are no reference.
 _SUDDEN = 4
-# Round-off of the precise scheme in doubles grows to 1e-13; a wish must stay well above what can be told apart.
+# Round-off of the precise scheme in doubles grows to 1e-13; a wished error must be well above what can be resolved.
 LEAST_ERROR = 1e-10
 
 
 @frozen
 class Need:
-    """What one scheme needs: `steps` of h = end/steps, `evaluations`, the `error` reached.
+    """What one scheme needs: `steps` of h = end/steps, `evaluations`, and the `error` reached.
 
-    `ruled`: fewer steps would have done for the wish, but not for the rules of a table.
+    `ruled`: fewer steps would reach the wished error, but would break the rules of a table.
     """
 
     title: str
@@ -61,7 +61,7 @@ class Need:
 
 @frozen
 class StepChoice:
-    """`step` (s) of the scheme asked for, its `need`, and the `others`, cheapest first."""
+    """The chosen `step` (s) of the scheme asked for, its `need`, and the `others`, cheapest first."""
 
     step: float
     need: Need
@@ -94,7 +94,7 @@ def choose_step(
 ) -> StepChoice:  # fmt: skip
     """Return the largest step end/N whose error over its N + 1 rows stays under `wish`, and that keeps the `rules`.
 
-    `runs(scheme, step)` tries a run of the table with a step: what does not reach its end is not advised.
+    `runs(scheme, step)` makes a run of the table with a step; a step whose run does not reach its end is not advised.
     """
     if not (np.isfinite(wish) and wish >= LEAST_ERROR):
         raise InputError(say("fault.C019", wish=wish, least_error=LEAST_ERROR))
@@ -107,7 +107,7 @@ def choose_step(
         own = search(scheme).need(MOST_STEPS)
     except TooLong as refused:
         own = refused
-    # Only a scheme of the same or a higher order can be cheaper, and only one that is cheaper is worth a search.
+    # Only a scheme of the same or a higher order can be cheaper, and only a cheaper one is worth a search.
     rivals = [rival for name, rival in SCHEMES.items() if name != scheme and rival.order >= SCHEMES[scheme].order]
     others = []
     for rival in rivals:
@@ -123,7 +123,7 @@ def choose_step(
 
 
 class TooLong(Exception):
-    """What was wished for would take minutes: so many steps."""
+    """The wish needs so many `steps` that it would take minutes."""
 
     def __init__(self, steps: float) -> None:
         super().__init__(steps)
@@ -132,7 +132,7 @@ class TooLong(Exception):
 
 @dataclass(frozen=True)
 class _Search:
-    """The search for one scheme's number of steps; `rules` and `runs` are what it must keep besides the wish."""
+    """The search for one scheme's number of steps; `rules` and `runs` are further conditions besides the wish."""
 
     scheme: Scheme
     rates: Rates
@@ -142,10 +142,10 @@ class _Search:
     wish: float
     rules: StepRules
     runs: Callable[[str, float], bool]
-    found: dict[int, float] = field(default_factory=dict)  # the error with each number of steps that was tried
+    found: dict[int, float] = field(default_factory=dict)  # number of steps tried -> its error
 
     def need(self, most: int) -> Need:
-        """Return the fewest steps that keep the wish and the rules, and run.  Raises `TooLong` beyond `most` of them."""
+        """Return the fewest steps that keep the wish and the rules and whose run works.  Raises `TooLong` beyond `most` steps."""
         fewest = self.fewest()
         steps = self.rules.rounded(fewest)
         part = _FINER
@@ -161,7 +161,7 @@ class _Search:
     def fewest(self) -> int:
         """Return the smallest number of steps whose error is under the wish.  Raises `TooLong`."""
         steps = first = min(max(1, round(self.end / self.step)), MOST_STEPS)
-        low, high = 0, MOST_STEPS + 1  # errors at `low` are above the wish, at `high` not; neither end is computed
+        low, high = 0, MOST_STEPS + 1  # the error is above the wish at `low`, not at `high`; neither end is computed
         while high - low > 1:
             error = self.error(steps)
             if not np.isfinite(error):
@@ -176,18 +176,18 @@ class _Search:
                 if guess > 1.3 * MOST_STEPS:
                     if steps > _COARSE * first:
                         raise TooLong(guess)
-                    guess = min(_COARSE * 2 * first, MOST_STEPS)  # coarse steps foretell little: look once more
+                    guess = min(_COARSE * 2 * first, MOST_STEPS)  # coarse steps predict little: look once more
                 steps = max(low + 1, min(high - 1, math.ceil(guess)))
         return high
 
     def error(self, steps: int) -> float:
-        """Return the largest error (rad or m) of all rows of a run with so many steps."""
+        """Return the largest error (rad or m) over all rows of a run with `steps` steps."""
         if steps not in self.found:
             self.found[steps] = self.measured(steps)
         return self.found[steps]
 
     def measured(self, steps: int) -> float:
-        """Return the error, measured anew."""
+        """Return the error, measured afresh."""
         own, reference = (generate_loop(scheme, self.rates) for scheme in (self.scheme, PRECISE))
         rows = _rows(own, self.rates, self.start, self.end, steps, 1)
         if resolution(self.rates.equations, self.end).shorter(self.end / steps / _SUDDEN)[0].size:
@@ -195,12 +195,12 @@ class _Search:
                 exact = refine(self.rates, self.start, np.arange(steps + 1).astype(np.float64) * (self.end / steps))[0]
                 return float(np.max(np.abs(rows - exact)))
             return np.inf
-        # The precise scheme with four times the steps is the reference: 256 times less error than itself, more than any other.
+        # The reference is the precise scheme with four times the steps: its error is 256 times smaller than with the same steps.
         parts = 1 if steps >= _FINE and self.scheme.order < PRECISE.order else 4
         return float(np.max(np.abs(rows - _rows(reference, self.rates, self.start, self.end, steps, parts))))
 
     def refused(self, steps: float) -> Sentence:
-        """Return the sentence for more steps than can be tried, which says how long they would take."""
+        """Return the sentence that `steps` are more than can be tried, and how long they would take."""
         spent = _TRIALS * steps / _SAMPLE * seconds(lambda: self.measured(_SAMPLE), repeats=1, shortest=0.0)
         return say(
             "steps.too_long", scheme=title_of(self.scheme), steps=float(steps), wish=self.wish, most=MOST_STEPS,

@@ -1,7 +1,7 @@
 """The work-precision study of one problem.
 
 Enters: a problem, its exact motion.  Leaves: frozen `AccuracyStudy`.
-Protocol (numerics.md 2.2): error = maximum over the coursework's grid and all coordinates against a reference that is
+Protocol (numerics.md 2.2): the error is the maximum over the coursework's grid and all coordinates, against a reference that is
 independent of the schemes; the error of the last row alone is kept beside it because it understates.
 Used by `commands/accuracy.py` and `quantities.py`.
 """
@@ -28,9 +28,9 @@ from coursework.results.checks.close_to_motion.rows import between
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
-# Closed positions and a refined run that differ by more (rad or m) are two motions, not two roundings of one.
+# If closed positions and a refined run differ by more (rad or m), they are two motions, not two roundings of one.
 SAME = 1e-9
-_NO_ORDER = 0.5  # with less the error does not fall with the step, or not yet
+_NO_ORDER = 0.5  # a lower order means that the error does not fall with the step, or not yet
 
 
 def make_study(
@@ -51,11 +51,11 @@ def make_study(
     except OutOfReach:
         return _without_runs(say("study.not_followed"), exact, timed)
     agreement = float(np.max(np.abs(other - reference)))
-    # Derivatives of a table are not those of a curve through it: there every scheme comes to rest at its own motion.
+    # Derivatives of a table are not those of a curve through it: then every scheme converges to a motion of its own.
     is_same = agreement < SAME
     if not is_same:
         reference = other
-    # No error can be measured that is smaller than what two references differ by.
+    # No error below the difference of two references can be measured.
     size = max(1.0, float(np.max(np.abs(reference))))
     floor = max(ROUNDINGS * float(np.finfo(float).eps) * size, agreement if is_same else 0.0)
     fine = {0: reference} | ({1: reference} if problem.pace == 1 else {})
@@ -67,7 +67,7 @@ def make_study(
             (positions, evaluations), once = timed_once(trial.run)
             if trial.fine not in fine:
                 fine[trial.fine] = _finer(problem, trial.fine, closed=is_same)
-            # Compared with itself the closure would have no error at all.
+            # The closure compared with itself would have no error.
             gaps = np.abs(positions - (other if trial.closed and is_same else fine[trial.fine]))
         except (ArithmeticError, ValueError, np.linalg.LinAlgError, NotReached) as error:
             rows.append(
@@ -75,7 +75,7 @@ def make_study(
             )
             continue
         spent = (once if once > REPEATS * QUICK_REPEAT else seconds(trial.run, shortest=QUICK_REPEAT)) if timed else None
-        # The first trial is Euler with the table's own step: a ratio to it says more than seconds of one machine.
+        # The first trial is Euler with the table's own step: ratios to it say more than seconds on one machine.
         first = rows[0].seconds if rows else spent
         ratio = spent / first if spent and first else None
         columns, last = np.max(gaps, axis=0), gaps[-1]
@@ -83,13 +83,13 @@ def make_study(
         largest = float(np.max(columns)), float(np.max(last))
         rows.append(StudyRow(trial.method, trial.setting, evaluations, *largest, spent, "", *units, ratio))
     orders, end_orders = orders_of(rows, floor, _NO_ORDER), orders_of(rows, floor, _NO_ORDER, end=True)
-    # A corrected table is none of its scheme's trials: it is that of Euler with as many projections, or none at all.
+    # A corrected table matches no trial of its scheme, only Euler with as many projections, if anything.
     title, corrected = title_of(SCHEMES[scheme]), title_of_corrected(scheme, project, gain)
     own_row = next((row for row in rows if row.method == corrected and not row.failed), None)
     own = None if own_row is None else (own_row.method, own_row.evaluations, own_row.max_error, own_row.seconds)
     own_row = own_row or next(row for row in rows if row.method == title)
     label = exact.label
-    if agreement:  # where there is no closure, the reference is such a run itself
+    if agreement:  # without a closure, the reference is a refined run itself
         key = "study.reference" if is_same else "study.own_reference"
         label = say(key, label=label, gap=gap, agreement=agreement)
     told = (
@@ -102,19 +102,19 @@ def make_study(
 
 
 def _is_broken(problem: Problem, rows: Sequence[StudyRow]) -> bool:
-    """Return whether a break of the drive lies inside a step of the finest run, and so of every one."""
+    """Return whether a break of the drive lies inside a step of the finest run, and so of every run."""
     end = problem.rows * problem.step
     most = max(int(row.steps_or_tolerance) for row in rows if row.steps_or_tolerance.isdigit())
     return bool(between(problem.rates.breaks, end / most, end))
 
 
 def _without_runs(why: str, exact: Motion, timed: bool) -> AccuracyStudy:
-    """Return the study of what is too much for any run: why there is no more."""
+    """Return a study without runs because they would take too much, with the reason `why`."""
     return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), timed, {}, (why,))
 
 
 def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:
-    """Return the exact positions on the own rows of a projected run: closed ones, or those of the refined run."""
+    """Return the exact positions on the finer rows of a projected run: closed positions, or those of a refined run."""
     times = np.arange(problem.rows * fine + 1).astype(np.float64) * (problem.step / fine)
     if closed and problem.closure is not None:
         return follow_closure(problem.closure, problem.rates, times)
@@ -122,7 +122,7 @@ def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:
 
 
 def machine() -> dict[str, str]:
-    """Return on what the times were measured: they mean nothing without it."""
+    """Return a description of the machine: the times mean nothing without it."""
     return {
         "system": f"{platform.system()} {platform.machine()}", "processors": str(os.cpu_count() or 1),
         "python": f"{platform.python_implementation()} {platform.python_version()}",

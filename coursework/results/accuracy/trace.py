@@ -1,6 +1,6 @@
 """Rows of a scheme on the coursework's grid with many steps between them, and their error.
 
-Enters: a generated loop, the rows looked at, a reference.  Leaves: positions (n, m), errors.  Used by `methods.py`
+Enters: a generated loop, the rows examined, a reference.  Leaves: positions (n, m), errors.  Used by `methods.py`
 and `study.py`.
 """
 
@@ -20,9 +20,10 @@ def trace(
     loop: Loop, start: Sequence[float], step: float, marks: Sequence[int], substeps: int,
     latest: Callable[[float], float] | None = None,
 ) -> Array:  # fmt: skip
-    """Return the positions (n, m) in the rows `marks`, which begin with 0 and are `step` apart, with `substeps` steps a row.
+    """Return the positions (n, m) in the rows `marks`, which begin with 0, with `substeps` steps a row; rows are `step` s apart.
 
-    `latest(t)`: how far the steps before the row at t may look (`Rates.may_look_until`); a row there is a mark.
+    `latest(t)` is the last time at which the steps before the row at t may evaluate slopes (`Rates.may_look_until`); a row where
+    this matters must be a mark.
     """
     q = tuple(start)
     found = [q]
@@ -35,10 +36,10 @@ def trace(
 
 
 def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float | None:
-    """Return the order of accuracy measured by least squares of log error on log steps.
+    """Return the order of accuracy: the slope of log error against log cost by least squares.
 
-    Only the finest three points count that lie between ten times the round-off `floor` and 0.1: coarse steps have not reached
-    the order yet.  None where fewer than two remain.
+    Only the finest three points between ten times the round-off `floor` and 0.1 count, because coarse steps have not reached
+    the order yet.  None if fewer than two remain.
     """
     kept = _counted(costs, found, floor)
     if len(kept) < 2:
@@ -48,7 +49,7 @@ def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float
 
 
 def orders_of(rows: Sequence[StudyRow], floor: float, least: float, *, end: bool = False, scale: float = 1.0) -> dict[str, float]:
-    """Return the order by its cost of each method that has steps, where it is more than `least`; errors as parts of a scale."""
+    """Return method -> measured order for each method with steps whose order exceeds `least`; errors are divided by `scale`."""
     found = {}
     for method in dict.fromkeys(row.method for row in rows):
         own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
@@ -60,12 +61,12 @@ def orders_of(rows: Sequence[StudyRow], floor: float, least: float, *, end: bool
 
 
 def local_slopes(costs: Sequence[float], found: Sequence[float], floor: float) -> list[float]:
-    """Return the orders between every two neighbours of the points that `slope` is laid through."""
+    """Return the orders between neighbouring points, for the points that `slope` uses."""
     pairs = itertools.pairwise(_counted(costs, found, floor))
     return [float((log_error - further) / (finer - log_cost)) for (log_cost, log_error), (finer, further) in pairs]
 
 
 def _counted(costs: Sequence[float], found: Sequence[float], floor: float) -> list[tuple[float, float]]:
-    """Return logarithms of cost and error of the finest three points between round-off and what has an order."""
+    """Return the logarithms of cost and error of the finest three points between round-off and 0.1."""
     kept = [(np.log(cost), np.log(error)) for cost, error in zip(costs, found, strict=True) if 10 * floor < error < 0.1]
     return kept[-3:]

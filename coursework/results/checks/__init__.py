@@ -1,1 +1,1 @@
-"""Facts about a motion, each with a stable code; `check.check_motion` runs the families in order."""
+"""Facts about a motion, each with a stable code; `check.check_motion` runs all checks in order."""

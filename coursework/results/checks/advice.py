@@ -1,7 +1,7 @@
-"""Which step would do: the tool runs it before it advises it.
+"""The step that would be fine enough: it is run before it is advised.
 
-Enters: `Evidence` and findings, some of them COARSE.  Leaves: the same findings with a step, and in words what to take.
-Used by `check.py`, which lends the judging of a motion.
+Enters: `Evidence` and findings, some of them COARSE.  Leaves: the same findings with a step, and a sentence of advice.
+Used by `check.py`, which supplies the judge of a motion.
 """
 
 from __future__ import annotations
@@ -27,22 +27,24 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 Judge = Callable[[Evidence], Sequence[Finding]]
-# What the next step aims at: a coarse table is further off than the order of its scheme says, and each trial costs a march.
+# Share aimed at with the next step: a coarse table is further off than its order says, and each trial costs a march.
 AIM = 0.8 * LIMIT
-# Steps tried; the first is enough in nine cases of ten.
+# Largest number of steps tried; the first is enough in nine cases of ten.
 _TRIES = 12
-# An error of so many scales and more follows no order.
+# An error of this many scales or more follows no order.
 _WILD = 10.0
-# So many times better than the order of the scheme says is luck.
+# An error this many times smaller than the order predicts may be luck.
 _LUCK = 4.0
-# Slopes that a step advised may take, counted as those of formulas: some three seconds.
+# Largest work of an advised step, in slopes made of formulas: some three seconds.
 _MOST_WORK = 3e6
 
 
 @frozen
 class Advice:
-    """`option` and `step` (s) of --step, "" and None where none was found; `scheme` that does at the run's own step, and how far
-    its table is off (share).  `jumped`: a finer step that was tried and is worse, and how far its table is off.
+    """What to take instead of a coarse step.
+
+    `option` and `step` (s) are for --step, "" and None if no step was found.  `scheme` is a scheme that is accurate enough at the
+    run's own step, `share` the error of its table.  `jumped` is a finer step that was tried and is worse, with its share.
     """
 
     option: str
@@ -53,7 +55,7 @@ class Advice:
 
     @property
     def sentence(self) -> Sentence:
-        """Return what to take."""
+        """Return the advice in words."""
         better = ""
         if self.scheme:
             title = title_of(SCHEMES[self.scheme])
@@ -71,7 +73,7 @@ class Advice:
 
 
 def with_advice(evidence: Evidence, found: Iterable[Finding], judge: Judge) -> list[Finding]:
-    """Return the findings; those that a finer step cures with that step, tried and judged by `judge`."""
+    """Return the findings; those a finer step cures get that step as advice, after a trial run judged by `judge`."""
     listed = list(found)
     if not any(map(_curable, listed)) or evidence.restricted or evidence.stop is not None:
         return listed
@@ -105,7 +107,7 @@ def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge, found: Stif
 
 
 def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, float]:
-    """Return the scheme of highest order where it does at the run's own step, and by how much its table is off; "" if not."""
+    """Return the scheme of highest order and its error, if it is accurate enough at the run's own step; "" and 0 if not."""
     assert evidence.rerun is not None
     best = max(SCHEMES, key=lambda name: SCHEMES[name].order)
     if own == EXACT or SCHEMES[best].order <= SCHEMES[own].order:
@@ -118,14 +120,13 @@ def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, flo
 
 
 def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, fewest: int) -> tuple[int, tuple[str, float] | None]:
-    """Return the parts of the step, `fewest` or more, with which every motion check passes; 0 where that takes more rows than
-    are computed.
+    """Return the parts of the step, `fewest` or more, with which every motion check passes; 0 if that takes too many rows.
 
-    A step that does better than the order of the scheme lets expect may do so by chance: then finer ones must do too, else the
-    search goes on from there, and that step is returned with its share.
+    A step that does better than the order of the scheme predicts may do so by chance: then finer ones must pass too.  If one does
+    not, the search goes on from there, and that step is returned with its share.
     """
     assert evidence.rerun is not None
-    order = SCHEMES[own].order if own in SCHEMES else 1  # exact rows have no error: what they lack they gain row by row
+    order = SCHEMES[own].order if own in SCHEMES else 1  # exact rows have no error: what they lack comes with more rows
     parts, jumped = 1, None
     known = next((one.value for one in coarse if one.code == "ACCURACY" and one.value), 0.0)
     for _ in range(_TRIES):
@@ -142,7 +143,7 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, few
             continue
         tried = _tried(evidence, own, parts, motion)
         if tried is None:
-            return 0, None  # nothing to judge it against is known, and with more rows it is no nearer
+            return 0, None  # there is no exact motion to judge it against, and more rows would not help
         coarse = [one for one in judge(tried) if _curable(one)]
         if coarse:
             continue
@@ -155,7 +156,7 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, few
 
 
 def _worse(evidence: Evidence, own: str, parts: int, order: int) -> tuple[int, float] | None:
-    """Return a finer step (in parts of the run's own) that does not do although `parts` do, and its share; None where none is."""
+    """Return a finer step (in parts of the run's own) that fails although `parts` pass, and its share; None if none does."""
     assert evidence.rerun is not None
     for more in (2 * parts, 3 * parts):
         if not _affordable(evidence, more, order):
@@ -173,7 +174,7 @@ def _affordable(evidence: Evidence, parts: int, order: int) -> bool:
 
 
 def _glanced(evidence: Evidence, motion: Motion, parts: int) -> float:
-    """Return the largest share by which a finer table is off in the rows that the exact motion has already."""
+    """Return the largest error (share) of a finer table in the rows that the exact motion already has."""
     count = evidence.compared
     common = replace(
         motion, t=motion.t[::parts][:count], coordinates=motion.coordinates[::parts][:count],
@@ -183,7 +184,7 @@ def _glanced(evidence: Evidence, motion: Motion, parts: int) -> float:
 
 
 def _growth(finding: Finding, order: int) -> float:
-    """Return how many times finer a step must be for a check to pass; 2 where its number does not say."""
+    """Return the factor by which the step must be refined for a check to pass; 2 if its number does not say."""
     value, limit = finding.value, finding.limit
     if not value or not limit:
         return 2.0
@@ -191,14 +192,14 @@ def _growth(finding: Finding, order: int) -> float:
         return limit / value
     if finding.code == "PEAK":
         return value / limit
-    # Of a table that is off by more than all that its column does, the error does not tell by how much.
+    # For a table that is off by more than the whole range of its column, the error does not tell by how much to refine.
     return float((min(value, _WILD) / AIM) ** (1 / order)) if limit == LIMIT else 2.0
 
 
 def _tried(evidence: Evidence, scheme: str, parts: int, motion: Motion | None) -> Evidence | None:
-    """Return the evidence about a `motion` of another scheme or a part of the step, None where it does not end well.
+    """Return the evidence about a `motion` with another scheme or a part of the step; None if that run failed.
 
-    Exact rows are none that a scheme makes: they are what a scheme would be judged against.
+    Exact rows are not made by a scheme: they are what a scheme would be judged against.
     """
     assert evidence.exact is not None
     if motion is None and scheme != EXACT:
@@ -213,7 +214,7 @@ def _tried(evidence: Evidence, scheme: str, parts: int, motion: Motion | None) -
 
 
 def _spelled(evidence: Evidence, parts: int) -> tuple[str, float]:
-    """Return a part of the run's step as --step takes it, and in seconds: h/N of the file's step where that is exact."""
+    """Return a part of the run's step as --step takes it, and in seconds: h/N of the file's step if that is exact."""
     step, own = evidence.motion.step / parts, evidence.variant.time.own_step or evidence.variant.time.step
     whole = round(own / step)
     if whole > 1 and abs(own / step / whole - 1) < 1e-12:

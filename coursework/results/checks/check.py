@@ -1,4 +1,4 @@
-"""Every kind of check as one record, in the order of the page, with what it must have before it can judge.
+"""Every kind of check as one record, in the order of the page, with what it needs before it can judge.
 
 Enters: `Evidence` about any motion.  Leaves: a `Finding` of each kind.  Used by `motion_results.py`; page, run.json and command
 line show whatever is found.  To add one: write its judging function, put a `Check` here, and its words under
@@ -36,14 +36,14 @@ def _not_known(evidence: Evidence) -> Sentence:
 
 
 def _why_not_known(evidence: Evidence) -> Sentence | str:
-    """Return what a summary begins with: a motion that ends early is told there anyhow."""
+    """Return what a summary begins with if the exact motion is unknown; an early end of the motion is reported elsewhere."""
     if (found := stiff(evidence)) is not None:
         return found.sentence
     return _not_known(evidence) if evidence.stop is None else ""
 
 
 def _too_few(evidence: Evidence) -> float | None:
-    """Return the digits that the equations leave where the exact motion itself is not known to 5 % with them, else None."""
+    """Return the digits left by the equations if they are too few to know the exact motion to 5 %, else None."""
     if evidence.restricted:
         return None
     digits = condition(evidence).value
@@ -56,7 +56,7 @@ def _too_few(evidence: Evidence) -> float | None:
 
 ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_row"))
 WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
-# A crank alone has its motion given.
+# A crank alone has no equations: its motion is given.
 SOLVED = Need(lambda evidence: bool(evidence.equations.equations), lambda _: say("check.CONDITION.nothing"))
 EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, _not_known, _why_not_known)
 CLOSURE = Need(
@@ -93,11 +93,11 @@ CHECKS: tuple[Check, ...] = (
 
 
 def check_motion(evidence: Evidence) -> tuple[Finding, ...]:
-    """Return what every check finds, with the step advised where a finer one would do."""
+    """Return the findings of all checks, with advice on the step if a finer one would do."""
     found = [check.finding(evidence) for check in CHECKS]
     return tuple(advice.with_advice(evidence, found, motion_findings))
 
 
 def motion_findings(evidence: Evidence) -> Sequence[Finding]:
-    """Return the findings about closeness alone: what a run with another step is judged by."""
+    """Return the findings about closeness alone, by which a run with another step is judged."""
     return [check.finding(evidence) for check in CHECKS if check.group == "motion"]

@@ -1,7 +1,7 @@
-"""What the checks may look at: any motion of a scene, beside the exact one.
+"""What the checks can use: any motion of a scene, together with the exact one.
 
-Enters: a motion (of a scheme, exact, or somebody else's rows) and its scene.  Leaves: `Evidence`, which measures what
-several checks need, once.  Used by the rooms of `checks/` and made by `motion_results.py`.
+Enters: a motion (of a scheme, exact, or somebody else's rows) and its scene.  Leaves: `Evidence`, which measures once what
+several checks need.  Used by the rooms of `checks/` and made by `motion_results.py`.
 """
 
 from __future__ import annotations
@@ -28,33 +28,33 @@ from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
 Fact = TypeVar("Fact")
-# The task sheet ends its table at a round number beside the period (0.48 s for 0.480366 s): that counts as the period.
+# The task sheet ends its table at a round number near the period (0.48 s for 0.480366 s): this share counts as the period.
 NEAR_PERIOD = 0.01
-# Part of a rate's largest size, and part of the largest range of its unit, below which its own range is no scale.
+# The scale of a column is at least OF_SIZE of a rate's largest size and OF_UNIT of the largest range in its unit.
 OF_SIZE, OF_UNIT = 0.1, 0.05
-# An error below this (rad, m, or a second's worth) is none, whatever the scale: two exact motions differ by as much.
+# A smaller error (rad, m, or per second) counts as none, whatever the scale: two exact motions differ by as much.
 NO_ERROR = 1e-10
-# The scale of a column that stands still in a mechanism that stands still: whatever counts as an error is off the scale.
+# The scale of a column at rest in a mechanism at rest: any error that counts is then off the scale.
 STILL = 1e-9
-# Products of doubles smaller than this have no longer sixteen digits: nothing can be told from what they leave.
+# Products of doubles below this have fewer than sixteen digits: their differences mean nothing.
 NO_DIGITS = float(np.finfo(float).tiny / np.finfo(float).eps)
-# Parts of the largest size that round-off takes from one as large.
+# Relative difference of two largest values that may be due to round-off.
 ALIKE = 1e-9
-# The part of a column's scale by which a table may be off: nobody sees it in a graph.
+# Share of a column's scale by which a table may be off: nobody sees it in a graph.
 LIMIT = 0.05
 
 
 @caching
 class Evidence:
-    """`motion` judged against `exact`, on the same rows as far as both go; `exact` None where it cannot be had.
+    """`motion` judged against `exact`, on the same rows as far as both go; `exact` is None if it is unknown.
 
-    `stop`: where the true motion ends; `extended_precision`: the coordinates in extended numbers (n, m) where known; `used`:
-    the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `search`: the true
-    motion followed for dead points, None where it was not.  `replay` makes each row anew from the row before, None for rows that
-    no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.
-    `passages`: singular positions that the motion goes through; `order` of the highest derivative of the motion that is asked
-    for.  `facts` about the exact motion
-    alone are found once and shared by every table of the scene.  `is_trial`: of a step that may be advised.
+    `stop` is where the true motion ends; `extended_precision` the coordinates in extended precision (n, m), if known; `used` the
+    equations solved for the velocities; `drive_frequency` (rad/s) that of the fastest sine in the drive; `search` the true motion
+    followed for dead points, None if it was not.  `replay` makes each row again from the row before, None for rows not made by
+    one of our schemes; `rerun(scheme, step)` gives the same run made otherwise, None if that is impossible.
+    `passages` are singular positions that the motion goes through; `order` is the highest derivative of the motion asked for.
+    `facts` about the exact motion alone are found once and shared by all tables of the scene.  `is_trial` marks a trial of a step
+    that may be advised.
     """
 
     variant: Variant
@@ -76,7 +76,7 @@ class Evidence:
     is_trial: bool = False
 
     def say(self, key: str, /, **values: object) -> str:
-        """Return a sentence about the motion; of a trial only verdicts and numbers are read."""
+        """Return a sentence about the motion; empty for a trial, of which only verdicts and numbers are read."""
         return "" if self.is_trial else say(key, **values)
 
     @property
@@ -92,7 +92,7 @@ class Evidence:
 
     @property
     def period_row(self) -> int | None:
-        """Return the row nearest to the last whole period inside the run, None where the run is shorter than one."""
+        """Return the row nearest to the last whole period inside the run, None if the run is shorter than one period."""
         step = self.motion.step
         if not len(self.motion.t):
             return None
@@ -101,7 +101,7 @@ class Evidence:
         return min(round(whole * self.period / step), len(self.motion.t) - 1) if whole else None
 
     def once(self, name: str, find: Callable[[], Fact]) -> Fact:
-        """Return a fact about the exact motion, found when it is first asked for."""
+        """Return a fact about the exact motion, computed when it is first asked for."""
         return _once(self.facts, name, find)
 
     @cached_property
@@ -109,7 +109,7 @@ class Evidence:
         return {}
 
     def once_of_rows(self, name: str, find: Callable[[], Fact]) -> Fact:
-        """Return a fact about the rows themselves, found when it is first asked for."""
+        """Return a fact about the rows themselves, computed when it is first asked for."""
         return _once(self._of_rows, name, find)
 
     def unit(self, name: str) -> str:
@@ -129,7 +129,7 @@ class Evidence:
 
     @cached_property
     def scale(self) -> dict[str, float]:
-        """Return for each column the size of what it does, S = max(R, 0.1 A, 0.05 U) in its unit.
+        """Return the scale S = max(R, 0.1 A, 0.05 U) of each column in its unit.
 
         R is the range of the exact motion over the first period at most (an angle's at most 2π), A the largest size of a
         velocity, U the largest R among the columns of the same unit.
@@ -157,13 +157,13 @@ class Evidence:
 
     @property
     def true(self) -> Motion:
-        """Return the exact motion where it is known to be had."""
+        """Return the exact motion, which must be known."""
         assert self.exact is not None
         return self.exact
 
     @property
     def compared(self) -> int:
-        """Return how many rows stand in the table and in the exact motion."""
+        """Return how many rows the table and the exact motion have in common."""
         return min(len(self.motion.t), len(self.exact.t)) if self.exact is not None else 0
 
     def table(self, motion: Motion) -> Array:
@@ -173,16 +173,16 @@ class Evidence:
 
     @cached_property
     def errors(self) -> Array:
-        """Return table minus exact as shares of the scales (compared rows, k); an angle a whole turn further is the same."""
+        """Return table minus exact as shares of the scales (compared rows, k); whole turns of an angle are no error."""
         gap = self.table(self.motion) - self.table(self.true)
-        if len(gap) and np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # nearer than that no row is a turn from the last
+        if len(gap) and np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # with smaller gaps no angle is a turn off
             jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
             gap[:, self.angles] -= np.cumsum(whole_turns(jumps), axis=0)
         return np.where(np.abs(gap) < NO_ERROR, 0.0, gap) / self.scales
 
     @cached_property
     def residuals(self) -> tuple[tuple[str, ...], Array]:
-        """Return names and |A u - b| of every equation and row, relative to the sum of the absolute terms."""
+        """Return the names of all equations and |A u - b| for every row, relative to the sum of the absolute terms."""
         motion = self.motion
         system = compile_system(self.equations, self.equations.equations)
         matrix, right, _ = system.matrices(motion.t, motion.coordinates)
@@ -191,7 +191,7 @@ class Evidence:
         scale = np.abs(terms).sum(axis=2) + np.abs(right)
         gap = np.abs(terms.sum(axis=2) - right)
         shares = np.where(scale > NO_DIGITS, gap / np.where(scale > NO_DIGITS, scale, 1.0), 0.0)
-        for passage in self.passages:  # there the equations say 0 = 0, and every share would be that of round-off
+        for passage in self.passages:  # there the equations say 0 = 0, and the share would be pure round-off
             shares[passage.is_at(motion.t)] = 0.0
         return system.names, shares
 
@@ -203,7 +203,7 @@ def _once(facts: dict[str, object], name: str, find: Callable[[], Fact]) -> Fact
 
 
 def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[str], still: float) -> list[float]:
-    """Return max(R, 0.1 A, 0.05 U) of each column: R its range, A its size, U the widest range of its unit; `still` at least."""
+    """Return max(R, 0.1 A, 0.05 U, still) of each column: R its range, A its size, U the widest range of its unit."""
     widest = {unit: max(spread for spread, other in zip(spreads, units, strict=True) if other == unit) for unit in set(units)}
     return [
         max(spread, OF_SIZE * size, OF_UNIT * widest[unit], still)
@@ -212,9 +212,9 @@ def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[
 
 
 def worst(shares: Array) -> tuple[int, int]:
-    """Return row and column (from 0) of the largest size in (n, k); a number that is none is the largest of all.
+    """Return row and column (from 0) of the largest size in (n, k); nan and infinity count as largest.
 
-    Of those alike but for round-off the first column is named, and its first row: so do all places of a page.
+    Of sizes equal but for round-off, the first column is taken, and in it the first row, so that all places of a page agree.
     """
     sizes = np.where(np.isfinite(shares), np.abs(shares), np.inf)
     alike = sizes >= (1 - ALIKE) * np.max(sizes)

@@ -1,4 +1,4 @@
-"""One finding about a motion: what a check has judged, and how; and the record of a check, which makes it.
+"""One finding about a motion (the verdict of a check and its reasons), and the record of a check.
 
 Enters: numbers and sentences from the rooms of `checks/`.  Leaves: `Finding`, `Check`, `Need`.
 Used by `check.py`, effects, scene, output, report and the command line.
@@ -18,28 +18,27 @@ from coursework.words.sentences import load_phrases, say
 Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")
 Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
-# Units of what is never told as more than there is, a part of a whole and digits left of sixteen, and their decimals.
+# Units of amounts that are rounded down when shown (a share of the power, digits left of sixteen), and their decimals.
 OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 3, DIGITS_LEFT: 1}
-# From here on a share is told as so many times the whole, and from there on as more than so many: nobody compares such numbers.
+# From `_MANY` percent on a share is shown as a multiple, from `_MOST` on as "more than": nobody compares such numbers.
 _MANY, _MOST = 1000.0, 1e6
-# The status a command ends with is that of the worst verdict.
+# The order in which verdicts are counted and shown.
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
 
 @frozen
 class Finding:
-    """`verdict` and `sentence` of one check; `value` and `limit` in `unit`, None where there is no number.
+    """The `verdict` and `sentence` of one check; `value` and `limit` in `unit`, None if there is no number.
 
     PASS: the claim holds; COARSE: computed right, but this step, or these digits, are too coarse for the claim; FAIL: wrong;
     SKIP: nothing to judge; ERROR: the tool itself could not judge, never the student's fault.
-    `column` and `row` (from 1) are where the largest number stands; `first` and `last` the rows a period compares (SI);
-    `step` (s) is one with which every claim about the motion holds, `option` how the command line is told, `scheme` one that
-    does at the same step, `advised` the sentence of both.  `rows` are
-    further lines, (label, value, unit) each.  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: what the
-    summary says of it before all else, `unjudged` what it adds to "computed right".
-    `code`, `group` and `is_least` (the limit is the least that passes, else the most) are those of the check.
+    `column` and `row` (from 1) are where the largest number stands; `first` and `last` the values that a period check compares
+    (SI).  `step` (s) is a step with which every claim about the motion holds, `option` the command-line option for it, `scheme` a
+    scheme that is accurate enough at the same step, `advised` the sentence about both.  `rows` are further lines (label, value,
+    unit).  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: with what the summary begins; `unjudged`: what
+    the summary adds to "computed right".  `code`, `group` and `is_least` (whether the limit is a minimum) are those of the check.
     """
 
     verdict: Verdict
@@ -65,41 +64,44 @@ class Finding:
 
     @property
     def says_more(self) -> bool:
-        """Return whether the sentence has more than the mark and the summary tell; SKIP of a start is told in the summary."""
+        """Return whether the sentence says more than mark and summary do; a skipped START is reported in the summary."""
         unsure = bool(self.unjudged) and self.code != "START"
         return self.code != "STOP" and (unsure or self.verdict in {"COARSE", "FAIL", "ERROR"})
 
     @property
     def title(self) -> str:
-        """Return the name of the check that the words file has for its code, else the code."""
+        """Return the title of the check in the words file, or its code if there is none."""
         key = f"check.{self.code}.title"
         return say(key) if load_phrases().has(key) else self.code
 
 
 def skipped(sentence: str) -> Finding:
-    """Return the finding of a check that has nothing to judge; the sentence says what is therefore not known."""
+    """Return the finding of a check that has nothing to judge; the sentence says what therefore remains unknown."""
     return Finding("SKIP", sentence)
 
 
 @frozen
 class Need:
-    """`met` by the evidence, or skipped with the sentence `otherwise`; `headline` then begins the summary."""
+    """A condition on the evidence: if it is not `met`, the check is skipped with the sentence `otherwise`.
+
+    `headline` is what the summary then begins with.
+    """
 
     met: Callable[..., bool]
     otherwise: Callable[..., Sentence]
     headline: Callable[..., str] = lambda *_: ""
 
     def skipped(self, *evidence: Any) -> Finding:
-        """Return the finding of a check that lacks it."""
+        """Return the finding of a check whose condition is not met."""
         return Finding("SKIP", self.otherwise(*evidence), headline=self.headline(*evidence))
 
 
 @frozen
 class Check:
-    """`code` is stable; `needs` are met, or the first that is not says what is skipped; `judge` then finds a verdict.
+    """One check with a stable `code`: if all `needs` are met, `judge` gives the finding; else the check is skipped.
 
-    `group`: "computation" is whether what was written was computed right, "motion" whether it is close to the mechanism's.
-    `is_least`: its limit is the least that passes, not the most.
+    `group`: "computation" asks whether what was written was computed right, "motion" whether it is close to the mechanism's
+    motion.  `is_least`: its limit is a minimum, not a maximum.
     """
 
     code: str
@@ -109,7 +111,7 @@ class Check:
     is_least: bool = False
 
     def finding(self, *evidence: Any) -> Finding:
-        """Return what it finds.  A fault inside it is an ERROR of the tool, never of the student, and other checks go on."""
+        """Return the finding.  A fault inside the check is an ERROR of the tool, never of the student, and other checks go on."""
         lacking = next((need for need in self.needs if not need.met(*evidence)), None)
         try:
             found = self.judge(*evidence) if lacking is None else lacking.skipped(*evidence)
@@ -119,26 +121,26 @@ class Check:
 
 
 def floored(share: float, decimals: int = 4) -> float:
-    """Return a part of a whole to so many decimals, never more than it is: 0.99987 -> 0.9998."""
+    """Return a share rounded down to `decimals` decimals: 0.99987 -> 0.9998."""
     scale = 10.0**decimals
     return math.floor(share * scale) / scale
 
 
 def never_more(value: float, unit: str, decimals: int = 4) -> float:
-    """Return an amount to at most so many decimals where it is a part of a whole or digits that are left, another as it is."""
+    """Return an amount, rounded down if it is a share of the power or digits left; any other amount unchanged."""
     own = _DECIMALS.get(unit.key) if isinstance(unit, Sentence) else None
     return value if own is None else floored(value, min(own, decimals))
 
 
 def beside(unit: str, value: float) -> str:
-    """Return a unit in the form that stands beside a number as it is printed: "1 row", "24 rows"."""
+    """Return a unit in the form that goes with a printed number: "1 row", "24 rows"."""
     if isinstance(unit, Sentence) and "number" in unit.values:
         return say(unit.key, **{**unit.values, "number": int(value) if float(value).is_integer() else value})
     return unit
 
 
 def percent(share: float) -> Sentence:
-    """Return a share in percent: with one decimal, a tiny one with two digits; a number of wholes from a thousand percent on."""
+    """Return a share in percent: with one decimal, small ones with two digits; as a multiple from a thousand percent on."""
     value = 100 * share
     if share >= _MOST:
         return say("amount.share_beyond", value=_MOST)

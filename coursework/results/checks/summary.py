@@ -17,7 +17,7 @@ from coursework.words.sentences import joined, say
 def summary(
     findings: Sequence[Finding], *, is_motion: bool = False, named: Callable[[Finding], str] = attrgetter("code")
 ) -> Sentence:
-    """Return what the checks say of a run; `is_motion`: its rows are exact; `named`: what a check is called, else its code."""
+    """Return the summary of a run; `is_motion`: its rows are exact; `named` gives the name of a check, by default its code."""
     told = list(dict.fromkeys(finding.headline for finding in findings if finding.headline))
     by_code = {finding.code: finding for finding in findings}
     stop = by_code.get("STOP")
@@ -25,7 +25,7 @@ def summary(
         told.append(say("summary.steps_out" if stop.verdict == "COARSE" else "summary.stops", time=stop.value))
     computation = [finding for finding in findings if finding.group == "computation"]
     motion = [finding for finding in findings if finding.group == "motion"]
-    if not computation:  # what forces move is judged by its energy and by the motion alone
+    if not computation:  # motion under forces is judged by its energy and by the motion alone
         shown = [one for one in motion if one.verdict != "PASS"] or motion[:1]
         return joined([*told, *dict.fromkeys(one.sentence for one in shown)])
     computed = _computed(computation, named)
@@ -38,7 +38,7 @@ def summary(
 
 
 def _instead(coarse: list[Finding]) -> str:
-    """Return a step that would do, or a scheme, in words of paper."""
+    """Return the advised step or scheme in plain words."""
     advised = next(finding for finding in coarse if finding.option)
     if advised.step is not None:
         return say("advice.finer", step=advised.step)
@@ -59,13 +59,13 @@ def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sente
     if any(finding.unjudged and finding.code == "AGREEMENT" for finding in findings):
         return say("summary.right_but", unjudged=joined(reversed(unjudged), "join.semicolon"))
     if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
-        reached = {"passed": count["passed"], "all": count["all"] - 1}  # that it stops is said before
+        reached = {"passed": count["passed"], "all": count["all"] - 1}  # its stop has been reported before
         return say("summary.right_to_stop", **reached) if reached["all"] else say("summary.no_rows")
     return say("summary.right_beside", unjudged=unjudged[0], **count) if unjudged else say("summary.right", **count)
 
 
 def _scale(sentence: object) -> dict[str, object]:
-    """Return the scale (SI) and its unit that a finding about the closeness tells its share of."""
+    """Return the scale (SI) and its unit from a sentence about closeness; empty if it has none."""
     if not isinstance(sentence, Sentence):
         return {}
     values = sentence.values

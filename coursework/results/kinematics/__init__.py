@@ -1,1 +1,1 @@
-"""What follows from a motion on request: accelerations, points, analogs, invariants, instantaneous centres."""
+"""Results computed from a motion on request: accelerations, points, analogs, invariants, instantaneous centres."""

@@ -1,6 +1,6 @@
 """Accelerations from the differentiated velocity equations: A du/dt = db/dt - dA/dt u, never by differencing a table.
 
-Enters: equations and a motion.  Leaves: d of every velocity (n, k).  Computed on request only.
+Enters: equations and a motion.  Leaves: the derivative of every velocity (n, k).  Computed on request only.
 Used by `way_to_motion.py`.
 """
 
@@ -22,9 +22,9 @@ from coursework.system.arrays import Array
 
 
 def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion, passages: Sequence[Passage] = ()) -> Array:
-    """Return the derivatives (n, k) of `motion.velocities`, rad/s² or m/s² (zero rows where the motion has none).
+    """Return the derivatives (n, k) of `motion.velocities`, rad/s² or m/s² (no rows if the motion has none).
 
-    In a row at one of the `passages` they are those of its flanks, weighted.
+    In a row at one of the `passages` they are a weighted mean over its flanks.
     """
     if not any(np.any(passage.is_at(motion.t)) for passage in passages):
         return _accelerations(equations, reduction, motion)
@@ -37,7 +37,7 @@ def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Mo
 
 
 def _moved(motion: Motion, passages: Sequence[Passage], place: int) -> Motion:
-    """Return a motion whose rows at a passage are one of its flanks instead."""
+    """Return the motion with each row at a passage replaced by the flank number `place`."""
     t, q, u = motion.t.copy(), motion.coordinates.copy(), motion.velocities.copy()
     for passage in passages:
         at, state = passage.is_at(motion.t), passage.flanks[place]

@@ -127,7 +127,7 @@ def _kept(rows: Array) -> Array:
 
 
 def _beside(crank: ArrayLike, rows: Array) -> Array:
-    """Return the crank's number shaped so that each row of `rows` meets its own."""
+    """Return the crank's values in a shape that matches them with the rows of `rows`."""
     given = np.asarray(crank, dtype=np.float64)
     return given[:, None] if given.ndim == 1 and rows.ndim == 2 else given
 

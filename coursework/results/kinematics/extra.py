@@ -1,4 +1,4 @@
-"""Tables beside the results table: analogs and invariants of a crank-driven motion, ready for a page.
+"""Tables beside the table of results: analogs and invariants of a crank-driven motion, ready for a page.
 
 Enters: a motion with its accelerations.  Leaves: `ExtraTable`.  Computed on request only.
 Used by `scene_run.py`, `quantities.py`, `tables.py` and `scene_run.py`.
@@ -24,10 +24,10 @@ from coursework.words.sentences import say
 
 @frozen
 class ExtraTable:
-    """`rows` (n, len(names)) in `units`; the first column is t or the crank angle.
+    """A table with `rows` (n, len(names)) in `units`; the first column is t or the crank angle.
 
-    `sizes` tells how large the terms are that a column is the sum of: beside them its round-off is none to print.  With `blanks`
-    what is no number (nan) is meant so: it is left empty.
+    `sizes` are the sizes of the terms that a column is a sum of: smaller than their round-off, a value is not printed.  With
+    `blanks` a nan is intended and is left empty.
     """
 
     title: str
@@ -40,9 +40,9 @@ class ExtraTable:
 
 
 def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
-    """Return dq/dφ1 and d²q/dφ1² of every coordinate but the crank's; `second` (n, k) accelerations of the motion.
+    """Return dq/dφ1 and d²q/dφ1² of every coordinate but the crank's; `second` (n, k) are the accelerations of the motion.
 
-    Raises `InputError` where the mechanism has not exactly one driven coordinate, or the crank stands still.
+    Raises `InputError` if there is not exactly one driven coordinate, or if the crank stands still.
     """
     crank = _crank(variant)
     omega, epsilon = _crank_motion(variant, crank, motion, second)
@@ -60,9 +60,9 @@ def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
 
 
 def stroke_way(variant: Variant, exact: Motion, rates: Rates) -> Way:
-    """Return the way of the slider, or of the rocker where nothing slides, over which invariants are taken.
+    """Return the way of the slider, or of the rocker if nothing slides, for which invariants are computed.
 
-    Raises `InputError` where the mechanism has neither, or not exactly one driven coordinate.
+    Raises `InputError` if the mechanism has neither, or if there is not exactly one driven coordinate.
     """
     crank = _crank(variant)
     free = [coordinate for coordinate in variant.coordinates if coordinate.rate not in variant.known_rates]
@@ -76,7 +76,7 @@ def stroke_way(variant: Variant, exact: Motion, rates: Rates) -> Way:
 def invariant_table(variant: Variant, way: Way, second: Array) -> ExtraTable:
     """Return k, a_k, b_k, c_k over a way of `stroke_way`; `second` (n, k) are the accelerations of its rows.
 
-    At the dead positions of a stroke b_k is 0, and said so.  Raises `InputError` where crank or slider stand still.
+    At the dead positions of a stroke b_k is set to 0.  Raises `InputError` if crank or slider stand still.
     """
     crank, slider, motion = _crank(variant), way.slider, way.motion
     s, phi = motion.column(slider.name), motion.column(crank.name)
@@ -87,8 +87,8 @@ def invariant_table(variant: Variant, way: Way, second: Array) -> ExtraTable:
     omega, epsilon = _crank_motion(variant, crank, motion, second)
     velocity, place = motion.column(slider.rate).copy(), motion.velocity_names.index(slider.rate)
     if way.is_stroke:
-        velocity[[0, -1]] = 0.0  # dead positions are where it is
-    sign, sense = np.sign(length), np.sign(turn)  # b_k and c_k are derivatives by k, which grows whichever way the crank turns
+        velocity[[0, -1]] = 0.0  # velocity is zero at dead positions by definition
+    sign, sense = np.sign(length), np.sign(turn)  # b_k and c_k are derivatives by k, which grows for either sense of the crank
     found = from_true(
         sign * (s - s[0]), sign * velocity, sign * second[:, place],
         stroke=abs(length), angle=abs(turn), omega_1=sense * omega, epsilon_1=sense * epsilon,

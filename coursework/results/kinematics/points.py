@@ -1,6 +1,6 @@
 """Positions, velocities and accelerations of the named points along a motion.
 
-Enters: equations and a motion.  Leaves: one array a level, two columns a point.  Computed on request only.
+Enters: equations and a motion.  Leaves: names and rows, two columns for each level of a point.  Computed on request only.
 Used by `drawing/trajectories.py` and `motion_results.py`.
 """
 
@@ -15,7 +15,7 @@ from coursework.system.arrays import Array
 
 
 def point_rows(equations: VelocityEquations, motion: Motion, second: Array | None = None) -> tuple[tuple[str, ...], Array]:
-    """Return names (A.x, A.y, A.vx, A.vy and, with accelerations `second` (n, k), A.ax, A.ay) and rows (n, names); SI."""
+    """Return names (A.x, A.y, A.vx, A.vy and, with accelerations `second` (n, k), A.ax, A.ay) and rows (n, names) in SI units."""
     vectors = equations.symbols.vectors
     wanted = [component for vector in vectors.values() for component in vector]
     order = 1 if second is None else 2

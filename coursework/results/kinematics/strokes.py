@@ -1,6 +1,6 @@
 """One stroke of a slider, or one swing of a rocker, from dead position to dead position.
 
-Enters: the exact motion and its rates.  Leaves: `Way`, its ends solved for in continuous time.
+Enters: the exact motion and its rates.  Leaves: `Way`, whose ends are found in continuous time.
 Used by `extra.py` and `turning_points.py`.
 """
 
@@ -18,13 +18,13 @@ from coursework.motion.integration.turning import closer, root, stands, turns
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Coordinate
 
-# A dead position counts also where it lies this part of a step before the first row or behind the last: a start is rounded.
+# Share of a step by which a dead position may lie before the first row or after the last: a start is rounded.
 _OFF = 0.1
-# A row this part of a step off a dead position is that position.
+# A row within this share of a step of a dead position is that position.
 _SAME = 1e-6
-# One that is off a row by this part of a step is so by round-off.
+# A dead position within this share of a step of a row is off by round-off only.
 _ROUND_OFF = 1e-9
-# Of two strokes whose crank angles differ by less than this part the first is taken: they are those of two turns.
+# If the crank angles of two strokes differ by less than this share, the first is taken: they belong to two turns.
 _ALIKE = 1e-2
 
 Bracket = tuple[int, int]
@@ -32,7 +32,10 @@ Bracket = tuple[int, int]
 
 @frozen
 class Samples:
-    """The exact `motion` at close samples; it `begins` with the first row, or `ends` with the last, where nothing lies beyond."""
+    """Close samples of the exact `motion`.
+
+    `begins` and `ends` say that the samples start with the first row and end with the last, because nothing is known beyond.
+    """
 
     motion: Motion
     begins: bool
@@ -41,9 +44,9 @@ class Samples:
 
 @frozen
 class Way:
-    """A way back or forth of a `slider`, or rocker: `motion` has its rows, `first` and `last` of the table lie in it (from 1).
+    """A one-way travel of a `slider` or rocker, with its rows in `motion`; table rows `first` to `last` (from 1) lie in it.
 
-    `is_stroke`: it begins and ends at dead positions; where the run has no two of them it is the longest stretch of rows.
+    `is_stroke`: it begins and ends at dead positions.  If the run has no two of them, it is the longest stretch of rows.
     """
 
     slider: Coordinate
@@ -54,7 +57,7 @@ class Way:
 
 
 def longest_way(exact: Motion, rates: Rates, crank: Coordinate, slider: Coordinate) -> Way:
-    """Return the stroke of a run over which the crank turns furthest; without one the longest stretch of rows one way."""
+    """Return the stroke with the largest turn of the crank; if there is none, the longest stretch of rows in one direction."""
     samples = samples_of(exact, rates)
     brackets = _brackets(samples, slider.rate)
     omega, angle = samples.motion.column(crank.rate), samples.motion.column(crank.name)
@@ -72,19 +75,19 @@ def longest_way(exact: Motion, rates: Rates, crank: Coordinate, slider: Coordina
 
 
 def dead_positions(exact: Motion, rates: Rates, rate: str, samples: Samples) -> Motion | None:
-    """Return the exact motion in the moments in which the coordinate of a rate turns back, None where one cannot be reached."""
+    """Return the exact motion at the times when the coordinate with this `rate` turns back, None if one cannot be reached."""
     found = [_dead(exact, rates, rate, samples.motion.t[list(one)].tolist()) for one in _brackets(samples, rate)]
     times = [time for time in found if time is not None]
     return at_times(exact, rates, times) if len(times) == len(found) else None
 
 
 def swings(exact: Motion, coordinate: Coordinate) -> bool:
-    """Return whether a coordinate turns back in the rows."""
+    """Return whether a coordinate turns back within the rows."""
     return bool(turns(exact.column(coordinate.rate)))
 
 
 def samples_of(exact: Motion, rates: Rates) -> Samples:
-    """Return close samples of a run, from a little before its first row to a little behind its last, where it can be followed."""
+    """Return close samples of a run, from a little before its first row to a little after its last, as far as they exist."""
     before, behind = (
         at_times(exact, rates, [float(exact.t[place]) + part * exact.step]) for place, part in ((0, -_OFF), (-1, _OFF))
     )
@@ -93,7 +96,7 @@ def samples_of(exact: Motion, rates: Rates) -> Samples:
 
 
 def _brackets(samples: Samples, rate: str) -> list[Bracket]:
-    """Return between which of the samples (both the same: at which) the coordinate of a rate is at a dead position."""
+    """Return pairs of samples between which the coordinate of a rate is at a dead position; an equal pair if it is at one."""
     slopes = samples.motion.column(rate)
     at_rest, last = stands(slopes), len(slopes) - 1
     begins = [(0, 0)] if samples.begins and at_rest[0] else []
@@ -101,7 +104,7 @@ def _brackets(samples: Samples, rate: str) -> list[Bracket]:
 
 
 def _dead(exact: Motion, rates: Rates, rate: str, bracket: list[float]) -> float | None:
-    """Return the time (s) of the dead position between two samples, that of a row where it is one but for round-off."""
+    """Return the time (s) of the dead position between two samples, moved to a row if it differs by round-off only."""
     begin, end = bracket
     time = begin if begin == end else root(exact, rates, lambda motion: motion.column(rate), (begin, end))
     row = float(exact.t[np.argmin(np.abs(exact.t - time))]) if time is not None else 0.0
@@ -109,7 +112,7 @@ def _dead(exact: Motion, rates: Rates, rate: str, bracket: list[float]) -> float
 
 
 def _stroke(exact: Motion, rates: Rates, slider: Coordinate, begin: Motion, end: Motion) -> Way:
-    """Return the rows between two dead positions with these for its first and last."""
+    """Return the way between two dead positions: these as first and last rows, with the rows between them."""
     edge = _SAME * exact.step
     inside = np.flatnonzero((exact.t > begin.t[0] + edge) & (exact.t < end.t[0] - edge))
     between = replace(exact, t=exact.t[inside], coordinates=exact.coordinates[inside])
@@ -120,7 +123,7 @@ def _stroke(exact: Motion, rates: Rates, slider: Coordinate, begin: Motion, end:
 
 
 def _stretch(exact: Motion, rates: Rates, slider: Coordinate) -> Way:
-    """Return the longest stretch of rows over which a coordinate moves one way."""
+    """Return the longest stretch of rows over which a coordinate moves in one direction."""
     signs = np.sign(np.diff(exact.column(slider.name)))
     edges = [0, *(np.flatnonzero(np.diff(signs)) + 1).tolist(), len(signs)]
     first, last = max(itertools.pairwise(edges), key=lambda pair: pair[1] - pair[0])
@@ -130,6 +133,6 @@ def _stretch(exact: Motion, rates: Rates, slider: Coordinate) -> Way:
 
 
 def _together(exact: Motion, rates: Rates, parts: list[Motion]) -> Motion:
-    """Return the rows of several parts of the exact motion in one."""
+    """Return one motion with the rows of several parts of the exact motion."""
     t, positions = (np.concatenate(rows) for rows in ([part.t for part in parts], [part.coordinates for part in parts]))
     return rates.motion(t, positions, exact.scheme, exact.step)

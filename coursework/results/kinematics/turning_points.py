@@ -1,4 +1,4 @@
-"""Where coordinates of the exact motion turn back, between its rows, and the stroke between two such positions.
+"""Where coordinates of the exact motion turn back, even between its rows, and the stroke between two such positions.
 
 Enters: `Evidence` with its exact motion.  Leaves: `TurningPoint`, `Stroke`.  Used by `report/sections/verdict/conclusion.py`.
 """
@@ -14,14 +14,14 @@ from coursework.results.checks.evidence import Evidence
 from coursework.results.kinematics.strokes import dead_positions, samples_of
 from coursework.system.frozen import frozen
 
-STILL = 1e-9  # of a period: moments so near are one
-CLOSED = 1e-6  # rad or m: a motion that returns so near has returned
-MOST = 24  # turning points of one coordinate that are sought
+STILL = 1e-9  # share of a period: closer times are the same
+CLOSED = 1e-6  # rad or m: a motion that comes back this close has returned
+MOST = 24  # largest number of turning points of one coordinate
 
 
 @frozen
 class TurningPoint:
-    """At `time` (s) a coordinate has its extreme `value` (SI); `row` holds all coordinates there."""
+    """An extreme `value` (SI) of a coordinate at `time` (s); `row` holds all coordinates there."""
 
     time: float
     value: float
@@ -30,8 +30,10 @@ class TurningPoint:
 
 @frozen
 class Stroke:
-    """One coordinate to and fro in a turn of the crank: `slow` seconds and crank `slow_angle` (rad) for the longer way, from
-    `begin` to `end`, and `fast`, `fast_angle` for the way back.
+    """One coordinate back and forth in a turn of the crank.
+
+    The longer way, from `begin` to `end`, takes `slow` seconds and the crank angle `slow_angle` (rad); the way back takes `fast`
+    and `fast_angle`.
     """
 
     begin: TurningPoint
@@ -48,14 +50,14 @@ class Stroke:
 
     @property
     def ratio(self) -> float:
-        """Return the slow way's time by the fast one's."""
+        """Return the time of the slow way divided by that of the fast one."""
         return self.slow / self.fast
 
 
 def turning_points(evidence: Evidence, name: str, rate: str) -> tuple[TurningPoint, ...] | None:
-    """Return the turning points of a coordinate in the first period, or in the run where it is shorter.
+    """Return the turning points of a coordinate in the first period, or in the run if that is shorter.
 
-    None where they are too many, or the motion between the rows is not known.
+    None if there are too many, or if the motion between the rows is unknown.
     """
     exact = evidence.exact
     if exact is None or name not in exact.coordinate_names or rate not in exact.velocity_names or len(exact.t) < 3:
@@ -74,7 +76,7 @@ def _turning_points(evidence: Evidence, exact: Motion, name: str, rate: str, of:
     if found is None or len(found.t) > MOST:
         return None
     rows = zip(found.t.tolist(), found.coordinates.tolist(), strict=True)
-    # Sought a little beyond both ends, for a start in a dead position; what lies there is not of these rows.
+    # The search reaches a little beyond both ends, for a start in a dead position; what it finds there is dropped.
     begin, end = float(exact.t[0]), float(exact.t[last])
     points = tuple(TurningPoint(time, row[place], tuple(row)) for time, row in rows if begin <= time <= end)
     closes = abs(exact.t[last] - evidence.period) < STILL * evidence.period
@@ -83,13 +85,13 @@ def _turning_points(evidence: Evidence, exact: Motion, name: str, rate: str, of:
 
 
 def _last(evidence: Evidence) -> int:
-    """Return the row at which the first period ends, the last one where the run is shorter."""
+    """Return the row at which the first period ends, or the last row if the run is shorter."""
     exact = evidence.true
     return min(round(evidence.period / exact.step), len(exact.t) - 1)
 
 
 def stroke(evidence: Evidence, name: str, rate: str, crank: str) -> Stroke | None:
-    """Return the stroke of a coordinate; None unless the crank makes one whole turn a period and it turns back twice in it.
+    """Return the stroke of a coordinate; None unless the crank makes one turn a period and the coordinate turns back twice in it.
 
     `crank` is the angle of the only driven link.
     """

@@ -1,10 +1,10 @@
 """The slider-crank whose crank changes its length: its analogs, and the crank for constant slider speed.
 
 Enters: crank angle, crank length and derivatives, rod, offset.  Leaves: analogs of slider and rod, or the length.
-Used by students, through `procedures.py`; the tool itself goes the general way of `variants/variable-crank.toml`.
+Used by students, through `procedures.py`; the tool itself uses the general method, as in `variants/variable-crank.toml`.
 Source: [Pasika], formulas (5), (9)-(12) with the printing repaired.
 
-Lengths are divided by l1 unless said: lr = r/l1, l2 the rod, l3 the offset of the slider's line; lr', lr''
+Lengths are divided by l1 unless stated otherwise: lr = r/l1, l2 the rod, l3 the offset of the slider's line; lr', lr''
 derivatives with respect to the crank angle phi.  The slider lies at x = lr cos phi + l2 cos phi2 on the line
 y = l3, and its displacement is counted from the outer end *inwards*, so s grows while x falls.
 """

@@ -1,1 +1,1 @@
-"""One template compiled once for any number of sets of data: structure in `model`, numbers in `data`."""
+"""One template compiled once for any number of data sets: structure in `model`, numbers in `data`."""

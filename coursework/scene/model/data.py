@@ -1,4 +1,4 @@
-"""Columns of numbers a user has -> the sets of data of one template, every number in SI, or one sentence about what is wrong.
+"""The reader of data sets for one template: a user's columns of numbers become SI, or one sentence says what is wrong.
 
 Enters: a variant; a mapping or a pandas frame of given names and start coordinates.  Leaves: frozen `Data`.
 Used by `model.py` and by whoever solves many sets.
@@ -23,9 +23,9 @@ from coursework.words.sentences import closest, say
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Data:
-    """`count` sets: `given` data by name, (count,) each; `start` coordinates (count, m), nan where a chain gives them.
+    """`count` data sets: `given` data by name, (count,) each; `start` coordinates (count, m), nan if a chain gives them.
 
-    All in SI (rad, m, s); `changed` are the names that the user gave, the others are those of the file.
+    All values are in SI (rad, m, s); `changed` are the names that the user gave; the other values are those of the file.
 
     >>> import coursework
     >>> data = coursework.compile_model("31").data({"r1": ["953 mm", "0.9 m"], "phi1": 1.63})
@@ -51,10 +51,10 @@ class Data:
 
 
 def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data:
-    """Return the sets of some columns; a number stands for a whole column, what no column gives is that of the file.
+    """Return the data sets from columns; a single number applies to all sets, and missing columns keep the values of the file.
 
-    Raises `InputError` for a name that the template does not have, lengths that differ, and what is no finite number of the
-    right unit.
+    Raises `InputError` for a name that the template does not have, for different lengths, and for anything but finite numbers of
+    the right unit.
     """
     columns = {} if columns is None else columns
     if not hasattr(columns, "keys"):
@@ -62,7 +62,7 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
     places = {c.name: place for place, c in enumerate(variant.coordinates)}
     units = {given.name: given.si for given in variant.given} | {c.name: c.unit for c in variant.coordinates}
     found: dict[str, Array] = {}
-    for key in columns.keys():  # noqa: SIM118  a pandas Series goes through its values
+    for key in columns.keys():  # noqa: SIM118  iterating a pandas Series gives its values
         name = spell(key) if isinstance(key, str) else key
         if name not in units:
             hint = closest(str(key), list(units)) or say("hint.known", known=", ".join(units))

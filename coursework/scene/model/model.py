@@ -48,9 +48,9 @@ Columns = list[Any]
 class Model:
     """The structure of one template; numbers come with every call.
 
-    `equations` and `reduction` of the template; functions take t (…,) in s, q (…, m) in rad or m, and `Data`: one set goes
-    with arrays of any shape, several with the first axis of t and q.  Where a velocity has no value (beyond the table of a
-    law, at a dead point) they give nan; nothing is raised or warned about.
+    `equations` and `reduction` are those of the template.  Functions take t (…,) in s, q (…, m) in rad or m, and `Data`: a single
+    set goes with arrays of any shape, several sets run along the first axis of t and q.  Where a velocity has no value (beyond
+    the table of a law, at a dead point) the result is nan; nothing is raised or warned about.
 
     >>> import coursework
     >>> model = coursework.compile_model("31")
@@ -69,7 +69,7 @@ class Model:
         )
 
     def bind(self, data: Any = None, settings: Settings | None = None) -> Scene:
-        """Return the scene of one set of data (those of the file where None), with nothing of the template made again.
+        """Return the scene of one data set (that of the file if None); nothing of the template is made again.
 
         Raises `InputError` for data that do not fit.
 
@@ -86,7 +86,7 @@ class Model:
 
     @property
     def coordinates(self) -> tuple[str, ...]:
-        """Return the names of the coordinates, the order of q."""
+        """Return the names of the coordinates, in the order of q."""
         return tuple(coordinate.name for coordinate in self.variant.coordinates)
 
     @property
@@ -111,13 +111,13 @@ class Model:
 
     @cached_property
     def angles_in_determinants(self) -> list[int]:
-        """Return the places of the angles that are not driven and stand in a determinant."""
+        """Return the indices of the angles that are not driven and occur in a determinant."""
         angles = angles_in_determinants(self.blocks, self.equations)
         return [place for place, name in enumerate(self.coordinates) if name in angles]
 
     @cached_property
     def lengths(self) -> tuple[Expression, ...]:
-        """Return what must stay above zero: lengths of links that follow from data alone, and the squares of the data."""
+        """Return expressions that must stay positive: link lengths that follow from data alone, and the squares of the data."""
         variant, symbols = self.variant, self.equations.symbols
         known = {*variant.values, "pi"}
         sizes = [
@@ -125,7 +125,7 @@ class Model:
             for length in lengths_of(variant)
             if {*length.names()} <= known
         ]
-        # A length that the file itself has below zero is meant so.  A velocity beside a datum of zero alone is lost.
+        # A length that is negative in the file itself is intended.  A datum of zero may remove a velocity from the equations.
         scalars = [length if value > 0 else -length for length, value in sizes]
         return tuple(dict.fromkeys([*scalars, *(symbol(given.name) ** 2 for given in variant.given if given.value)]))
 
@@ -152,9 +152,9 @@ class Model:
         return self._at(self.program, t, q, data)[..., len(self.velocities) :]
 
     def block_velocities(self, block: int, t: ArrayLike, q: ArrayLike, earlier: ArrayLike, data: Any = None) -> Array:
-        """Return the velocities (…, size) that one block gives where those of other blocks are `earlier` (…, k).
+        """Return the velocities (…, size) of one block if those of the other blocks are `earlier` (…, k).
 
-        `earlier` is laid out as `rates` returns it; only the columns that the block's equations hold are read.
+        `earlier` has the columns of `rates`; only those that occur in the block's equations are read.
         """
         own = self.blocks[block]
         others = [name for name in self.variant.sought if name not in own.unknowns]
@@ -165,7 +165,7 @@ class Model:
 
     @property
     def program(self) -> Callable[..., Any]:
-        """Return the function (t, *q, *numbers) -> velocities then determinants, numbers or arrays that fit together."""
+        """Return the function (t, *q, *numbers) -> velocities then determinants, for numbers or arrays that broadcast."""
         if "program" not in self._compiled:
             statements = [one for index, block in enumerate(self.blocks) for one in block_statements(block, index)]
             results = [symbol(name) for name in self.velocities] + [local(f"_det{index}") for index in range(len(self.blocks))]
@@ -175,7 +175,7 @@ class Model:
     def compile(
         self, statements: Sequence[Statement], results: Sequence[Expression], velocities: Iterable[str] = ()
     ) -> Callable[..., Any]:
-        """Return the function (t, *q, *velocities, *numbers) of some statements; a result that is a known law is its value."""
+        """Return the function (t, *q, *velocities, *numbers) of some statements; a known law as a result gives its value."""
         known = tuple(velocities)
         outs = [Assign(local(f"_out{place}"), result) for place, result in enumerate(results)]
         body = scene_program(self.equations, [*statements, *outs], map(symbol, known)).free()
@@ -192,12 +192,12 @@ class Model:
         return self._compiled[wanted, velocities]
 
     def follow(self, changed: Iterable[str]) -> frozenset[str]:
-        """Return the coordinates whose start follows from changed data, as `Variant.with_data` lets it follow."""
+        """Return the coordinates whose start follows from changed data, by the rule of `Variant.with_data`."""
         keys = {("coordinates", name, "start") if name in self.coordinates else ("given", name): 0.0 for name in changed}
         return follow_from(self.variant, keys)
 
     def numbers(self, data: Data, beside: int = 0) -> Columns:
-        """Return the arguments that stand for the data: floats of one set, else (count, 1, …) with `beside` further axes."""
+        """Return the arguments for the data: floats for one set, else arrays (count, 1, …) with `beside` further axes."""
         columns = [data.given[given.name] for given in self.variant.given]
         if data.count == 1:
             return [*(float(column[0]) for column in columns), *self._ends]
@@ -205,7 +205,7 @@ class Model:
 
     @cached_property
     def _ends(self) -> list[float]:
-        """The times (s) at which laws change: what stands behind the data in the arguments of a program."""
+        """Return the times (s) at which laws change: they follow the data in the arguments of a program."""
         return list(constants(self.variant).values())[len(self.variant.given) :]
 
     def _at(self, function: Callable[..., Any], t: ArrayLike, q: ArrayLike, data: Any, more: Sequence[Array] = ()) -> Array:
@@ -225,9 +225,9 @@ class Model:
 
 
 def model_of(variant: Variant) -> Model:
-    """Return the model of a variant, with what another variant of its template has compiled before.
+    """Return the model of a variant, reusing what another variant of its template has compiled before.
 
-    Raises `InputError` where the equations do not determine the velocities.
+    Raises `InputError` if the equations do not determine the velocities.
     """
     structure = structure_of(variant)
     equations = structure.equations(structure.mechanism(variant))

@@ -1,6 +1,6 @@
-"""One set of data -> the template with its numbers, without reading the file anew.
+"""The template with the numbers of one data set, made without reading the file again.
 
-Enters: a template, `Data`, the place of a set.  Leaves: a `Variant` whose numbers and times are those of the set.
+Enters: a template, `Data`, the index of a set.  Leaves: a `Variant` with the numbers and times of that set.
 Used by `many.py` and `assigning/judge.py`.
 """
 
@@ -18,20 +18,20 @@ from coursework.variant.record.variant import Variant
 
 
 def horizons(template: Variant, data: Data) -> Array:
-    """Return how long (n,) the motion of each set must go on (s); nan where its data give no time."""
+    """Return how long (n,) the motion of each set must last (s); nan if its data give no time."""
     if any({*formula.names()} & {*data.changed} for formula in template.times.values()):
         return np.array([with_numbers(template, data, index).time.whole for index in range(data.count)])
     return np.full(data.count, template.time.whole)
 
 
 def with_numbers(template: Variant, data: Data, index: int) -> Variant:
-    """Return the template with the numbers of one set and the times that follow from them; nothing else is read anew."""
+    """Return the template with the numbers of one set and the times that follow from them; nothing else is read again."""
     given = tuple(replace(one, value=float(data.given[one.name][index])) for one in template.given)
     values = {one.name: one.value for one in given}
     try:
         times = {str(path[1]): evaluate(formula, values) for path, formula in template.times.items() if path[0] == "time"}
     except FormulaFault:
-        times = {"end": math.nan}  # data from which no time follows make no table
+        times = {"end": math.nan}  # data that give no time make no table
     starts = data.start[index].tolist()
     guesses = [None if math.isnan(start) else start for start in starts]
     coordinates = tuple(

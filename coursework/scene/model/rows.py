@@ -1,4 +1,4 @@
-"""The rows of many sets by one scheme, all sets in one step, with everything watched that `march` watches.
+"""The rows of many data sets by one scheme, all sets in one step, watched as closely as in `march`.
 
 Enters: a `Model`, prepared `Sets`, a scheme, the times.  Leaves: tables (n, rows, columns) and which of them are good.
 Used by `many.py`.
@@ -17,7 +17,7 @@ from coursework.system.arrays import Array, Flags
 
 
 def rows_of(model: Model, sets: Sets, scheme: Scheme, times: Array) -> tuple[Array, Flags]:
-    """Return the rows at `times` (t = i h) and for which sets (n,) the scheme stepped over nothing and stayed finite."""
+    """Return the rows at `times` (t = i h), and for which sets (n,) the scheme stepped over nothing and stayed finite."""
     q, numbers = sets.begin, sets.numbers
     m, k = len(q), len(model.velocities)
     step = float(times[1] - times[0]) if len(times) > 1 else 0.0

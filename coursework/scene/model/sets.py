@@ -1,4 +1,4 @@
-"""What is found out about many sets before any table: where they begin, and which of them are sure to move.
+"""What is known about many data sets before any table: where they begin, and which of them are sure to move.
 
 Enters: a `Model` and `Data`.  Leaves: `Sets`.  Used by `many.py` and `assigning/judge.py`.
 """
@@ -19,15 +19,15 @@ from coursework.scene.model.start import close, start_of
 from coursework.scene.model.watch import fewest_steps, frequencies, stacked, sure_to_move
 from coursework.system.arrays import Array, Flags
 
-# How many times more steps those sets get that a first look leaves in doubt.
+# Factor for the steps of a second look at sets that a first look leaves in doubt.
 _CLOSER = 4
-# Parts of the run at which equations that are not solved are held against the velocities found, and how exactly they must fit.
+# Shares of the run at which unsolved equations are checked with the velocities found, and the relative tolerance.
 _LOOKS, _FITS = (0.0, 0.02), 1e-8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sets:
-    """`numbers` for the model's programs; `begin` (m, n) of the rows; `sure` (n,) to move; `frequency` (n,) of the drive."""
+    """`numbers` for the model's programs; `begin` (m, n) of the rows; `sure` (n,) to move or not; drive `frequency` (n,)."""
 
     numbers: Columns
     begin: Array
@@ -36,7 +36,7 @@ class Sets:
 
 
 def prepare(model: Model, data: Data, end: float) -> Sets:
-    """Return the sets; `end` (s) is how far they must move.  Nothing is raised: what is wrong with a set leaves it in doubt."""
+    """Return the sets; `end` (s) is how far they must move.  Nothing is raised: a set with any fault is left in doubt."""
     with np.errstate(all="ignore"):
         numbers = model.numbers(data)
         start = start_of(model, data, numbers)
@@ -59,7 +59,7 @@ def prepare(model: Model, data: Data, end: float) -> Sets:
 
 
 def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
-    """Return for which sets links have lengths, and equations that nothing is solved from fit the velocities found."""
+    """Return for which sets links have positive lengths, and unsolved equations fit the velocities found."""
     sound = np.ones(q.shape[1], dtype=bool)
     lengths = model.lengths
     if lengths:
@@ -74,7 +74,7 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
     sought = [model.velocities.index(name) for name in model.variant.sought]
     free = [place for place, c in enumerate(model.variant.coordinates) if c.rate not in model.variant.known_rates]
     closed = any(position.target == "zero" for position in model.equations.positions)
-    told = np.zeros((len(held), q.shape[1]), dtype=bool)  # an equation of a mechanism at rest tells nothing
+    told = np.zeros((len(held), q.shape[1]), dtype=bool)  # an equation of a mechanism at rest shows nothing
     at: Any = q
     for before, now in zip((0.0, *_LOOKS), _LOOKS, strict=False):
         t = now * end

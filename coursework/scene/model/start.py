@@ -1,4 +1,4 @@
-"""Where the motions of many sets begin: groups put together, closures closed, for all sets at once.
+"""Where the motions of many data sets begin: groups assembled and closures closed for all sets at once.
 
 Enters: a `Model` and `Data`.  Leaves: `Start`; a set that leaves any doubt is marked, never guessed.
 Used by `sets.py`.
@@ -25,13 +25,13 @@ from coursework.variant.record.variant import Group
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
 
-# Corrections by Newton's rule and the size (rad, m) below which the last one is round-off.
+# Largest number of Newton corrections, and the size (rad, m) below which the last one is round-off.
 _MOST, _SETTLED = 12, 1e-11
 
 
 @frozen
 class Start:
-    """`begin` (m, n) where the rows begin; `closed` (m, n) where the true motion begins; `doubtful` (n,) sets to be looked at."""
+    """`begin` (m, n): where the rows begin; `closed` (m, n): where the true motion begins; `doubtful` (n,) sets."""
 
     begin: Array
     closed: Array
@@ -64,7 +64,7 @@ def start_of(model: Model, data: Data, numbers: Columns) -> Start:
 
 
 def close(model: Model, t: Any, q: Array, numbers: Columns, moved: list[int]) -> tuple[Array, Flags]:
-    """Return positions (m, n) closed by moving some coordinates, and whether Newton's rule has settled (n,)."""
+    """Return positions (m, n) closed by moving the coordinates `moved`, and whether Newton's method has converged (n,)."""
     positions = [position.expression for position in model.equations.positions if position.target == "zero"]
     names = [symbol(model.coordinates[place]) for place in moved]
     slopes = [model.equations.symbols.partial(expression, name) for expression in positions for name in names]
@@ -84,7 +84,7 @@ def close(model: Model, t: Any, q: Array, numbers: Columns, moved: list[int]) ->
 
 
 def _least(matrix: Array, right: Array) -> Array:
-    """Return the smallest x (n, f) for which matrix (n, k, f) x is nearest to right (n, k); nan where it is singular."""
+    """Return the smallest x (n, f) for which matrix (n, k, f) x is nearest to right (n, k); nan if it is singular."""
     k, f = matrix.shape[1:]
     turned = np.swapaxes(matrix, 1, 2)
     square = matrix if k == f else matrix @ turned if k < f else turned @ matrix
@@ -98,7 +98,7 @@ def _least(matrix: Array, right: Array) -> Array:
 
 
 def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[str]) -> tuple[Array, Flags]:
-    """Return the starts with the groups put together; what a file writes itself must agree with them."""
+    """Return the starts with the groups assembled; start values in the file must agree with them, or the set is doubtful."""
     variant = model.variant
     q = np.nan_to_num(begin)
     doubtful = np.zeros(q.shape[1], dtype=bool)
@@ -120,7 +120,7 @@ def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[s
 
 
 def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: Array, doubtful: Flags) -> Array:
-    """Return the coordinates (k, n) of one dyad in the mode written, else in the one nearest to the guesses."""
+    """Return the coordinates (k, n) of one dyad in the mode written, else in the mode nearest to the guesses."""
     if group.mode or not group_kind(group.kind).modes:
         return _in_mode(model, group, group.mode, q, numbers, doubtful)
     if np.isnan(guesses).any():
@@ -138,7 +138,7 @@ def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: 
 
 
 def _in_mode(model: Model, group: Group, mode: int, q: Array, numbers: Columns, doubtful: Flags) -> Array:
-    """Return the coordinates (k, n) of one dyad; sets that cannot be put together are marked and get nan."""
+    """Return the coordinates (k, n) of one dyad; sets that cannot be assembled are marked and get nan."""
     count = q.shape[1]
     kept = np.flatnonzero(~doubtful)
 

@@ -1,4 +1,4 @@
-"""A variant with other data -> the text of its file, which reads as that variant.
+"""The text of a variant's file with other data, which reads as that variant.
 
 Enters: a variant that was read from a file, perhaps with other data.  Leaves: TOML text.
 Used by `commands/new.py` and by individual variants.
@@ -18,10 +18,10 @@ assert 10.0**-_DECIMALS < START_TOLERANCE
 
 
 def variant_text(variant: Variant, original: str, scheme: str = "") -> str:
-    """Return the text `original` of the variant's file with the data of the variant in it, and a `scheme` where one is named.
+    """Return `original`, the text of the variant's file, with the variant's data in it, and with a `scheme` if one is named.
 
-    Starts that follow from other data are written as the geometry closes them.  Where data were set, what the file says of its
-    own numbers (remarks, quotes) is left out.  Raises `InputError` where the geometry does not close.
+    Starts that follow from other data are written as the geometry closes them.  If data were set, what the file says of its
+    own numbers (remarks, quotes) is left out.  Raises `InputError` if the geometry does not close.
     """
     changes: dict[KeyPath, str | float] = {p: value for p, value in variant.changes.items() if not isinstance(value, float)}
     if scheme:

@@ -1,11 +1,11 @@
-"""Whether the true motion of many sets is sure to go through: followed for all at once, every determinant watched.
+"""Whether the true motion of many data sets is sure to reach its end: all are followed at once, with every determinant watched.
 
 Enters: a `Model`, the numbers of the sets, where they begin.  Leaves: (n,) True where no dead or change point can have been
-missed.  Used by `sets.py`; what is not sure is searched one by one.
+missed.  Used by `sets.py`; sets that are not sure are searched one by one.
 
-The motion is followed by Runge-Kutta steps, the determinants are looked at in their ends and middles.  A set is sure where
-every determinant keeps a distance from zero that is larger than what it may dip between two looks (its second difference; a
-parabola dips an eighth of it) and than what the error of the positions may change it by (the defect of the cubic through both
+The motion is followed by Runge-Kutta steps, and the determinants are evaluated at their ends and middles.  A set is sure if every
+determinant keeps a distance from zero that is larger than its possible dip between two looks (its second difference; a
+parabola dips an eighth of it) plus its change by the error of the positions (the defect of the cubic through both
 ends of a step, measured in its middle and added up: E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential
 Equations I", Springer 1993, II.6 and II.9).
 """
@@ -26,13 +26,13 @@ from coursework.motion.schemes import PRECISE, Slopes
 from coursework.scene.model.model import Columns, Model
 from coursework.system.arrays import Array, Flags
 
-# The widest turn of a driven angle or of the argument of a sine in the drive in one step (rad), and the fewest steps.
+# Largest turn in one step (rad) of a driven angle or of the argument of a sine in the drive; fewest and most steps.
 TURN, FEWEST, MOST = 0.5, 12, 4000
-# The distance from zero, as part of the determinant's largest value, that is asked for beyond dips and errors.
+# Distance from zero that is required beyond dips and errors, as a share of the determinant's largest value.
 MARGIN = 0.02
-# How many times the summed defect the error of a position is taken for, and how fast a determinant may change with it.
+# The error of a position is taken as GROWTH times the summed defect; SLOPE bounds how fast a determinant changes with it.
 GROWTH, SLOPE = 30.0, 4.0
-# A determinant that stays below this part of the largest value it can have is not judged by its own largest value.
+# A determinant that stays below this share of its largest possible value is not judged by its own largest value.
 _FLAT = 1e-6
 
 
@@ -55,7 +55,7 @@ class Watch:
         return cls(determinants, None, size, size, np.zeros_like(size), np.zeros(size.shape[1], dtype=bool), np.zeros_like(size))
 
     def look(self, determinants: Array) -> None:
-        """Take in the next look."""
+        """Record the determinants of the next look."""
         size = np.abs(determinants)
         self.changed |= ~(determinants * self.last > 0).all(axis=0)
         self.least, self.most = np.minimum(self.least, size), np.maximum(self.most, size)
@@ -66,7 +66,7 @@ class Watch:
 
 
 def sure_to_move(model: Model, numbers: Columns, q: Array, end: float, steps: int) -> Flags:
-    """Return for which sets (n,) the motion from positions q (m, n) is sure to reach `end` (s); followed in `steps` steps."""
+    """Return for which sets (n,) the motion from positions q (m, n), followed in `steps` steps, is sure to reach `end` (s)."""
     blocks, m = len(model.blocks), q.shape[0]
     if not blocks:
         return np.asarray(np.isfinite(q).all(axis=0))
@@ -107,7 +107,7 @@ def _judged(model: Model, watch: Watch, error: Array, moved: Array) -> Flags:
 
 
 def fewest_steps(model: Model, numbers: Columns, frequency: Array, start: Array, end: float) -> int:
-    """Return the steps of a first look: no drive turns further than `TURN` in one."""
+    """Return the number of steps for a first look: in one step no drive turns further than `TURN`."""
     drives = tuple(symbol(rate) for c, rate in zip(model.variant.coordinates, model.variant.rates, strict=True)
                    if rate in model.variant.known_rates and c.unit == "rad")  # fmt: skip
     turning = np.abs(np.array([np.max(np.abs(v)) for v in model.compiled(drives)(0.0, *start, *numbers)])) if drives else 0.0
@@ -117,7 +117,7 @@ def fewest_steps(model: Model, numbers: Columns, frequency: Array, start: Array,
 
 
 def frequencies(model: Model, slopes: Sequence[Any], numbers: Columns, count: int, end: float) -> Array:
-    """Return the fastest turn (n,) in rad/s of the argument of a sine or cosine in the drive, 0 without any."""
+    """Return the fastest change (n,) in rad/s of the argument of a sine or cosine in the drive, 0 without any."""
     found = np.zeros(count)
     if not slopes:
         return found
@@ -130,13 +130,13 @@ def frequencies(model: Model, slopes: Sequence[Any], numbers: Columns, count: in
 
 
 def slopes(model: Model, numbers: Columns, end: float) -> Slopes:
-    """Return `f(t, q)`, the slopes (m, n) of all sets in a step that ends at `end` (s)."""
+    """Return `f(t, q)`: the slopes (m, n) of all sets in a step that ends at `end` (s)."""
     latest, m = may_look_until(model.breaks, end), len(model.coordinates)
     return lambda t, q: stacked(model.program(min(t, latest), *q, *numbers)[:m], q)
 
 
 def stacked(values: Sequence[Any], like: Array) -> Array:
-    """Return rows (k, n) of numbers and arrays (n,)."""
+    """Return numbers and arrays (n,) stacked as rows (k, n)."""
     rows = np.empty((len(values), like.shape[1]))
     for row, value in zip(rows, values, strict=True):
         row[:] = value

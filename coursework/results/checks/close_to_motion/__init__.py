@@ -1,1 +1,1 @@
-"""Is the table close to the motion of the mechanism?  The checks that judge the rows by the exact motion."""
+"""The checks that compare the table with the exact motion of the mechanism: is it close?"""

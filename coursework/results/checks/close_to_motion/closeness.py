@@ -14,7 +14,7 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
-# Rows that the scheme has made follow from each other to round-off (5e-13 of the scale at most in the tool's own runs).
+# Rows made by the scheme follow from each other to round-off (5e-13 of the scale at most in the tool's own runs).
 SPOILT = 1e-9
 
 
@@ -54,7 +54,7 @@ def accuracy(evidence: Evidence) -> Finding:
 
 @frozen
 class Distance:
-    """How far the rows of a scheme are from the motion: `share` of the scale of `column`, at worst in `row` (from 1)."""
+    """The distance of a scheme's rows from the motion: a `share` of the scale of `column`, largest in `row` (from 1)."""
 
     scheme: str
     share: float
@@ -64,7 +64,7 @@ class Distance:
 
 
 def distance(evidence: Evidence) -> Distance | None:
-    """Return how far rows are from the exact motion, None where there is no row or no column to compare."""
+    """Return how far the rows are from the exact motion, None if there is nothing to compare."""
     if not evidence.names or evidence.compared < 2:
         return None
     row, place = worst(evidence.errors)
@@ -88,7 +88,7 @@ def _spoilt(evidence: Evidence) -> tuple[int, str, float] | None:
 
     suspicious = ~(np.max(shares(replay.rows(motion), motion.rows), axis=1) <= SPOILT)
     for row in np.flatnonzero(suspicious).tolist():
-        # Near a dead point round-off grows: there the arithmetic of the march itself decides, one number at a time.
+        # Near a dead point round-off grows: there the scalar arithmetic of the march itself decides.
         found = np.nan_to_num(shares(replay.row(motion, row), motion.rows[row]), nan=np.inf)
         place = int(np.argmax(found))
         if found[place] > SPOILT:

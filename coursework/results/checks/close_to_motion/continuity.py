@@ -1,7 +1,7 @@
-"""CONTINUITY: the exact motion has no jump, and the table changes from row to row as it does.
+"""CONTINUITY: the exact motion has no jump, and the table changes from row to row as the exact motion does.
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
-A change that is large in one interval is a jump only if it stays large however small the interval gets.
+A large change in one interval is a jump only if it stays large however short the interval gets.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from coursework.system.angles import whole_turns
 
 Array = NDArray[Any]
 HALVINGS = 40
-# A smooth curve would have to be steeper than this many times its scale a step to look like a jump after 20 halvings.
+# Fewest rows in which there is a change to judge.
 _FEWEST_ROWS = 2
-# A break this part of its time from an interval is in it.
+# A break within this share of its time of an interval counts as inside.
 _AT_BREAK = 1e-9
-# Intervals that look like a jump from outside and are looked into one by one.
+# Number of suspect intervals that are examined one by one.
 _MOST_SUSPECTS = 5
 
 
 class Jump(NamedTuple):
-    """A change of `share` of the scale of `column` that is left at `time` (s), in the interval behind row `row` (from 0)."""
+    """A change by `share` of the scale of `column` that remains at `time` (s), in the interval after row `row` (from 0)."""
 
     share: float
     column: str
@@ -53,7 +53,7 @@ def continuity(evidence: Evidence) -> Finding:
     name, value = evidence.names[place], float(shares[row, place])
     found = {"name": name, "share": percent(value), "row": row + 1, "next": row + 2}
     if value <= LIMIT:
-        # At a break of a `pieces` law the velocities may jump, as the drive says.
+        # At a break of a `pieces` law the velocities may jump, as the drive demands.
         is_broken = bool(breaks(evidence.variant))
         how = ("broken" if is_broken else "pass") if value else ("broken_same" if is_broken else "same")
         sentence = evidence.say(f"check.CONTINUITY.{how}", **found)
@@ -62,7 +62,7 @@ def continuity(evidence: Evidence) -> Finding:
 
 
 def jump_of_exact(evidence: Evidence) -> Jump | None:
-    """Return the largest jump of the exact motion that is at no break of a `pieces` law, None where it has none."""
+    """Return the largest jump of the exact motion away from the breaks of `pieces` laws, None if there is none."""
     exact = evidence.exact
     if exact is None or len(exact.t) < 2 or evidence.restricted:
         return None
@@ -77,7 +77,7 @@ def jump_of_exact(evidence: Evidence) -> Jump | None:
 
 
 class _Brackets(NamedTuple):
-    """Parts of intervals, one for each (`row`, `column`): from `left` to `right` of the interval, values `low` and `high`."""
+    """Parts of intervals, one for each (`row`, `column`): from share `left` to `right`, with the values `low` and `high`."""
 
     row: Array
     column: Array
@@ -97,10 +97,10 @@ class _Brackets(NamedTuple):
 
 
 def _suspects(evidence: Evidence) -> _Brackets:
-    """Return the changes that stay large on the curves laid through the exact rows, however often they are halved.
+    """Return the changes that stay large, however often halved, on the cubics through the exact rows.
 
-    Those curves are cubics with the exact positions and rates at the rows; what jumps on them is at most where the motion
-    jumps.  Every interval and column is halved by itself, the half with the larger change kept.
+    These cubics have the exact positions and rates at the rows; they can jump only where the motion jumps.  Every interval and
+    column is halved by itself, and the half with the larger change is kept.
     """
     exact, rates = evidence.true, evidence.rates
     places = np.array([exact.names.index(name) for name in evidence.names])
@@ -127,7 +127,7 @@ def _suspects(evidence: Evidence) -> _Brackets:
 
 
 def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]:
-    """Return times and positions (n, m) at a part of the interval behind each row, on the cubics through the exact rows."""
+    """Return times and positions (n, m) at a `part` of the interval after each row, on the cubics through the exact rows."""
     exact = evidence.true
     size, h = exact.coordinates.shape[1], exact.step
     begin, end = exact.coordinates[row], exact.coordinates[row + 1]
@@ -136,7 +136,7 @@ def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]
 
 
 def _looked_into(evidence: Evidence, row: int, place: int) -> Jump | None:
-    """Return the jump that the exact motion itself makes of one column in one interval, None where it makes none."""
+    """Return the jump of one column of the exact motion itself in one interval, None if there is none."""
     exact, rates, name = evidence.true, evidence.rates, evidence.names[place]
     index, scale = exact.names.index(name), evidence.scales[place]
 
@@ -157,5 +157,5 @@ def _looked_into(evidence: Evidence, row: int, place: int) -> Jump | None:
             if abs(high - low) <= LIMIT * scale:
                 return None
     except (ArithmeticError, ValueError, OutsideTable):
-        return None  # no value there: the motion is not known inside this interval, so nothing is said against it
+        return None  # no value there: the motion is unknown inside this interval, so nothing is said against it
     return Jump(abs(high - low) / scale, name, row, begin)

@@ -18,9 +18,9 @@ from coursework.variant.formula.tree import evaluate, spelled
 from coursework.variant.record.places import lengths_of
 from coursework.words.sentences import joined
 
-# A length below this part of the longest is none: it stands for a point that coincides with another.
+# A length below this share of the longest counts as zero: it belongs to a point that coincides with another.
 _NO_LENGTH = 1e-9
-# An equation open by less, in parts of the shortest length, is open by round-off only.
+# An equation open by less than this share of the shortest length is open by round-off only.
 ROUND_OFF = 1e-12
 
 
@@ -62,7 +62,7 @@ def drift(evidence: Evidence) -> Finding:
 
 
 def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int] | None:
-    """Return the first row (from 0) and the equation that the motion of the velocities itself leaves open, None if all hold."""
+    """Return the first row (from 0) and equation that the exact motion leaves open after a closed start; None without any."""
     exact = evidence.exact
     if exact is None or not len(exact.t):
         return None
@@ -75,7 +75,7 @@ def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int
 
 
 def shortest_length(evidence: Evidence) -> float:
-    """Return the shortest length (m) of a vector or group, over the rows where it changes; of the data where there is none."""
+    """Return the shortest length (m) of a vector or group, over all rows if it changes; of the data if there is none."""
     variant, motion = evidence.variant, evidence.motion
     trees = {*lengths_of(variant)}
     sliding = {coordinate.name for coordinate in variant.coordinates if coordinate.unit == "m"}
@@ -95,7 +95,7 @@ def _shortest(sizes: list[float]) -> float:
     return min((size for size in sizes if size > _NO_LENGTH * longest), default=0.0)
 
 
-# The table repeats itself where the last period changes by less than this part of what it is off.
+# The table repeats itself if the last period changes it by less than this share of its error.
 REPEATS = 0.01
 _SHOWN = (1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 

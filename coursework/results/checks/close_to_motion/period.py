@@ -1,4 +1,4 @@
-"""PERIOD-POSITION, PERIOD-VELOCITY, PERIOD-ASSEMBLY: the last row against the first, and what the difference is made of.
+"""PERIOD-POSITION, PERIOD-VELOCITY, PERIOD-ASSEMBLY: the last row against the first, and the parts of the difference.
 
 Enters: `Evidence`.  Leaves: a `Finding` each, and `Split`, which the page shows.
 total = scheme error + (T is not a whole number of steps) + round-off, signed, per column.
@@ -33,9 +33,9 @@ from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-# Where the exact motion alone is this part of the limit beside its start, a finer step does not bring the row inside it.
+# If the exact motion alone misses its start by this share of the limit, a finer step cannot bring the row within the limit.
 NEARLY = 0.9
-# Part of the scale by which a motion that is back after several periods may miss its start: five digits of the period.
+# Share of the scale by which a motion may miss its start after several periods: five digits of the period.
 AGAIN = 1e-4
 
 
@@ -55,7 +55,7 @@ class Split:
 
 
 def mismatch(evidence: Evidence) -> tuple[Split, ...] | None:
-    """Return the split of every column, None where the run does not reach a period or stopped before."""
+    """Return the split of every column, None if the run does not reach a period or stopped before."""
     row, motion, exact = evidence.period_row, evidence.motion, evidence.exact
     if row is None or motion.stop is not None or exact is None or row >= evidence.compared:
         return None
@@ -114,7 +114,7 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     if value == 0:
         told = [evidence.say("check.PERIOD.same", row=row + 1)]
     else:
-        alike = "near" if f"{first:.6g}" == f"{last:.6g}" else "pass"  # two numbers that read alike differ in no way
+        alike = "near" if f"{first:.6g}" == f"{last:.6g}" else "pass"  # two numbers that read alike are not called different
         told = [evidence.say(f"check.PERIOD.{alike if value <= LIMIT else 'coarse'}", **found)]
     late = share_of(worst.period, scale[worst.name])
     if cannot_return := value > LIMIT and late > NEARLY * LIMIT and _is_beyond(evidence, worst.name):
@@ -130,7 +130,7 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
 
 @cache
 def _label(name: str, part: str) -> Sentence:
-    """Return how one part of a column's mismatch is called; every step tried for an advice asks again."""
+    """Return the label of one part of a column's mismatch; cached, because every step tried for an advice needs it."""
     return say("check.line", name=name, part=say(f"check.PERIOD.part.{part}"))
 
 
@@ -138,9 +138,9 @@ _PARTS = ("first", "last", "total", "scheme", "period", "roundoff")
 
 
 def _behind_the_end(evidence: Evidence, names: list[str], code: str) -> Finding:
-    """Return what is known of a period no row is at: where it ends behind the run, the exact motion may be followed there.
+    """Return the finding for a period that no row reaches: if it ends after the run, the exact motion is followed there.
 
-    Where that is too far, the drive alone, a function of time, can say that nothing is back then.
+    If that is too far, the drive alone, as a function of time, may show that the motion is not back then.
     """
     exact, period = evidence.exact, evidence.period
     stated = evidence.variant.time.period is not None and not evidence.restricted
@@ -152,13 +152,13 @@ def _behind_the_end(evidence: Evidence, names: list[str], code: str) -> Finding:
     longer = evidence.once(f"exact up to {period!r}", lambda: prolonged(exact, evidence.rates, period))
     if longer is None:
         return skipped(_why_skipped(evidence))
-    # The scale is that of a whole period, of which the run has only a part.
+    # The scale must be that of a whole period, of which the run covers only a part.
     wrong = _wrong(replace(evidence, exact=longer), names)
     return wrong or skipped(evidence.say("check.PERIOD.due_later", end=float(evidence.motion.t[-1]), period=period))
 
 
 def _judged_later(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding | None:
-    """Return what is found after several periods, None where the mechanism is not back then or the run does not reach them."""
+    """Return the finding after several periods, None if the mechanism is not back then or the run does not reach them."""
     back = later(evidence)
     near = max(evidence.motion.step / 2, NEAR_PERIOD * evidence.period)
     if back is None or back.periods is None or float(evidence.motion.t[-1]) < back.time - near:
@@ -174,10 +174,10 @@ def _periods(evidence: Evidence, back: Later) -> str:
 
 
 def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
-    """Return that the stated period is wrong, or that of the drive alone; None where the exact motion is back after it."""
+    """Return that the stated period, or that of the drive alone, is wrong; None if the exact motion is back after it."""
     if _strayed(evidence, list(evidence.names)) is None:
         return None
-    if (back := later(evidence)) is not None:  # of a wheel nearly back the velocities say so alone
+    if (back := later(evidence)) is not None:  # if a wheel is nearly back, only its velocities show it
         if back.periods is None:
             return skipped(evidence.say("check.PERIOD.never", period=evidence.period, most=MOST))
         end = float(evidence.motion.t[-1])
@@ -190,9 +190,9 @@ def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
 
 
 def _multiple(evidence: Evidence) -> int:
-    """Return after how many of the stated periods, inside the run, the exact motion is back; 0 after none.
+    """Return the number of stated periods after which, inside the run, the exact motion is back; 0 if there is none.
 
-    That is so where two cranks turn at 3 : 5 and the turn of one is stated.
+    This happens if two cranks turn at 3 : 5 and the period of one is stated.
     """
     most = min(MOST, int(float(evidence.motion.t[-1]) / evidence.period * (1 + NEAR_PERIOD)))
     rows = ((number, after(evidence, number * evidence.period)) for number in range(2, most + 1))
@@ -201,7 +201,7 @@ def _multiple(evidence: Evidence) -> int:
 
 
 def _drive_strayed(evidence: Evidence) -> Finding | None:
-    """Return that the drive is not after the stated period what it is at the start; None where it is, or that is not known."""
+    """Return that the drive after the stated period differs from the start; None if it does not, or if it is unknown."""
     laws = [law.name for law in evidence.variant.drive if not law.table]
     values = drive_values(evidence.equations, laws, np.append(evidence.true.t, evidence.period))
     if not laws or not np.isfinite(values).all():
@@ -213,7 +213,7 @@ def _drive_strayed(evidence: Evidence) -> Finding | None:
 
 
 def _not_back(evidence: Evidence, name: str, share: float, first: float, last: float) -> Finding | None:
-    """Return that a column has another value after the stated period; None where that is as good as the same."""
+    """Return that a column has another value after the stated period; None if the difference is within the limit."""
     if share <= RETURNS:
         return None
     variant = evidence.variant
@@ -225,7 +225,7 @@ def _not_back(evidence: Evidence, name: str, share: float, first: float, last: f
 
 
 def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, float] | None:
-    """Return (column, share, start, value after the stated period) where the exact motion is not back, None where it is."""
+    """Return (column, share, start, value after the stated period) if the exact motion is not back; None if it is."""
     if evidence.restricted or (then := after(evidence, evidence.period)) is None:
         return None
     worst = max(names, key=lambda name: missed(evidence, then, name))
@@ -234,12 +234,12 @@ def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, f
 
 
 def is_a_period(evidence: Evidence) -> bool:
-    """Return whether the file states a period and the exact motion is not known to be elsewhere after it."""
+    """Return whether the file states a period and the exact motion is not known to miss its start after it."""
     return evidence.variant.time.period is not None and _strayed(evidence, list(evidence.names)) is None
 
 
 def _is_beyond(evidence: Evidence, name: str) -> bool:
-    """Return whether the exact motion is not back at the moment nearest to a whole period that any step can reach."""
+    """Return whether the exact motion misses its start even at the time nearest to a whole period that any step can reach."""
     row = evidence.period_row
     assert row is not None
     whole = round(float(evidence.motion.t[row]) / evidence.period) * evidence.period
@@ -274,13 +274,13 @@ def assembly(evidence: Evidence) -> Finding:
 
 
 def _changed(motion: Motion, evidence: Evidence) -> int | None:
-    """Return the first row (from 0) with another sign than the first row has, passages counted; None where there is none."""
+    """Return the first row (from 0) whose signs differ from the first row's, apart from passages; None if there is none."""
     if not motion.determinants.size:
         return None
     signs = np.sign(motion.determinants)
     for passage in evidence.passages:
         own = [place for place, block in enumerate(evidence.rates.blocks) if block == passage.block]
-        # A scheme that is a little off is through a row early or late.
+        # A slightly inaccurate scheme passes a row early or late.
         near = np.abs(motion.t - passage.middle.time) < motion.step
         for place in own:
             signs[motion.t > passage.middle.time, place] *= -1

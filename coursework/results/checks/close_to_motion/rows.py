@@ -1,4 +1,4 @@
-"""STEP: rows enough for the drive, for every turn of a crank, one at each break of the drive, nothing hidden between two.
+"""STEP: enough rows for the drive and for every turn of a crank, a row at each break, nothing hidden between two rows.
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`, `advice.py`, `study.py`,
 `step_rules.py`, `closeness.py`, and `checks.py` of the forces.
@@ -19,16 +19,16 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import joined
 
-# Explicit Euler wants at least twenty rows a period of the drive, and a turn of a crank.
+# Explicit Euler needs at least twenty rows in a period of the drive and in a turn of a crank.
 ROWS_A_PERIOD = 20
-# A break of the drive this part of its time from a row is at the row.
+# A break within this share of its time from a row is at the row.
 AT_ROW = 1e-9
-# The part of its range by which |sin| leaves the line between two of twenty rows a period, at a fold, is a sixth.
+# Limit for the deviation from a line between two rows, as a share of the range; |sin| at a fold, with twenty rows a period: 1/6.
 FOLD = 0.2
-# A stretch of the drive that is this part of a step is looked into, at so many places; so many tell the range of the drive.
+# Stretches of the drive below 1/_SUDDEN of a step are evaluated at `_LOOKS` places; `_RANGE` places give the range of the drive.
 _SUDDEN, _LOOKS, _RANGE = 2, 9, 1001
 _AT_ROW = 1e-12
-# Parts of a step after which a break counts as one that no whole part of the step meets.
+# Largest number of parts of a step that is tried to put a row at each break.
 _MOST_PARTS = 1000
 
 
@@ -70,9 +70,10 @@ def enough(evidence: Evidence) -> Finding:
 
 
 def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float, float] | None:
-    """Return the drive that leaves the line between two rows a step (s) apart the most, when (s), and by what part of its range.
+    """Return the drive that deviates most from a line between rows a step (s) apart, when (s), and by what share of its range.
 
-    None where none does by more than `FOLD`.  Looked at is what takes less than a step; a break between rows is told otherwise.
+    None if the share is at most `FOLD`.  Only stretches shorter than a step are examined; breaks between rows are reported
+    elsewhere.
     """
     variant, (begin, end) = equations.variant, resolution(equations).shorter(step / _SUDDEN)
     names = [law.name for law in variant.drive]
@@ -84,7 +85,7 @@ def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float,
     times, row = times[kept], row[kept]
     if not len(times):
         return None
-    # A row at a break of the drive is the end of its old formula, and the begin of the new one.
+    # A row at a break of the drive is the end of the old formula and the beginning of the new one.
     first, last = (drive_values(equations, names, at) for at in (row * step * (1 + _AT_ROW), (row + 1) * step * (1 - _AT_ROW)))
     values, part = drive_values(equations, names, times), (times / step - row)[:, None]
     rows = drive_values(equations, names, np.linspace(0.0, variant.time.end, _RANGE))
@@ -96,16 +97,16 @@ def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float,
 
 
 def off_row(variant: Variant, step: float) -> list[float]:
-    """Return the breaks of the drive (s) that no row of a run with this step (s) is at."""
+    """Return the breaks of the drive (s) that fall on no row of a run with this step (s)."""
     return between(breaks(variant), step, variant.time.end)
 
 
 def between(times: Iterable[float], step: float, end: float) -> list[float]:
-    """Return the times (s) before the end that no row of a run with this step (s) is at."""
+    """Return the times (s) before the end that fall on no row of a run with this step (s)."""
     return [time for time in times if time < end and abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
 
 
 def parts_at_breaks(evidence: Evidence, least: int = 1) -> int:
-    """Return the fewest parts of the step, at least `least`, that leave a row at each break of the drive; 0 where none do."""
+    """Return the fewest parts of the step, at least `least`, that put a row at each break of the drive; 0 if none do."""
     step = evidence.motion.step
     return next((parts for parts in range(least, least + _MOST_PARTS) if not off_row(evidence.variant, step / parts)), 0)

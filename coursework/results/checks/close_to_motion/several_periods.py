@@ -1,6 +1,6 @@
-"""A gear train whose ratio is no whole number: back after several periods of its drive, or never.
+"""A gear train with a ratio that is not whole: back after several periods of its drive, or never.
 
-Enters: `Evidence` whose exact motion is not back after the stated period.  Leaves: `Later`, None where no gain explains that.
+Enters: `Evidence` whose exact motion is not back after the stated period.  Leaves: `Later`, None if gears do not explain it.
 Used by `period.py`.
 """
 
@@ -14,54 +14,54 @@ from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
-# Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
+# Share of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
 # T off by 0.2 % (three digits of it) moves the exact motion by at most 0.021, T off by 2 % by at least 0.031.
 RETURNS = 0.03
 
-# The stated period is looked for up to so many times the length of the run: behind the end as much work again as in it.
+# The stated period is followed up to this multiple of the run's length: as much work after the run as in it.
 FURTHEST = 2.0
 
-# After more periods of its drive than this nobody waits for a mechanism.
+# Largest number of drive periods: nobody waits longer for a mechanism.
 MOST = 100
 
-# Part of a turn by which a whole number of turns may be missed.  Among a hundred multiples of any number one is whole to 0.01:
-# with the limit for T every ratio would be a simple fraction.
+# Share of a turn by which a whole number of turns may be missed.  Among a hundred multiples of any number one is whole to 0.01:
+# with the limit for T every ratio would count as a simple fraction.
 WHOLE = 1e-4
 
 
 @frozen
 class Later:
-    """The mechanism is back after `periods` of its drive, at `time` s; `periods` None: after none of the first `MOST`."""
+    """When the mechanism is back: after `periods` of its drive, at `time` s; `periods` is None if it is not within `MOST`."""
 
     periods: int | None
     time: float
 
 
 def later(evidence: Evidence) -> Later | None:
-    """Return when the mechanism is back, None where the drive is not back after T, or no wheel gains the same each period."""
+    """Return when the mechanism is back; None if the drive is not back after T, or if no wheel gains steadily each period."""
     return evidence.once(f"back later than {evidence.period!r}", lambda: _later(evidence))
 
 
 def after(evidence: Evidence, time: float) -> Array | None:
-    """Return the exact row (m + k,) at any time (s), None where there is none."""
+    """Return the exact row (m + k,) at any time (s), None if there is none."""
     exact = evidence.true
     return evidence.once(f"exact at {time!r}", lambda: exact_at(exact, evidence.rates, time))
 
 
 def share_of(size: float, scale: float) -> float:
-    """Return a difference as a part of the scale, 0 where it is no error."""
+    """Return a difference as a share of the scale, 0 if it is too small to count."""
     return 0.0 if abs(size) < NO_ERROR else abs(size) / scale
 
 
 def ends(evidence: Evidence, row: Array, name: str) -> tuple[float, float]:
-    """Return a column of the exact motion at its start and in an exact row, whole turns taken off."""
+    """Return a column of the exact motion at its start and in an exact row, without whole turns."""
     exact = evidence.true
     first, last = float(exact.column(name)[0]), float(row[exact.names.index(name)])
     return first, last - float(whole_turns(last - first)) if evidence.unit(name) == "rad" else last
 
 
 def missed(evidence: Evidence, row: Array, name: str) -> float:
-    """Return by what part of its scale a column of an exact row is off its start, whole turns taken off."""
+    """Return the share of its scale by which a column of an exact row misses its start, without whole turns."""
     first, last = ends(evidence, row, name)
     return share_of(last - first, evidence.scale[name])
 
@@ -72,7 +72,7 @@ def _later(evidence: Evidence) -> Later | None:
     once = after(evidence, period) if driven else None
     if once is None or any(missed(evidence, once, name) > RETURNS for name in (*driven, *variant.known_rates)):
         return None
-    twice = after(evidence, 2 * period)  # last: an arm without a crank may be led out of its reach behind its period
+    twice = after(evidence, 2 * period)  # last: after its period an arm without a crank may be led out of its reach
     if twice is None:
         return None
     gains = np.diff([exact.rows[0], once, twice], axis=0)[:, : len(exact.coordinate_names)]
@@ -97,9 +97,9 @@ def _later(evidence: Evidence) -> Later | None:
 
 
 def _lateness(evidence: Evidence, gains: Array, driven: list[str]) -> Array:
-    """Return by what factor (2,) each period is longer than the whole turns of the driven crank, 1 where none turns round.
+    """Return the ratio (2,) of each period's turn of the driven crank to whole turns; 1 if no crank turns round.
 
-    The ratio of a wheel to the crank is the same whatever digits of T are stated.
+    Dividing by it makes the ratio of a wheel to the crank independent of the digits of T that are stated.
     """
     exact = evidence.true
     for name in driven:
@@ -111,7 +111,7 @@ def _lateness(evidence: Evidence, gains: Array, driven: list[str]) -> Array:
 
 
 def _is_back(evidence: Evidence, time: float) -> bool:
-    """Return whether every column is back then, as far as the motion is followed: beyond, the whole turns alone say so."""
+    """Return whether every column is back at `time`, if the motion can be followed so far; beyond, whole turns are enough."""
     if time > FURTHEST * float(evidence.motion.t[-1]):
         return True
     row = after(evidence, time)

@@ -1,8 +1,8 @@
 """SINUSOID: under a drive of sines the velocities consist of its first three harmonics, and so does the table.
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
-Least squares on a constant, t, and cos, sin of every k w, k = 1, 2, 3, w the frequencies of the drive.  Only where k = 1 alone
-carries an oscillation is it sinusoidal, as the drive is; else it is told how much each k carries.
+The fit is by least squares on a constant, t, and cos, sin of every k w, k = 1, 2, 3, where w are the frequencies of the drive.
+An oscillation is called sinusoidal, like the drive, only if k = 1 alone carries it; else the share of each k is told.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from coursework.results.checks.evidence import NEAR_PERIOD, Evidence
 from coursework.results.checks.result import Finding, floored, skipped
 from coursework.system.arrays import Array
 
-Harmonics = dict[str, tuple[float, ...]]  # by column: what k = 1, 2, 3 carry, each alone
+Harmonics = dict[str, tuple[float, ...]]  # by column: the shares of k = 1, 2, 3
 _PARTS = ("first", "second", "third")
-# In a benign mechanism the first three harmonics carry more than this part of an oscillation (catalogue: 0.984 to 1.000).
+# In a benign mechanism the first three harmonics carry more than this share of an oscillation (catalogue: 0.984 to 1.000).
 SHARE = 0.9
 HARMONICS = (1, 2, 3)
-# Rows the exact motion is judged on, a period of the fastest sine in the drive.
+# Number of exact rows for judging, in a period of the fastest sine in the drive.
 _ROWS_A_PERIOD = 16
-# Part of a column's largest size below which its oscillation is round-off.
+# Share of a column's largest size below which its oscillation is round-off.
 _QUIET = 1e-12
 
 
@@ -66,7 +66,7 @@ def sinusoid(evidence: Evidence) -> Finding:
 
 
 def _dense(evidence: Evidence, found: tuple[float, ...]) -> Motion | None:
-    """Return the exact motion on rows that are close enough; None where it cannot be followed between rows."""
+    """Return the exact motion on rows that are close enough; None if it cannot be followed between rows."""
     exact = evidence.true
     parts = int(np.ceil(_ROWS_A_PERIOD * exact.step * found[-1] / (2 * np.pi) * (1 - 1e-9)))
     return finer(exact, evidence.rates, parts, parts * (len(exact.t) - 1) + 1) if parts > 1 else exact
@@ -77,7 +77,7 @@ def _terms(found: tuple[float, ...]) -> int:
 
 
 def shares(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], window: float) -> dict[str, float]:
-    """Return the part of each column's oscillation that the harmonics of `found` (rad/s) carry, up to `window` (s)."""
+    """Return the share of each column's oscillation carried by the harmonics of `found` (rad/s), up to `window` (s)."""
     t = motion.t[motion.t <= window]
     columns = np.array([motion.column(name)[: len(t)] for name in names]).T
     without_trend = _left_by_a_line(t, columns)
@@ -88,9 +88,9 @@ def shares(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], win
 
 
 def harmonics(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], window: float) -> Harmonics:
-    """Return the part of each column's oscillation that k = 1, 2, 3 carry, each alone: `shares`, by squared amplitude.
+    """Return the share of each column's oscillation that k = 1, 2, 3 each carry: `shares`, split by squared amplitude.
 
-    The row at which a period ends is that at which the next begins, and does not count twice.
+    The row at the end of a period is the first row of the next, and must not count twice.
     """
     t = motion.t[motion.t <= window]
     whole = t[t < t[-1] - motion.step / 2]
@@ -98,7 +98,7 @@ def harmonics(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], 
     terms = np.column_stack([np.ones_like(whole), *_turning(whole, found)])
     squares = np.linalg.lstsq(terms, columns, rcond=None)[0][1:] ** 2
     sizes = np.sum(squares.reshape(len(HARMONICS), -1, len(names)), axis=1)
-    sizes[0] += np.sum(sizes, axis=0) <= (_QUIET * np.max(np.abs(columns), axis=0)) ** 2  # no oscillation is as even as any
+    sizes[0] += np.sum(sizes, axis=0) <= (_QUIET * np.max(np.abs(columns), axis=0)) ** 2  # no oscillation counts as sinusoidal
     parts = np.array([*shares(motion, names, found, window).values()]) * sizes / np.sum(sizes, axis=0)
     return {name: tuple(column) for name, column in zip(names, parts.T.tolist(), strict=True)}
 
@@ -108,7 +108,7 @@ def _turning(t: Array, found: tuple[float, ...]) -> list[Array]:
 
 
 def _left_by_a_line(t: Array, columns: Array) -> Array:
-    """Return the sum of squares (k,) that the best straight line over t (n,) leaves of each column (n, k)."""
+    """Return the sum of squares (k,) of the residuals of each column (n, k) after fitting a straight line over t (n,)."""
     middle = t - np.mean(t)
     level = columns - np.mean(columns, axis=0)
     slope = middle @ level / (middle @ middle or 1.0)
@@ -116,6 +116,6 @@ def _left_by_a_line(t: Array, columns: Array) -> Array:
 
 
 def _left(terms: Array, columns: Array) -> Array:
-    """Return the sum of squares (k,) that least squares on `terms` (n, j) leaves of each column (n, k)."""
+    """Return the sum of squares (k,) of the residuals of each column (n, k) after least squares on `terms` (n, j)."""
     coefficients = np.linalg.lstsq(terms, columns, rcond=None)[0]
     return np.asarray(np.sum((columns - terms @ coefficients) ** 2, axis=0))

@@ -1,6 +1,6 @@
-"""Stiff equations: a deviation dies out far faster than the motion changes, and an explicit step must be as short as that.
+"""Stiff equations: deviations decay far faster than the motion changes, and an explicit step must be as short as their decay.
 
-Enters: `Evidence`.  Leaves: `Stiff`, None where they are not, or the scheme bears it.  Used by `advice.py` and `check.py`.
+Enters: `Evidence`.  Leaves: `Stiff`, None if they are not stiff or the step is short enough.  Used by `advice.py` and `check.py`.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from coursework.variant.record.variant import MAX_ROWS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-# Exact rows looked at; a half of them must be stiff, so that a pulse alone is none.
+# Number of exact rows examined; half of them must be stiff, so that a single pulse does not count.
 _LOOKS = 40
 _FEW = 3
-# The parts of a run in which a deviation dies out: more, and it belongs to the motion itself.
+# Smallest number of decay times in a run: with fewer, the decay belongs to the motion itself.
 _TIMES = 20.0
-# What the slopes of a motion that is slow beside the deviation may change from row to row, of their size.
+# Largest relative change from row to row in the slopes of a motion that is slow compared with the deviation.
 _SLOW = 0.5
 _APART = float(np.cbrt(np.finfo(float).eps))
 
 
 @frozen
 class Stiff:
-    """Deviations die out with `rate` (1/s); `scheme` keeps them small with steps up to `longest` (s), `rows` of them in all."""
+    """Deviations decay at `rate` (1/s); `scheme` keeps them small with steps up to `longest` (s), `rows` of them in all."""
 
     rate: float
     scheme: str
@@ -39,18 +39,18 @@ class Stiff:
 
     @property
     def sentence(self) -> Sentence:
-        """Return what that means for the step."""
+        """Return what this means for the step."""
         title = title_of(SCHEMES[self.scheme])
         told = say("advice.stiff", rate=self.rate, time=1 / self.rate, title=title, step=self.longest)
         return joined([told, say("advice.implicit")]) if self.rows > MAX_ROWS else told
 
     def parts(self, step: float) -> int:
-        """Return the parts of a step that are short enough."""
+        """Return into how many parts a step must be divided to be short enough."""
         return math.ceil(step / self.longest)
 
 
 def stiff(evidence: Evidence) -> Stiff | None:
-    """Return how stiff the equations are along the exact motion, None where the scheme bears them with this step."""
+    """Return how stiff the equations are along the exact motion, None if the scheme copes with this step."""
     motion = evidence.motion
     if motion.scheme not in SCHEMES or evidence.stop is not None or evidence.restricted:
         return None
@@ -59,7 +59,7 @@ def stiff(evidence: Evidence) -> Stiff | None:
 
 def _stiff(evidence: Evidence) -> Stiff | None:
     motion, exact = evidence.motion, evidence.exact
-    known = exact if exact is not None and len(exact.t) > _FEW else None  # else the start alone is sure to be on the motion
+    known = exact if exact is not None and len(exact.t) > _FEW else None  # else only the start is sure to lie on the motion
     rows = (
         distinct(np.linspace(0, len(known.t) - 1, _LOOKS).astype(int)) if known is not None else np.arange(min(1, len(motion.t)))
     )
@@ -72,7 +72,7 @@ def _stiff(evidence: Evidence) -> Stiff | None:
 
 
 def _dying(evidence: Evidence, t: Array, q: Array) -> Array:
-    """Return the fastest rate (n,) in 1/s with which a deviation from rows `q` (n, m) dies out, 0 where none does."""
+    """Return the fastest decay rate (n,) in 1/s of a deviation from rows `q` (n, m), 0 if none decays."""
     size = q.shape[1]
     jacobian = np.zeros((len(t), size, size))
     for place in range(size):
@@ -87,7 +87,7 @@ def _dying(evidence: Evidence, t: Array, q: Array) -> Array:
 
 
 def _is_slow(exact: Motion) -> bool:
-    """Return whether the exact motion changes little from row to row, but for a transient."""
+    """Return whether the exact motion changes little from row to row, except for a transient."""
     slopes = exact.velocities[:, : exact.coordinates.shape[1]]
     sizes = median(np.abs(slopes))
     changes = median(np.abs(np.diff(slopes, axis=0)))

@@ -1,1 +1,1 @@
-"""Was the table computed right?  The checks that judge the rows by their own equations and start values."""
+"""The checks that judge the rows by their own equations and start values: was the table computed right?"""

@@ -18,9 +18,9 @@ from coursework.variant.formula.tree import Formula, on_axes, signed
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-_MOST_KEPT = 3  # sums that a sentence lists
-_DIGITS = 12  # of a closed start: as many as anyone copies
-START_LIMIT = 1e-6  # of the largest length: five digits in the start values are enough to pass
+_MOST_KEPT = 3  # number of sums that a sentence lists
+_DIGITS = 12  # digits of a closed start: as many as anyone copies
+START_LIMIT = 1e-6  # share of the largest length: start values with five digits pass
 
 
 def stopped(evidence: Evidence) -> Finding:
@@ -37,7 +37,7 @@ def stopped(evidence: Evidence) -> Finding:
     if stop is None:
         return Finding("PASS", say("check.STOP.pass", rows=len(evidence.motion.t)))
     row = int(stop.row) + 1
-    # A dead or change point is the mechanism's; a step too large is the scheme's, and a smaller one has all rows.
+    # A dead or change point belongs to the mechanism; a step too large to the scheme: a smaller one gives all rows.
     own = stop.kind == TOO_LARGE and evidence.stop is None
     return Finding("COARSE" if own else "FAIL", stop.sentence, stop.time, evidence.variant.time.end, "s", None, row)
 
@@ -48,7 +48,7 @@ def start(evidence: Evidence) -> Finding:
 
 
 def start_of(given: Closure | None) -> Finding:
-    """Return what START says of a closure, before any row of a table."""
+    """Return the finding of START for a closure, before any row of a table."""
     closure = _with_loops(given) if given is not None else None
     if given is None or closure is None:
         return Finding("SKIP", _kept(given) or say("check.START.skip"), unjudged=say("summary.start"))
@@ -66,7 +66,7 @@ def start_of(given: Closure | None) -> Finding:
 
 
 def _kept(closure: Closure | None) -> Sentence | None:
-    """Return which sums the motion keeps at a value that the start alone gives, None where that is zero or a height."""
+    """Return which sums keep a value that only the start gives; None if all are zero or not written as sums."""
     rows = [] if closure is None else zip(closure.equations.positions, closure.origin.tolist(), strict=True)
     limit = START_LIMIT * closure.scale if closure is not None else 0.0
     kept = [(one.told, value) for one, value in rows if one.written and abs(value) > limit]
@@ -75,10 +75,10 @@ def _kept(closure: Closure | None) -> Sentence | None:
 
 
 def _with_loops(closure: Closure) -> Closure | None:
-    """Return a closure whose closed loops of [closure] are kept at zero, not at their start; None where nothing is to be zero.
+    """Return the closure with its closed loops of [closure] held at zero, not at the start; None if nothing has to be zero.
 
-    C.y keeps a height that the start alone gives; (C - O - r @ phi).x says that a link reaches from O to C, and (C - C1).x with
-    (C - C1).y that both links reach one hinge.
+    C.y keeps a height that only the start gives; (C - O - r @ phi).x says that a link reaches from O to C; (C - C1).x together
+    with (C - C1).y says that both links reach one hinge.
     """
     positions = closure.equations.positions
     written = [on_axes(hold) for hold in closure.equations.variant.holds]
@@ -90,7 +90,7 @@ def _with_loops(closure: Closure) -> Closure | None:
 
 
 def _apart(formula: Formula) -> tuple[str, str]:
-    """Return which two points an expression holds apart, and along which axis; "" twice where it is no such difference."""
+    """Return which two points an expression holds apart, and along which axis; "" twice if it is no such difference."""
     terms = list(signed(formula))
     if len(terms) != 2 or any(term.op != "part" or term.args[0].op != "name" for term, _ in terms):
         return "", ""

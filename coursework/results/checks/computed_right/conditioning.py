@@ -23,14 +23,14 @@ from coursework.words.sentences import joined, say
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
 
-# A double has sixteen digits; six of them are more than any table of the coursework shows.
+# A double has sixteen digits; six are more than any table of the coursework shows.
 DIGITS, FEWEST = 16.0, 6.0
-# Ruiz' scaling has settled to a few percent after this many rounds, and the condition number wants no more.
+# Ruiz' scaling settles to a few percent after this many rounds, which is enough for a condition number.
 _ROUNDS = 8
 _ROUNDING = 1e-9
-# Of the largest length: a slide that is less in every row is none.
+# Share of the largest length: a slide that is smaller in every row counts as zero.
 _NONE = 1e-12
-# Digits that lengths far apart cost beyond what the equations cost: fewer are not worth a sentence.
+# Number of extra digits that lengths far apart must cost, beyond the equations, to be worth a sentence.
 _TOLD_APART = 2.0
 
 
@@ -61,7 +61,7 @@ def _condition(evidence: Evidence) -> Finding:
     left = _of_positions(evidence)
     if left is not None and left[0] < digits - _TOLD_APART:
         return _far_apart(evidence, *left)
-    told = floored(digits, 1)  # never more than there are: what is told as 6.0 passes, what fails is told as 5.9
+    told = floored(digits, 1)  # rounded down: what is shown as 6.0 passes, what fails is shown as 5.9
     sentence = say("check.CONDITION.found", digits=told, row=worst + 1, time=when, number=largest_number)
     rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
     unit = say("unit.digits", number=digits)
@@ -79,9 +79,9 @@ def _far_apart(evidence: Evidence, digits: float, row: int, name: str) -> Findin
 
 
 def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
-    """Return the digits that the position equations leave of a coordinate at worst, its row (from 0) and name; None without any.
+    """Return the fewest digits that the position equations leave of a coordinate, its row (from 0) and name; None if unknown.
 
-    Each equation is a sum of lengths and is known to a rounding of the largest: what that turns a short link beside it.
+    Each equation is a sum of lengths, known to a rounding error of the largest; this error may turn a short link.
     """
     closure, motion = evidence.closure, evidence.motion
     if closure is None or len(closure.names) != len(closure.free) or not closure.free:
@@ -102,7 +102,7 @@ def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
         return None
     coordinates = [evidence.variant.coordinates[place] for place in closure.free]
     sizes = np.max(np.abs(motion.coordinates[:, closure.free]), axis=0)
-    # A slide that is zero in every row but for round-off has no digits to lose.
+    # A slide that is zero in every row, apart from round-off, has no digits to lose.
     sizes = np.where(
         [one.unit == "rad" for one in coordinates], 1.0, np.where(sizes > _NONE * closure.scale, sizes, closure.scale)
     )
@@ -116,10 +116,10 @@ def _formula(coefficient: Expression, equations: VelocityEquations) -> Formula:
 
 
 def equilibrated(matrix: Array, sizes: Array) -> Array:
-    """Return the matrices (r, n, n) with rows and columns scaled alike in all r of them.
+    """Return the matrices (r, n, n) with rows and columns scaled by the same factors in all r of them.
 
-    `sizes` (n, n): the largest values the entries can take, not those they have: a micrometre beside a metre (hard case H17)
-    is no bad condition, and a row that vanishes (a dead point) is.  Source: D. Ruiz, RAL-TR-2001-034.
+    `sizes` (n, n) are the largest values the entries can take, not their actual values: a micrometre beside a metre (hard case
+    H17) is no bad condition, but a vanishing row (a dead point) is.  Source: D. Ruiz, RAL-TR-2001-034.
     """
     down, across = np.ones(sizes.shape[0]), np.ones(sizes.shape[1])
     for _ in range(_ROUNDS):
@@ -134,9 +134,9 @@ def _or_one(sizes: Array) -> Array:
 
 
 def peak(evidence: Evidence) -> Finding:
-    """No angle that is integrated goes further than one radian within any time of one step, to and fro taken together.
+    """No integrated angle moves more than one radian within any interval of one step, back and forth added up.
 
-    A wheel whose angle nobody adds up may turn faster: no row steps over anything with it.
+    A wheel whose angle is not integrated may turn faster: no row steps over anything because of it.
     """
     variant, step, search = evidence.variant, evidence.motion.step, evidence.search
     if search is not None and search.given_up is not None:

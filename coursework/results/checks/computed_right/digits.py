@@ -1,8 +1,8 @@
-"""TABLE-DIGITS: what the last printed digit of a tabulated law does to the velocities and accelerations.
+"""TABLE-DIGITS: the effect of the last printed digit of a tabulated law on velocities and accelerations.
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
-A value rounded to the place q lies up to q/2 beside the true one; a derivative is a weighted sum of values, so in the worst
-case it is off by q/2 times the sum of the sizes of its weights.  The weights are read off tables of zeros with a single one.
+A value rounded to the place q is off by up to q/2.  A derivative is a weighted sum of values, so at worst it is off by q/2 times
+the sum of its weights' sizes.  The weights are found from tables of zeros with a single one.
 """
 
 from __future__ import annotations
@@ -24,17 +24,19 @@ from coursework.words.sentences import joined, say
 
 # A table with more decimals than this was computed, not rounded for print.
 _MOST_DECIMALS = 12
-# A number read and converted lies this part of itself beside the decimal it was printed as.
+# Relative error with which a printed decimal is read and converted.
 _ROUND_OFF = 1e-14
-# Nodes of the tables of weights: the middle one is beyond the reach of both ends.
+# Nodes of the tables from which weights are found: the ends have no influence on the middle node.
 _NODES = 25
 _MIDDLE = _NODES // 2
 
 
 @frozen
 class Noise:
-    """What the rounding of the law `name` allows one column to be off: `inside` the table, at its `end`, and where the rows
-    are (`worst`, in row `row` from 0), in `unit`; `scale` of the column.
+    """The largest errors of one column that the rounding of the law `name` allows, in `unit`.
+
+    `inside` and `end` are the errors inside the table and at its end; `worst` is the error in the rows, in `row` (from 0).
+    `scale` is that of the column, `order` 1 for a velocity and 2 for an acceleration.
     """
 
     name: str
@@ -51,7 +53,7 @@ class Noise:
 
     @property
     def told(self) -> str:
-        """Return what a sentence calls the column: that of an acceleration has no name on a page."""
+        """Return the name of the column for a sentence; an acceleration is written as a derivative."""
         return self.column if self.order == 1 else f"d {self.column[1:]}/d t"
 
     @property
@@ -86,7 +88,7 @@ def table_digits(evidence: Evidence) -> Finding:
 
 
 def decimals(law: Law) -> int | None:
-    """Return the decimals that all values of a table share, None where they are too many to have been printed."""
+    """Return the number of decimals that all values of a table share, None if there are too many for a printed table."""
     values = np.array([value for _, value in law.table])
     for count in range(_MOST_DECIMALS + 1):
         scaled = values * 10.0**count
@@ -97,11 +99,11 @@ def decimals(law: Law) -> int | None:
 
 @cache
 def amplification(method: str, order: int) -> tuple[float, ...]:
-    """Return for the nodes of a table, the nearest end first, half the sum of the sizes of the weights of its derivative.
+    """Return half the sum of the sizes of a derivative's weights, for the nodes of a table from its end inwards.
 
-    Times q/d^order, q the last place and d the spacing, that is the worst case of the derivative of `order` 0, 1 or 2: 0.5 of
-    the value itself; for the five-point formulas 0.75 inside and 5.33 at the end; applied twice 1.125 and 16.4.  The last
-    entry holds inside.
+    Multiplied by q/d^order (q the last place, d the spacing) this is the worst error of the derivative of `order` 0, 1 or 2: 0.5
+    for the value itself; for the five-point formulas 0.75 inside and 5.33 at the end; applied twice 1.125 and 16.4.  The last
+    entry holds for all inner nodes.
     """
     columns = []
     for place in range(_NODES):
@@ -113,10 +115,10 @@ def amplification(method: str, order: int) -> tuple[float, ...]:
 
 
 def _noises(evidence: Evidence, law: Law) -> list[Noise]:
-    """Return what rounding does to the velocities that the law moves, and to their accelerations.
+    """Return the effect of rounding on the velocities that the law moves, and on their accelerations.
 
-    A law of position has them as its first and second derivative; a drive is a velocity, so its table is one derivative
-    further: the velocities have its own rounding, the accelerations that of its first derivative.
+    For a law of position these come from its first and second derivative.  A drive is a velocity: the velocities have the
+    rounding of its values, the accelerations that of its first derivative.
     """
     is_drive = law in evidence.variant.drive
     count = decimals(law)
@@ -162,7 +164,7 @@ def _rate(evidence: Evidence, argument: str) -> Array:
 
 
 def _scales(evidence: Evidence, order: int) -> dict[str, float]:
-    """Return the scales of the velocities that are judged (`order` 1), or of their derivatives (2), which the same rule gives."""
+    """Return the scales of the judged velocities (`order` 1), or by the same rule of their derivatives (`order` 2)."""
     exact = evidence.true
     names = [name for name in evidence.names if name in exact.velocity_names]
     if order == 1:
@@ -173,9 +175,10 @@ def _scales(evidence: Evidence, order: int) -> dict[str, float]:
 
 
 def _touched(evidence: Evidence, scales: dict[str, float]) -> tuple[str, float]:
-    """Return the column that a length off by so much shows in most, and the lever (m) in between.
+    """Return the column in which an error of a length shows most, and the lever (m) by which that error is divided.
 
-    A speed is off by as much; where no column is a speed, an angular velocity by that over the shortest length.
+    The error of a speed is that of the length; if no column is a speed, that of an angular velocity is divided by the shortest
+    length.
     """
     speeds = [name for name in scales if evidence.unit(name) == "m/s"]
     column = min(speeds or scales, key=lambda name: scales[name])
@@ -183,10 +186,10 @@ def _touched(evidence: Evidence, scales: dict[str, float]) -> tuple[str, float]:
 
 
 def _moved_by(evidence: Evidence, drive: str) -> dict[str, Array]:
-    """Return by how much each unknown velocity changes with a drive, in size, in the exact rows (n,) each.
+    """Return by how much (n,) each unknown velocity changes with a drive, in the exact rows.
 
-    The equations are linear in both: A u = b gives du = A⁻¹ db, and the accelerations change with the drive's derivative alike.
-    That the positions drift with the drive's integral moves them less, and is left out.
+    The equations are linear in both: A u = b gives du = A⁻¹ db, and the accelerations change with the drive's derivative
+    likewise.  The smaller effect of positions that drift with the drive's integral is left out.
     """
     exact, equations = evidence.true, evidence.equations
     system = compile_system(equations, equations.equations)

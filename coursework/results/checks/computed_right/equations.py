@@ -1,4 +1,4 @@
-"""INITIAL, RESIDUAL, AGREEMENT: the velocities satisfy every equation, and the equations say what the geometry says.
+"""INITIAL, RESIDUAL, AGREEMENT: the velocities satisfy every equation, and the equations agree with the geometry.
 
 Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py` and `commands/check.py`.
 Velocities solved from an equation satisfy it whatever its signs: only the geometry can judge the equation itself.
@@ -15,7 +15,7 @@ from coursework.results.checks.result import Finding, skipped
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
-# Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
+# Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any human slip.
 LIMIT = 1e-11
 
 
@@ -36,12 +36,12 @@ def every_row(evidence: Evidence) -> Finding:
     """The velocities of every row satisfy every equation they were solved from."""
     names, relative = evidence.residuals
     places = [place for place, name in enumerate(names) if name in evidence.used]
-    if not places:  # a drive of each coordinate, and no unknown velocity
+    if not places:  # every coordinate has a drive, and there is no unknown velocity
         return skipped(say("check.CONDITION.nothing"))
     others = [place for place in range(len(names)) if place not in places]
     row, chosen = worst(relative[:, places])
     value, name = float(relative[row, places[chosen]]), names[places[chosen]]
-    # An equation left out as redundant may hold on closed positions only, so the scheme's drift shows in it: told, not judged.
+    # A redundant equation left out may hold on closed positions only and so show the scheme's drift: reported, not judged.
     unit = say("unit.relative")
     rows = tuple((say("check.RESIDUAL.unused", name=names[k]), float(np.max(relative[:, k])), unit) for k in others)
     if value <= LIMIT:
@@ -56,7 +56,7 @@ def _written(evidence: Evidence) -> list[str]:
 
 
 def _arithmetic(evidence: Evidence) -> str:
-    """Return the sentence that a residual tests the arithmetic only, where the geometry judges no equation."""
+    """Return the sentence that a residual tests only the arithmetic, if the geometry confirms no written equation; else ""."""
     return "" if _confirmed(evidence) or not _written(evidence) else say("check.AGREEMENT.arithmetic")
 
 
@@ -80,9 +80,9 @@ def agreement(evidence: Evidence) -> Finding:
 
 
 def open_to_doubt(closure: Closure) -> tuple[Sentence, Sentence] | None:
-    """Return which written equations the geometry does not judge, with what to write in the file, and as part of a sentence.
+    """Return which written equations the geometry does not judge: a sentence with advice for the file, and a part of a sentence.
 
-    None where it judges all of them.
+    None if the geometry judges all of them.
     """
     told = [say("check.AGREEMENT.zero", name=name, terms=terms) for name, terms in closure.unseen]
     beside = [say("summary.zero", name=name, terms=terms) for name, terms in closure.unseen]

@@ -1,4 +1,4 @@
-"""QUOTE: the numbers that the remarks of a file quote are those of its table.
+"""QUOTE: the numbers that the remarks of a file quote equal those of its table.
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 """
@@ -16,7 +16,7 @@ from coursework.variant.record.variant import Quote
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say
 
-# A number printed with every digit of a double may be off by its last two.
+# A number printed with every digit of a double may be off in its last two.
 _LAST_DIGITS = 4 * float(np.finfo(float).eps)
 
 
@@ -46,7 +46,7 @@ def quote(evidence: Evidence) -> Finding:
 
 
 def _rows(evidence: Evidence, one: Quote) -> Motion | None:
-    """Return the rows shown that a quote speaks of: the table's own, or those of the scheme beside an exact one."""
+    """Return the rows that a quote refers to: the table's own, or those of a scheme beside an exact table; None without any."""
     time, motion = evidence.variant.time, evidence.motion
     wanted = one.scheme or scheme_for(evidence.variant)
     if time.own_step not in {None, motion.step}:
