@@ -35,8 +35,8 @@ from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import joined, say, say_count
 
-HIGHEST = 86.0  # mm: so the drawing with its caption leaves room on the first page
-TALL, MANY = 110.0, 7  # mm, from this many links on, whose names would stand too close; their data fill that page anyway
+HIGHEST = 86.0  # mm: height limit, so that the drawing with its caption leaves room on the first page
+TALL, MANY = 110.0, 7  # mm: height limit from so many links on: their names stand close, their data fill that page anyway
 ARROW = 13.0  # mm, of a driven velocity: the arrow shows its direction, not its size
 ARROWS = (ARROW, 10.5, 15.5, 8.5)  # mm: the next ones if the arrow would end in a joint or hinge
 AT_HINGE = 7.0  # mm: the name of a driven rotation that is farther from its hinge gets a thin line that leads to it

@@ -31,7 +31,7 @@ from coursework.words.sentences import say
 POSITIONS = 12
 TRACE = 'fill="none" stroke="black" stroke-width="0.35" stroke-dasharray="1.6 0.9"'
 CURVE = 'fill="none" stroke="black" stroke-width="0.3"'
-LONGEST = 38.0  # mm: most for the longest velocity of a hodograph
+LONGEST = 38.0  # mm: limit for the longest velocity of a hodograph
 MOST_MARKED = 13  # rows numbered beside a hodograph; if there are more, every second, fifth, tenth … is numbered
 AT_REST = 1e-9  # relative to the size of the mechanism, or to the largest velocity
 

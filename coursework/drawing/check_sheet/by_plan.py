@@ -47,7 +47,7 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
 
 @frozen
 class _Unknowns:
-    """The columns of the unknowns: x of a point's velocity (m/s), then y; `turn` of a link's rate times `size` (m/s)."""
+    """Columns of the unknowns: `column` of a point's vx (m/s), vy is next to it; `turn` of a link's rate times `size` (m/s)."""
 
     column: Mapping[str, int]
     turn: Mapping[str, int]

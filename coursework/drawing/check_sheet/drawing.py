@@ -30,7 +30,7 @@ VELOCITY = 'stroke="black" stroke-width="0.4"'
 READ = 1e4  # 1/m: off a drawing 1:1 a position is read to 0.1 mm
 FAR = 12.0  # mm of covered lines: price of a far centre's name where it could be taken for another's
 MISTAKEN = 8.0  # mm of covered lines: the same price for any other name
-AT_LINK = 6.0  # mm: a rotation's name that is farther from its link gets a thin line that leads to it
+AT_LINK = 6.0  # mm: a link's name with its rotation that stands farther off gets a thin line that leads to the link
 CLOSE = 0.05  # relative to the size of the mechanism: a centre this near to a point lies almost on it
 SHORTEST = 0.5  # mm: a shorter arrow is not drawn
 SMALL = 4.0  # mm: the name of a shorter arrow stands farther off

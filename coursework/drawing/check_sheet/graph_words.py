@@ -113,7 +113,7 @@ def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], le
 
 
 def drift(sketch: Sketch) -> list[str]:
-    """Return a sentence on which links and rails the row violates, and by how much drawing and table differ there; [] if none."""
+    """Return a sentence, in a list, on links and rails that the row violates, so that drawing and table differ; [] if none."""
     now, start = sketch.pose.positions, sketch.start
     allowed = RIGID * sketch.pose.size
     found = []

@@ -151,7 +151,7 @@ class _Paper:
             self.centres[body.name] = centre
 
     def _by_rate(self, body: Body) -> Centre | None:
-        """Return the centre of a link whose rate and one of whose points' velocity are known, None if they are not."""
+        """Return the centre of a link from its known rate and the known velocity of a point, None if either is unknown."""
         moving = [name for name in body.points if name in self.velocities]
         omega = self.rates.get(body.rate or "")
         if omega is None or not moving:

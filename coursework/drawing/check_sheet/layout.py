@@ -1,4 +1,4 @@
-"""How a mechanism lies on the page: scale from the series of drawing standards, scale of velocities, page upright or lying.
+"""How a mechanism lies on the page: scale from the series of drawing standards, scale of velocities, upright or landscape.
 
 Enters: a `Sketch` and the `Findings`.  Leaves: `Layout`.  Used by `drawing.py` and `check_plan.py`.
 Source of the series: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); the coursework of 1995 asks for 1:10.
@@ -20,9 +20,9 @@ PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and roo
 LANDSCAPE = (257.0, 138.0)  # mm: the same page in landscape, with room for heading and caption
 EDGE = 3.0  # mm
 SHALLOW = 100.0  # mm: a lower drawing leaves half of a landscape page empty, and most of the page before it
-COARSER = 2.0  # instead it may be drawn this many times smaller, upright among the text
+COARSER = 2.0  # an upright drawing among the text may be this many times smaller instead
 SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
-ARROWS = (45.0, 30.0, 20.0)  # mm: greatest length of the longest velocity, the first one that fits
+ARROWS = (45.0, 30.0, 20.0)  # mm: limits of the longest velocity; the first that fits is taken
 ROOM = {"point": 8.0, "hinge": 11.0, "tip": 6.0, "rim": 3.0}  # mm around each such place, for symbols and labels
 CENTRE_ROOM = 6.0
 CROSS = 1.5  # mm: the arms of the cross that marks a centre
@@ -58,7 +58,7 @@ class Layout(Board):
 
 
 def lay_out(sketch: Sketch, findings: Findings) -> Layout:
-    """Return the layout with the largest scale at which links and velocities fit, upright or landscape, as shows more centres.
+    """Return the layout with the largest scale at which links and velocities fit, on the page that shows more centres.
 
     If a landscape page would stay half empty, an upright one on which all is drawn somewhat smaller is preferred.
     If nothing fits (a mechanism of many kilometres), the smallest scale is taken.

@@ -133,7 +133,7 @@ class _Ruler:
     # by instantaneous centres
 
     def ready(self, body: Body) -> bool:
-        """Return whether a link can be worked: its centre is known, and so is its own velocity or that of one of its points."""
+        """Return whether a link can be worked: its centre is known, and so is its rotation or the speed of one of its points."""
         if body.name in self.by_plan or body.name not in self.findings.centres:
             return False
         return body.name in self.omegas or bool(self.carrier(body)) or not self.asked(body)
@@ -153,7 +153,7 @@ class _Ruler:
         return 0.0 if centre.at is None else abs(self.sketch.pose.positions[name] - centre.at)
 
     def to_centre(self, body: Body, name: str) -> _Length:
-        """Return the distance of a point from the centre: given if the centre is a named point, computed if it is off paper."""
+        """Return the distance of a point from the centre: given if the centre is named, computed if it is off the sheet."""
         centre = self.findings.centres[body.name]
         called = f"{centre.point or centre_letter(self.sketch) + lowered(body.name)}{name}"
         if centre.point:

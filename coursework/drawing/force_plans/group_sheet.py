@@ -38,7 +38,7 @@ class Figure:
 
 
 def scale_of(plan: GroupPlan, row: int) -> float:
-    """Return N per mm, the smallest of 1, 2, 5 · 10^k at which no force, and not the whole polygon, is longer than 80 mm."""
+    """Return N per mm, the smallest of 1, 2, 5 · 10^k at which neither a force nor the whole polygon is longer than 80 mm."""
     tips = [0j]
     for vector in plan.vectors:
         tips.append(tips[-1] + complex(vector.force[row]))

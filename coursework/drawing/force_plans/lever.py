@@ -47,7 +47,7 @@ class Arm:
 class Lever:
     """The lever of one drive in a row; 1 mm of it is a velocity of `unit` m (or m/rad) for a unit of the drive.
 
-    `couples` is the sum of M w (N m or N); `read` is what the drive must supply by the arms as read, `computed` the exact value.
+    `couples` is the sum of M w (N m or N); `read` is what the drive must supply by the arms as read, `computed` as calculated.
     """
 
     drive: str

@@ -20,7 +20,7 @@ from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
 
-KNOWN, DIRECTION, FOUND = "known", "direction", "found"  # given; only its direction is given; nothing is given
+KNOWN, DIRECTION, FOUND = "known", "direction", "found"  # fully given; given in direction only; unknown
 SUPERSCRIPT = {"t": "ᵗ", "n": "ⁿ"}
 _LETTERS = {"inertia": ("F", "in"), "weight": ("G", ""), "friction": ("F", "fr")}
 

@@ -150,7 +150,7 @@ def _bends(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
 
 
 def _angle(mechanism: Mechanism, formula: Formula, at: tuple[complex, ...], along: complex) -> Iterator[Angle]:
-    """Yield the datum in the angle of a direction, if the rest are coordinates or numbers; the sheet reverses its sense."""
+    """Yield the only datum in the angle of a direction, if the rest are coordinates or numbers; the sheet reverses its sense."""
     given = {datum.name: datum.value for datum in mechanism.variant.given if datum.si == "rad"}
     parts = list(signed(formula))
     data = [(part.name, sign) for part, sign in parts if part.op == "name" and part.name in given]

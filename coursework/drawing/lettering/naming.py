@@ -40,7 +40,7 @@ def point_names(painter: Painter) -> None:
 
 
 def _away(painter: Painter, name: str) -> complex:
-    """Return the direction from a point away from its links."""
+    """Return the direction from a point in which it has no links."""
     at, places = painter.at[name], painter.at
     arms = [places[p] - at for bar in painter.outline.bars if name in bar.corners for p in bar.corners if places[p] != at]
     lean = sum((arm / abs(arm) for arm in arms), 0j)

@@ -20,7 +20,7 @@ SAME = 1e-6  # relative to the distance of the block: a measured and a given off
 
 @frozen
 class Offset:
-    """A datum `length` from a `point`, in the direction `across`, to the guide of a `rider`; `stub` is its drawn part."""
+    """A datum `length` from a `point`, in direction `across`, to the guide of a `rider`; `stub`: its drawn part, or None."""
 
     length: Formula
     point: str

@@ -41,7 +41,7 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     for group in variant.groups:
         met = named(group.meets or "")
         minus += [Formula("-", (met, side)) for side in group_kind(group.kind).closure(group)[0] if group.meets]
-    at = {formula: named(name) for name, formula in mechanism.points}  # a side that is written as a point B stands for B
+    at = {formula: named(name) for name, formula in mechanism.points}  # a side of a closure that is the formula of B stands for B
     minus += [Formula("-", (at.get(c.left, c.left), at.get(c.right, c.right))) for c in mechanism.constraints if c.is_closure]
     for joint, sides in unnamed_joints(mechanism).items():
         minus += [Formula("-", (named(joint), side)) for side in sides]

@@ -96,7 +96,7 @@ class Taken:
         return cost
 
     def stand(self, width: float, height: float, places: Sequence[Place], owner: Owner, room: Rectangle) -> Stand:
-        """Return the best place of a word of a width and height (mm)."""
+        """Return where a word of a width and height (mm) stands best, beside one of the `places`."""
         claimed, owned = Lines([*owner.own, *owner.rivals]), len(owner.own)
         half = np.array([width / 2, height / 2])
         turns = math.tau * np.arange(DIRECTIONS) / DIRECTIONS

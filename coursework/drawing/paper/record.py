@@ -11,7 +11,7 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Drawing:
-    """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt` for the blind.
+    """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt`, its description.
 
     One wider than a column gets a landscape page of its own; an `exact` one is printed at exactly its size, as it has a scale.
     `steps` are sentences to be numbered below it; `letters` name points in them and are set as in a formula.

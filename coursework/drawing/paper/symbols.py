@@ -88,7 +88,7 @@ def length_word(length: Formula) -> tuple[str, str, str]:
 
 
 def decimal(value: float) -> Sentence:
-    """Return a number in words of a page without a power of ten: 0.0002."""
+    """Return a round number written without a power of ten: 0.0002."""
     return say("drawing.round", value=float(value))
 
 

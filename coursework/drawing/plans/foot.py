@@ -23,7 +23,7 @@ THIN = 'stroke="black" stroke-width="0.35"'
 def draw_foot(sheet: Sheet, scales: Sequence[str], title: str, of_mm: tuple[float, str], written: Callable[[str], str]) -> None:
     """Draw the bar and write scales and title beside it; afterwards the field of the sheet is the whole sheet.
 
-    On a screen a millimetre has no fixed size, so there the bar shows a length in the unit of `of_mm` = (amount per mm, unit).
+    On a screen a millimetre has no fixed size, so there the bar shows a round amount; `of_mm` is (amount per mm, unit).
     """
     left, base = 3.0, sheet.height - 5.0
     sheet.field = (0.0, 0.0, sheet.width, sheet.height)

@@ -23,7 +23,7 @@ DrivenLengths = Mapping[tuple[str, str], str]
 
 
 def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
-    """Return the points with a given velocity, and those moved only by driven coordinates, one of them a length or by a law.
+    """Return the points with a given velocity, and those moved only by driven coordinates, along a guide or by a law.
 
     A point that only a driven angle moves is none of these: its crank carries it.
     """

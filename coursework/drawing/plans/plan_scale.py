@@ -10,7 +10,7 @@ from coursework.drawing.paper.board import vector_scale
 from coursework.drawing.plans.vectors import ACCELERATION, Polygons
 from coursework.system.frozen import frozen
 
-LONGEST = 80.0  # mm: most for the longest vector
+LONGEST = 80.0  # mm: limit for the longest vector
 SMALL = 4.0  # mm: a shorter vector is drawn again in the inset
 SEEN = 1e-7  # relative to the longest vector: a shorter one is round-off
 READ = 0.5  # mm: lengths are read to this

@@ -36,7 +36,7 @@ def draw_plan(
     found: Polygons, plan: str, hinges: tuple[str, ...], row: int, written: Callable[[str], str], *,
     index: int | None = None, blank: bool = False,
 ) -> Drawing:  # fmt: skip
-    """Return one plan of a row (from 1), found at `index` of the polygons (None: row - 1); a `blank` one has only the data."""
+    """Return one plan of a row (from 1), found at `index` of the polygons (None: row - 1); `blank` draws only what is given."""
     index = row - 1 if index is None else index
     scale = scale_of(found, plan, index)
     unit = scale.unit

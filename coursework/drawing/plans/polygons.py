@@ -34,7 +34,7 @@ def polygons(
 
     `lengths` are the (link, rider) whose sliding is driven.
 
-    `stretching` are pairs of points of a link whose distance changes, because one slides on it.  Of a link's special points the
+    `stretching` are pairs of points of a link whose distance changes, because one of them slides.  Of a link's special points the
     nearest in `row` (from 0, the one on paper) is taken for which `on_sheet` is true; its arguments are the place (m) and the
     points from which lines lead there.
     """
@@ -108,7 +108,7 @@ class _Plan:
         return False
 
     def rolled(self, at_last: bool = False) -> bool:
-        """Place the contact of a wheel with a known centre, if what it touches is known or, `at_last`, no other rule applies."""
+        """Place the contact of a wheel with a known centre, if it touches something fixed or known or, `at_last`, in any case."""
         for wheel in self.outline.wheels:
             if wheel.centre not in self.images or wheel.contact in self.images:
                 continue

@@ -26,7 +26,7 @@ class Segment:
     """One vector of a plan in every row: `kind` absolute, relative, normal, tangential, coriolis or sliding; `start` to `end`.
 
     `start` is "pole" or a point's name; "B'" is the point of the guide-carrying link under B.  The vector begins at the image of
-    `start`; an acceleration begins after its normal or Coriolis part; `begins` is another place of the plan, if given.
+    `start`, the last part of an acceleration at the tip of its normal or Coriolis part, or at the place `begins` if given.
     """
 
     plan: str

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from xml.etree import ElementTree  # of our own SVG: its words are escaped, and it declares nothing
+from xml.etree import ElementTree  # only for our own SVG, which is escaped and has no declarations
 
 from coursework.system.frozen import frozen
 

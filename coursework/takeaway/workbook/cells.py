@@ -16,7 +16,7 @@ from coursework.takeaway.workbook.names import STEP, letters
 from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula
 
-# ROW, BEFORE, NEXT, STEPS stand in formulas for the number of a row, of the one before, of the next, and for its steps so far.
+# ROW, BEFORE, NEXT, STEPS stand in formulas for the number of a row, of the one before, of the next, and of steps before it.
 SHEET = "Euler"  # the name of the sheet in every language
 ROW, BEFORE, NEXT, STEPS = "\x01", "\x02", "\x03", "\x04"
 FIRST = 2  # the number of the row of t = 0; row 1 has the names
@@ -40,7 +40,7 @@ class Column:
 
 @changing
 class Matrix:
-    """The coefficients of a block in hidden columns from `column` on: `entries`, `size` rows of `size` + 1 for each row."""
+    """The coefficients of a block in hidden columns from `column` on; each row has `size` rows of `size` + 1 `entries`."""
 
     column: int
     size: int
